@@ -1,0 +1,1 @@
+"""Deciding answers exactly: acceptance intervals, reasons, the text of program mode."""

@@ -1,0 +1,1 @@
+"""Test data: building cases, proving promises, pinning and caching them."""

@@ -1,0 +1,62 @@
+"""What can go wrong that a person is told about.
+
+    JudgeError            anything the judge says in one line instead of a traceback
+    ├── UsageError        the caller's: an unknown problem, a missing file (exit 2)
+    └── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
+
+A submission's faults are not errors: they are verdicts.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from enum import IntEnum
+
+
+class ExitCode(IntEnum):
+    """What the `judge` command tells the shell."""
+
+    ACCEPTED = 0
+    NOT_ACCEPTED = 1
+    USAGE = 2
+    FAULT = 3
+    INTERRUPTED = 130
+
+
+class JudgeError(Exception):
+    """One clear line: what is wrong, where, and what to do about it.
+
+    `where` names the place as a person would look it up: `problem.toml:12`, `segment/statement.md`, a path.
+    """
+
+    exit_code = ExitCode.FAULT
+
+    def __init__(self, what: str, *, where: str | None = None, remedy: str | None = None) -> None:
+        super().__init__(what)
+        self.what = what
+        self.where = where
+        self.remedy = remedy
+
+    def __str__(self) -> str:
+        place = f"{self.where}: " if self.where else ""
+        advice = f"; {self.remedy}" if self.remedy else ""
+        return f"{place}{self.what}{advice}"
+
+
+class UsageError(JudgeError):
+    """What the caller asked for cannot be done as it was asked."""
+
+    exit_code = ExitCode.USAGE
+
+
+class ProblemError(JudgeError):
+    """A problem's folder contradicts itself or the format."""
+
+    exit_code = ExitCode.FAULT
+
+
+def nearest(name: str, names: Iterable[str]) -> str | None:
+    """The one of `names` that `name` was most likely meant to be, or None."""
+    matches = difflib.get_close_matches(name, list(names), n=1, cutoff=0.6)
+    return matches[0] if matches else None

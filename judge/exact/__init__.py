@@ -1,0 +1,1 @@
+"""Exact numbers and line-circle geometry over integers. Knows nothing of judging."""

@@ -1,0 +1,1 @@
+"""Containment: running a source that nobody trusts. Knows nothing of problems."""

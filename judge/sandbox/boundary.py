@@ -1,0 +1,135 @@
+"""The boundary between the judge and whatever runs a submission.
+
+In front of it the judge holds the cases and the expected answers; behind it only the submission's source, the
+arguments of the calls and standard input ever arrive. What comes back is plain JSON data of bounded size and
+figures that were measured from outside. Nothing here knows what a problem is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any, Protocol
+
+
+class Stop(Enum):
+    """Why a call or a program ended."""
+
+    ANSWERED = "answered"
+    EXCEPTION = "exception"  # an uncaught exception of the submission
+    EXITED = "exited"  # it left with a non-zero status or was killed by a signal, or left in mid-call
+    CPU = "cpu"  # CPU limit
+    WALL = "wall"  # wall limit: it slept or waited
+    MEMORY = "memory"
+    OUTPUT = "output"  # it printed or answered more than the limit
+    TAMPERED = "tampered"  # it wrote on the judge's own channel
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """The bounds of one `call_many` or one `run_program`, all its calls together."""
+
+    cpu_seconds: float
+    wall_seconds: float
+    memory_bytes: int
+    output_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class Usage:
+    """What the submission's processes have used, measured from outside, without start-up."""
+
+    cpu_seconds: float = 0.0
+    wall_seconds: float = 0.0
+    memory_bytes: int = 0  # peak resident size
+
+    def __add__(self, other: Usage) -> Usage:
+        return Usage(
+            self.cpu_seconds + other.cpu_seconds,
+            self.wall_seconds + other.wall_seconds,
+            max(self.memory_bytes, other.memory_bytes),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFault:
+    """Why a source cannot be run at all; `line` and `column` count from 1, 0 where there is none."""
+
+    message: str
+    line: int = 0
+    column: int = 0
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Inspection:
+    """What a source is, found inside the containment without running it."""
+
+    fault: SourceFault | None
+    names: tuple[tuple[str, int], ...] = ()  # what it binds at module level, each with its line
+
+    def defines(self, name: str) -> bool:
+        """Whether the module binds `name` at its top level."""
+        return any(bound == name for bound, _ in self.names)
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """One call's end; `answer` is the answer's JSON form when `stop` is ANSWERED (see `encode` in child.py)."""
+
+    stop: Stop
+    answer: Any = None
+    detail: str = ""  # for a person: the exception's last line with its line number, the signal's name
+
+
+@dataclass(frozen=True, slots=True)
+class CallsResult:
+    """The replies of one `call_many`, in order.
+
+    A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the series: it is the
+    last reply, and the calls after it were not made.
+    """
+
+    replies: tuple[Reply, ...]
+    usage: Usage
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramResult:
+    """One run of a whole program."""
+
+    stop: Stop  # ANSWERED: it ended with status 0
+    stdout: bytes
+    stderr: bytes  # the last few KB
+    detail: str
+    usage: Usage
+
+
+class Box(Protocol):
+    """One submission in containment; a context manager, nothing of it outlives the `with`."""
+
+    @property
+    def isolation(self) -> str:
+        """The level that holds it: "full", "strong" or "limits"."""
+        ...
+
+    def __enter__(self) -> Box: ...
+
+    def __exit__(self, *exc: object) -> None: ...
+
+    def inspect(self) -> Inspection:
+        """Parse and compile the source, without running it."""
+        ...
+
+    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Call the module's function `entry` once for each argument list, in order.
+
+        The module is imported once a process. Arguments are ints, floats and (nested) lists or tuples of them; the
+        submission receives inner sequences as tuples, fresh ones for each call.
+        """
+        ...
+
+    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
+        """Run the source as `__main__` with this standard input, in a process of its own."""
+        ...

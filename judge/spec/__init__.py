@@ -1,0 +1,35 @@
+"""What a problem is, and the words it is judged in."""
+
+from judge.spec.model import (
+    AnswerKind,
+    Argument,
+    Case,
+    Example,
+    Group,
+    Limits,
+    Number,
+    Parameter,
+    ParameterType,
+    Point,
+    Problem,
+    Tier,
+    Tolerance,
+)
+from judge.spec.verdict import Verdict
+
+__all__ = [
+    "AnswerKind",
+    "Argument",
+    "Case",
+    "Example",
+    "Group",
+    "Limits",
+    "Number",
+    "Parameter",
+    "ParameterType",
+    "Point",
+    "Problem",
+    "Tier",
+    "Tolerance",
+    "Verdict",
+]

@@ -1,0 +1,124 @@
+"""What a problem is: the values read from `problems/<id>/problem.toml`, checked once and never changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+Number = int | float
+Point = tuple[Number, Number]
+Argument = Number | Point
+Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
+
+
+class AnswerKind(Enum):
+    """What a submission returns."""
+
+    COUNT = "count"  # 0, 1, 2 or None
+    POINTS = "points"  # a list of 0 to 2 points (x, y)
+    PARAMETER = "parameter"  # a number t, or None
+
+
+class Tier(Enum):
+    """How far along the path a problem stands, easiest first."""
+
+    JUNIOR = "junior"
+    MIDDLE = "middle"
+    SENIOR = "senior"
+    PROFESSIONAL = "professional"
+
+
+class ParameterType(Enum):
+    """The type of one parameter."""
+
+    NUMBER = "number"  # an int or a float
+    INTEGER = "integer"  # an int
+    POINT = "point"  # a pair of numbers
+    INTEGER_POINT = "integer-point"  # a pair of ints
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
+
+    name: str
+    type: ParameterType
+    low: Fraction
+    high: Fraction
+    about: str
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerance:
+    """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
+
+    `unit` belongs to the case and is given with its exact answer (the extent e for points, e/|D| for a ray's
+    parameter). Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
+    """
+
+    extent: Fraction = Fraction(0)
+    relative: Fraction = Fraction(0)
+    zero: Fraction = Fraction(0)
+    ulps: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """The bounds of one test group: all its calls together, or its one program."""
+
+    cpu_seconds: float
+    wall_seconds: float
+    memory_bytes: int
+    output_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A test group: `count` cases from one builder, named after what they probe."""
+
+    name: str
+    about: str  # one sentence for a person: what the group probes
+    builder: str  # a name in the problem's BUILDERS, or "examples" for those of the statement
+    parameters: MappingProxyType[str, Any]
+    seed: int
+    count: int
+    points: int
+    tolerance: Tolerance
+    kills: tuple[str, ...]  # the mistakes it is there for
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A worked example of the statement: the call and the answer it shows."""
+
+    case: Case
+    wanted: Any
+    line: int  # in statement.md, from 1
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and hashes.json."""
+
+    id: str
+    title: str
+    tier: Tier
+    summary: str
+    entry: str
+    answer: AnswerKind
+    parameters: tuple[Parameter, ...]
+    bands: MappingProxyType[str, Fraction]  # named widths the statement and the reference share; may be empty
+    limits: Limits
+    groups: tuple[Group, ...]
+    folder: Path
+    solutions: Path  # solutions/<id>; need not exist
+    examples: tuple[Example, ...] = field(repr=False, default=())
+    statement: str = field(repr=False, default="")  # with its placeholders filled in
+
+    def group(self, name: str) -> Group | None:
+        """The group of that name, or None."""
+        return next((group for group in self.groups if group.name == name), None)
