@@ -76,7 +76,7 @@ class Inspection:
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """One call's end; `answer` is the answer's JSON form when `stop` is ANSWERED (see `encode` in child.py)."""
+    """One call's end; `answer` is the answer's JSON form (see encode.py) when `stop` is ANSWERED."""
 
     stop: Stop
     answer: Any = None
@@ -87,8 +87,8 @@ class Reply:
 class CallsResult:
     """The replies of one `call_many`, in order.
 
-    A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the series: it is the
-    last reply, and the calls after it were not made.
+    A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the series:
+    it is the last reply, and the calls after it were not made.
     """
 
     replies: tuple[Reply, ...]
@@ -125,8 +125,8 @@ class Box(Protocol):
     def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """Call the module's function `entry` once for each argument list, in order.
 
-        The module is imported once a process. Arguments are ints, floats and (nested) lists or tuples of them; the
-        submission receives inner sequences as tuples, fresh ones for each call.
+        The module is imported once a process. Arguments are ints, floats and (nested) lists or tuples of
+        them; the submission receives inner sequences as tuples, fresh ones for each call.
         """
         ...
 
