@@ -1,0 +1,207 @@
+"""Surd against python-flint: signs, order, correct and directed rounding."""
+
+from __future__ import annotations
+
+import math
+import random
+from decimal import Decimal
+from fractions import Fraction
+
+import flint
+import pytest
+from flint_support import any_parts, ball, big, oracle, quick_parts, rounded_down, rounded_up, sign_of
+
+from judge.exact import Surd, root_sign, rounding, two_root_sign
+
+
+def test_rounding_of_mixed_sizes_agrees_with_flint():
+    source = random.Random(20261)
+    for _ in range(4000):
+        parts = any_parts(source)
+        surd = Surd(*parts)
+        assert (surd.round_down(), float(surd), surd.round_up()) == oracle(parts), parts
+
+
+def test_a_hundred_thousand_roundings_are_certified():
+    """Neighbouring doubles enclose x and their midpoint tells which is nearest, by integer squaring."""
+    source = random.Random(7)
+    wrong = 0
+    for _ in range(100_000):
+        p, q, d, s = quick_parts(source)
+        surd = Surd(p, q, d, s)
+        down, near, up = surd.round_down(), float(surd), surd.round_up()
+        wrong += not certified(surd, down, near, up)
+    assert wrong == 0
+
+
+def certified(x: Surd, down: float, near: float, up: float) -> bool:
+    """An own statement of correct rounding, by the sign of p·m − n·s + q·m·√d alone."""
+
+    def side(n: int, m: int) -> int:
+        """The sign of x − n/m."""
+        a, b = x.p * m - n * x.s, x.q * m
+        if a * b >= 0:
+            return (a + b > 0) - (a + b < 0)
+        outcome = a * a - b * b * x.d
+        return ((outcome > 0) - (outcome < 0)) * (1 if a > 0 else -1)
+
+    if down == up:
+        return near == down and side(*down.as_integer_ratio()) == 0
+    if up != math.nextafter(down, math.inf):
+        return False
+    if math.isinf(up):
+        edge = (2**1024 - 2**970, 1)
+        return side(*down.as_integer_ratio()) > 0 and near == (up if side(*edge) >= 0 else down)
+    if math.isinf(down):
+        edge = (-(2**1024) + 2**970, 1)
+        return side(*up.as_integer_ratio()) < 0 and near == (down if side(*edge) <= 0 else up)
+    n0, m0 = down.as_integer_ratio()
+    n1, m1 = up.as_integer_ratio()
+    if side(n0, m0) <= 0 or side(n1, m1) >= 0:
+        return False
+    half = side(n0 * m1 + n1 * m0, 2 * m0 * m1)
+    if half == 0:
+        even = down if int(math.ldexp(math.frexp(down)[0], 53)) % 2 == 0 else up
+        return near == even
+    return near == (up if half > 0 else down)
+
+
+def test_signs_agree_with_flint():
+    source = random.Random(3)
+    for _ in range(2000):
+        p, q, d, _ = any_parts(source)
+        u, e = big(source, 100), abs(big(source, 100))
+        if source.random() < 0.3:  # a near tie with the second root
+            u = -math.isqrt((p * p + q * q * d) // (e or 1))
+        assert root_sign(p, q, d) == sign_of(
+            lambda precision, p=p, q=q, d=d: ball((p, q, d, 1), precision),
+            lambda p=p, q=q, d=d: p * p == q * q * d,
+        )
+        wanted = sign_of(
+            lambda precision, p=p, q=q, d=d, u=u, e=e: (
+                ball((p, q, d, 1), precision) + flint.arb(u) * flint.arb(e).sqrt()
+            ),
+            lambda p=p, q=q, d=d, u=u, e=e: two_root_sign(-p, -q, d, -u, e) == 0,
+        )
+        assert two_root_sign(p, q, d, u, e) == wanted, (p, q, d, u, e)
+
+
+def test_exactly_vanishing_sums_are_zero():
+    source = random.Random(5)
+    for _ in range(500):
+        d, m, n, k = (source.randint(2, 10**12) for _ in range(4))
+        # m√(d·n²) = m·n·√d, and k·√(d·m²) cancels it for any split.
+        assert two_root_sign(0, m, d * n * n, -n, d * m * m) == 0
+        assert two_root_sign(k, m, d, -1, m * m * d) == 1
+        assert two_root_sign(-k, m, d, -1, m * m * d) == -1
+        assert Surd(k, m, d * n * n, 7) == Surd(k, m * n, d, 7)
+        assert hash(Surd(k, m, d * n * n, 7)) == hash(Surd(k, m * n, d, 7))
+
+
+def test_order_of_different_radicands_agrees_with_flint():
+    source = random.Random(11)
+    for _ in range(1500):
+        mine = any_parts(source)
+        its = any_parts(source)
+        if source.random() < 0.3:  # a neighbour: the same number up to one part in a very large denominator
+            p, q, d, s = mine
+            its = p * 10**30 + source.choice((-1, 0, 1)), q * 10**15, d * 10**30, s * 10**30
+        x, y = Surd(*mine), Surd(*its)
+        wanted = sign_of(
+            lambda precision, mine=mine, its=its: ball(mine, precision) - ball(its, precision),
+            lambda x=x, y=y: x.compare(y) == 0,
+        )
+        assert x.compare(y) == wanted
+        assert y.compare(x) == -wanted
+        assert ((x < y), (x <= y), (x == y), (x >= y), (x > y)) == (
+            wanted < 0,
+            wanted <= 0,
+            wanted == 0,
+            wanted >= 0,
+            wanted > 0,
+        )
+
+
+def test_order_against_python_numbers():
+    root = Surd(0, 1, 2)
+    near = float(root)
+    assert (root > near) == (Fraction(near) ** 2 < 2)
+    assert (root < math.nextafter(near, 2)) == (Fraction(math.nextafter(near, 2)) ** 2 > 2)
+    assert root > Fraction(141421356237309504, 10**17)
+    assert root < Decimal("1.41421356237309504880168872420969807856967187537695")
+    assert root < math.inf
+    assert root > -math.inf
+    assert root != math.nan
+    assert not root < math.nan
+    assert Surd(6, 0, 0, 4) == 1.5 == Surd.of(Decimal("1.5"))
+    assert hash(Surd(6, 0, 0, 4)) == hash(1.5)
+    assert hash(Surd(0, 3, 4, 2)) == hash(3)
+
+
+def test_arithmetic_with_rationals():
+    source = random.Random(29)
+    for _ in range(300):
+        p, q, d, s = (
+            source.randint(-50, 50),
+            source.randint(-9, 9),
+            source.randint(0, 40),
+            source.randint(1, 9),
+        )
+        x = Surd(p, q, d, s)
+        step = Fraction(source.randint(-30, 30), source.randint(1, 12))
+        assert (x + step) - step == x == step + x - step
+        assert (step - x) == -(x - step)
+        assert abs(x).sign() >= 0
+        if step:
+            assert (x * step) / step == x
+            assert (step * x).sign() == x.sign() * (1 if step > 0 else -1)
+
+
+def test_what_is_no_exact_number_is_refused():
+    with pytest.raises(ValueError, match="finite"):
+        Surd.of(math.nan)
+    with pytest.raises(ValueError, match="finite"):
+        Surd.of(Decimal("Infinity"))
+    for value in (True, "1", None, 1j):
+        with pytest.raises(TypeError):
+            Surd.of(value)
+    with pytest.raises(TypeError):
+        Surd(1.0)
+    with pytest.raises(ValueError, match="negative"):
+        Surd(1, 1, -1)
+    with pytest.raises(ZeroDivisionError):
+        Surd(1, 1, 2, 0)
+    with pytest.raises(TypeError):
+        Surd(1) + 0.5
+    with pytest.raises(AttributeError, match="immutable"):
+        Surd(1).p = 2
+    with pytest.raises(ValueError, match="nan"):
+        Surd(1).compare(math.nan)
+
+
+def test_normal_form():
+    assert Surd(1, 2, 9, -7).is_rational
+    assert (Surd(1, 2, 9, -7).p, Surd(1, 2, 9, -7).s) == (-7, 7)
+    assert Surd(5, 0, 3).d == 0
+    assert not Surd(1, 1, 3).is_rational
+    assert not Surd(0)
+    assert Surd(0, 1, 3)
+
+
+def test_a_range_rounds_only_where_both_its_ends_do():
+    """Enclosures close to doubles, halves and powers of two: the answer holds for every number within."""
+    source = random.Random(31)
+    decided = 0
+    for _ in range(20_000):
+        bits = source.randint(50, 70)
+        around = source.choice((1 << bits, (source.getrandbits(53) | 1 << 52) << max(bits - 53, 0)))
+        low = (around + source.randint(-3, 3)) * source.choice((-1, 1))
+        high = low + source.randint(0, 4)
+        k = source.randint(-20, 1200)
+        ends = [Fraction(end) / Fraction(2) ** k for end in (low, high)]
+        up, down = rounding.range_up(low, high, k), rounding.range_down(low, high, k)
+        assert up is None or up == rounded_up(ends[0]) == rounded_up(ends[1])
+        assert down is None or down == rounded_down(ends[0]) == rounded_down(ends[1])
+        decided += (up is not None) + (down is not None)
+    assert decided > 5000
+    assert rounding.range_up(-3, 3, 0) is rounding.range_down(-3, 3, 0) is None
