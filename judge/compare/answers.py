@@ -1,0 +1,33 @@
+"""The exact answers a problem's reference returns, one shape per kind of answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from judge.exact import Surd
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """How many common points, or None where there is no line."""
+
+    value: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Points:
+    """The common points (x, y) in order of t; `unit` is the case's extent e, in the caller's units."""
+
+    points: tuple[tuple[Surd, Surd], ...]
+    unit: Surd
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """The parameter t, or None for a miss; `unit` is e/|D|, the extent in units of t."""
+
+    t: Surd | None
+    unit: Surd
+
+
+Answer = Count | Points | Parameter

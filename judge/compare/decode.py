@@ -1,0 +1,188 @@
+"""Reading the JSON form of an answer, as `judge.sandbox.encode` writes it, believing nothing.
+
+A number comes out as an int, a float, a Fraction or a `Written` decimal; whatever else was sent, forged or
+absurd, comes out as a `Fault` that says why it is no number.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
+MOST_EXPONENT = 5000
+MOST_HEX = 1100  # hexadecimal digits of an integer
+_SHOWN = 60
+
+_DECIMAL = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+_HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Something that is no number: what it is, for a person, and what to do about it."""
+
+    text: str
+    remedy: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A number in decimal text of bounded length and exponent; `approx` is its correctly rounded double."""
+
+    text: str
+    approx: float
+
+    def exact(self) -> Fraction:
+        """The number itself."""
+        return Fraction(self.text)
+
+
+Given = int | float | Fraction | Written
+Raw = Any  # JSON of any shape
+
+
+def decimal(text: str) -> Written | Fault:
+    """A plain ASCII decimal, `[+-]?digits[.digits][e[+-]digits]`, or why it is none."""
+    if len(text) > MOST_DIGITS:
+        return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
+    match = _DECIMAL.fullmatch(text)
+    if match is None:
+        return Fault(shown(text), _why_no_decimal(text))
+    power = match[1]
+    if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
+        return Fault(shown(text), f"its exponent is beyond ±{MOST_EXPONENT}")
+    return Written(text, float(text))
+
+
+def _why_no_decimal(text: str) -> str:
+    lower = text.lower().lstrip("+-")
+    if not text.isascii():
+        return "it has a character that is not ASCII"
+    if "_" in text:
+        return "it has an underscore"
+    if lower.startswith("0x"):
+        return "it is hexadecimal"
+    if lower in {"nan", "inf", "infinity"}:
+        return "it is not a finite number"
+    return "it is not a plain decimal number"
+
+
+def number(raw: Raw) -> Given | Fault:
+    """The number that `raw` stands for, or why it stands for none."""
+    kind = type(raw)
+    if kind is float:
+        return raw if raw - raw == 0.0 else Fault(repr(raw), "it is not a finite number")
+    if kind is int or kind is Written:
+        return raw  # type: ignore[no-any-return]
+    if kind is dict and len(raw) == 1:
+        (key, value), *_ = raw.items()
+        reader = {"int": _large, "fraction": _fraction, "decimal": _decimal}.get(key)
+        read = reader(value) if reader else None
+        if read is not None:
+            return read
+    return fault(raw)
+
+
+def _large(value: Raw) -> int | None:
+    if type(value) is str and len(value) <= MOST_HEX and _HEX.fullmatch(value):
+        return int(value, 16)
+    return None
+
+
+def _fraction(value: Raw) -> Fraction | None:
+    if type(value) is not list or len(value) != 2:
+        return None
+    top, bottom = _large(value[0]), _large(value[1])
+    return Fraction(top, bottom) if top is not None and bottom else None
+
+
+def _decimal(value: Raw) -> Written | Fault | None:
+    return decimal(value) if type(value) is str else None
+
+
+_ITERATORS = {
+    "generator", "zip", "map", "filter", "range", "reversed", "enumerate", "list_iterator", "tuple_iterator",
+    "set", "frozenset", "dict_values", "dict_keys", "islice", "chain",
+}  # fmt: skip
+
+
+def fault(raw: Raw) -> Fault:
+    """What a wrong `raw` is, in words, and the remedy for the mistakes people make."""
+    if raw is None:
+        return Fault("None")
+    if type(raw) in (int, float, Written):
+        return Fault(show(raw))
+    if type(raw) in (list, tuple):
+        return Fault("a list")
+    if type(raw) is dict and set(raw) == {"type", "text"}:
+        name, text = raw["type"], raw["text"]
+        if type(name) is str and type(text) is str:
+            return _typed(_clean(name), _clean(text))
+    if type(raw) is bool:
+        return _typed("bool", repr(raw))
+    if type(raw) is str:
+        return _typed("str", repr(raw[:_SHOWN]))
+    return Fault("something that is no answer")
+
+
+def _typed(name: str, text: str) -> Fault:
+    if name in _ITERATORS:
+        return Fault(f"a {name}", "wrap it in list(...)")
+    if name.startswith("complex"):
+        return Fault(f"the {name} {text}", "return a point as (x, y)")
+    if text.startswith("a subclass"):
+        return Fault(f"{name}, {text},", "return a plain one")
+    if name == "float":
+        return Fault(text, "it is not a finite number")
+    return Fault(f"the {name} {text}" if text else f"a value of type {name}")
+
+
+def _clean(text: str) -> str:
+    """A forged name or text, cut and with nothing in it that could move a terminal's cursor."""
+    cut = text[:_SHOWN]
+    return cut if cut.isprintable() else ascii(cut)[1:-1]
+
+
+def shown(text: str) -> str:
+    """A token between quotation marks, cut and harmless."""
+    return f'"{_clean(text)}{"…" if len(text) > _SHOWN else ""}"'
+
+
+def show(raw: Raw, depth: int = 3) -> str:
+    """An answer as a person would write it, bounded whatever its shape."""
+    kind = type(raw)
+    if kind in (list, tuple):
+        if depth == 0:
+            return "[…]"
+        items = [show(item, depth - 1) for item in raw[:4]] + (["…"] if len(raw) > 4 else [])
+        # A list of two numbers is a point, however it was written.
+        point = len(raw) == 2 and not any(type(item) in (list, tuple) for item in raw)
+        return f"({', '.join(items)})" if point else f"[{', '.join(items)}]"
+    if raw is None or kind is float:
+        return repr(raw)
+    if kind is Written:
+        return _clean(raw.text)
+    read = number(raw)
+    if isinstance(read, Fault):
+        return read.text.rstrip(",")
+    if isinstance(read, Written):
+        return _clean(read.text)
+    if isinstance(read, int):
+        return str(read) if read.bit_length() <= 256 else f"an int of {read.bit_length()} bits"
+    if isinstance(read, Fraction):
+        small = max(read.numerator.bit_length(), read.denominator.bit_length()) <= 128
+        return (
+            f"Fraction({read.numerator}, {read.denominator})" if small else f"a Fraction near {near(read)!r}"
+        )
+    return repr(read)
+
+
+def near(value: int | float | Fraction) -> float:
+    """The double next to `value`, infinite beyond the largest."""
+    try:
+        return float(value)
+    except OverflowError:
+        return float("inf") if value > 0 else float("-inf")

@@ -1,0 +1,334 @@
+"""Acceptance decided exactly: on the boundary and 1e-20 (relative) to either side, in any form of answer."""
+
+from __future__ import annotations
+
+import math
+import random
+from fractions import Fraction
+
+import flint
+import pytest
+
+from judge.compare import CountTarget, ParameterTarget, PointsTarget, check, check_line, compile_answer
+from judge.compare.answers import Count, Parameter, Points
+from judge.compare.check import Accepted, Rejection
+from judge.compare.tolerance import acceptance, exact_ends, measure, widths
+from judge.errors import ProblemError
+from judge.exact import CircleLine, Surd, rounding
+from judge.spec import AnswerKind, Tolerance
+
+POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
+RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
+SIXTEEN = Tolerance(ulps=Fraction(16))
+MIXED = Tolerance(Fraction(1, 10**6), Fraction(1, 10**9), Fraction(1, 10**5), Fraction(3, 2))
+ALL = (POINTS, RELATIVE, SIXTEEN, MIXED, Tolerance())
+TINY = Fraction(1, 10**20)
+
+
+def ask(answer, tolerance):
+    return lambda: (answer, tolerance)
+
+
+def accepts(answer, tolerance, raw) -> bool:
+    outcome = check(AnswerKind.PARAMETER, raw, compile_answer(answer, tolerance), ask(answer, tolerance))
+    return isinstance(outcome, Accepted)
+
+
+def accepts_text(answer, tolerance, line) -> bool:
+    outcome = check_line(
+        AnswerKind.PARAMETER, line, compile_answer(answer, tolerance), ask(answer, tolerance)
+    )
+    return isinstance(outcome, Accepted)
+
+
+def fraction_json(value: Fraction):
+    return {"fraction": [f"{value.numerator:x}", f"{value.denominator:x}"]}
+
+
+def half_width(x: Fraction, tolerance: Tolerance, unit: Fraction) -> Fraction:
+    """The tolerance's definition, in Fractions, for a rational x."""
+    slack = tolerance.ulps * Surd.of(x).ulp()
+    if x == 0:
+        return max(tolerance.extent, tolerance.zero) * unit + slack
+    return max(tolerance.extent * unit, tolerance.relative * abs(x)) + slack
+
+
+def rational_cases(count: int):
+    source = random.Random(41)
+    for _ in range(count):
+        x = Fraction(source.randint(-(10**9), 10**9), source.choice((1, 3, 7, 1000, 2**40, 10**12 + 39)))
+        if source.random() < 0.1:
+            x = Fraction(0)
+        yield x, Fraction(source.randint(1, 10**9), source.choice((1, 2**20, 9))), source.choice(ALL)
+
+
+def test_fractions_on_the_boundary_of_a_rational_answer():
+    for x, unit, tolerance in rational_cases(400):
+        answer = Parameter(Surd.of(x), Surd.of(unit))
+        width = half_width(x, tolerance, unit)
+        assert exact_ends(answer.t, tolerance, answer.unit) == (x - width, x + width)
+        for side in (-1, 1):
+            edge = x + side * width
+            step = abs(edge) * TINY or TINY
+            assert accepts(answer, tolerance, fraction_json(edge))
+            assert accepts(answer, tolerance, fraction_json(edge - side * step)) == (width > 0)
+            assert not accepts(answer, tolerance, fraction_json(edge + side * step))
+
+
+def test_decimal_text_on_the_boundary():
+    source = random.Random(43)
+    for _ in range(400):
+        x = Fraction(source.randint(-(10**12), 10**12), 10**6)
+        tolerance = Tolerance(relative=Fraction(1, 10 ** source.randint(3, 12)))
+        answer = Parameter(Surd.of(x), Surd(1))
+        for side in (-1, 1):
+            edge = x * (1 + side * tolerance.relative)
+            text = decimal_of(edge, 40)
+            outward = 1 if edge > x else -1
+            last = Fraction(outward, 10**40)
+            assert Fraction(text) == edge
+            assert accepts_text(answer, tolerance, text)
+            assert accepts(answer, tolerance, {"decimal": text})
+            assert accepts_text(answer, tolerance, decimal_of(edge - last, 40)) == (x != 0)
+            assert not accepts_text(answer, tolerance, decimal_of(edge + last, 40))
+
+
+def decimal_of(value: Fraction, places: int) -> str:
+    scaled = value * 10**places
+    assert scaled.denominator == 1
+    digits = str(abs(scaled.numerator)).rjust(places + 1, "0")
+    return ("-" if value < 0 else "") + digits[:-places] + "." + digits[-places:]
+
+
+def irrational_cases(count: int):
+    source = random.Random(47)
+    made = 0
+    while made < count:
+        numbers = [source.randint(-(10**9), 10**9) for _ in range(7)]
+        if source.random() < 0.3:
+            numbers = [source.uniform(-1e9, 1e9) for _ in range(7)]
+        line = CircleLine.through(*numbers[:2], abs(numbers[2]), tuple(numbers[3:5]), tuple(numbers[5:]))
+        if line.count() == 2 and not line.root(1).is_rational:
+            made += 1
+            yield line.point(source.choice((-1, 1)))[source.randrange(2)], line.extent_length()
+
+
+def test_fractions_around_the_boundary_of_an_irrational_answer():
+    """The ends are irrational: 1e-20 inside is accepted, 1e-20 outside is not; flint agrees."""
+    flint.ctx.prec = 500
+    for x, unit in irrational_cases(150):
+        for tolerance in (POINTS, RELATIVE, SIXTEEN, MIXED):
+            answer = Parameter(x, unit)
+            for side, end in zip((-1, 1), exact_ends(x, tolerance, unit), strict=True):
+                near = Fraction(end.decimal(60))
+                step = abs(near) * TINY
+                assert accepts(answer, tolerance, fraction_json(near - side * step))
+                assert not accepts(answer, tolerance, fraction_json(near + side * step))
+                distance = abs((flint.arb(x.p) + x.q * flint.arb(x.d).sqrt()) / x.s - flint_of(near))
+                widest = flint_of(Fraction(x.ulp())) * flint_of(tolerance.ulps) + max_of(
+                    flint_of(tolerance.extent * Fraction(unit.p, unit.s)),
+                    flint_of(tolerance.relative) * abs((flint.arb(x.p) + x.q * flint.arb(x.d).sqrt()) / x.s),
+                )
+                assert abs(distance - widest) < flint_of(step)
+
+
+def flint_of(value: Fraction) -> flint.arb:
+    return flint.arb(flint.fmpq(value.numerator, value.denominator))
+
+
+def max_of(one: flint.arb, two: flint.arb) -> flint.arb:
+    return one if one > two else two
+
+
+def test_intervals_of_doubles_are_the_exact_ones_rounded_inward():
+    cases = [(Surd.of(x), Surd.of(unit)) for x, unit, _ in rational_cases(150)]
+    cases += list(irrational_cases(300))
+    cases += [(x / 10**18, unit / 10**9) for x, unit in irrational_cases(50)]
+    for x, unit in cases:
+        for tolerance in ALL:
+            low, high = exact_ends(x, tolerance, unit)
+            found = measure(x, tolerance, unit)
+            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
+            assert found.nearest == float(x)
+            wanted = (x - Fraction(found.nearest)) / x.ulp()
+            assert abs(wanted - Fraction(found.residual)) < Fraction(1, 10**9)
+            assert Fraction(found.ulp) == x.ulp()
+            assert acceptance(x, tolerance, unit) == (found.lo, found.hi)
+
+
+def test_doubles_next_to_the_ends():
+    for x, unit in irrational_cases(100):
+        for tolerance in (POINTS, RELATIVE, SIXTEEN):
+            answer = Parameter(x, unit)
+            lo, hi = acceptance(x, tolerance, unit)
+            low, high = exact_ends(x, tolerance, unit)
+            for inside in (lo, hi, float(x)):
+                assert accepts(answer, tolerance, inside)
+                # The text of a double is another number, a shorter one: it is judged as what it says.
+                text = repr(inside)
+                assert accepts_text(answer, tolerance, text) == (low <= Fraction(text) <= high)
+            for outside in (math.nextafter(lo, -math.inf), math.nextafter(hi, math.inf)):
+                assert not accepts(answer, tolerance, outside)
+                assert not accepts(answer, tolerance, fraction_json(Fraction(outside)))
+
+
+def test_a_pythagorean_boundary_is_accepted_in_every_form():
+    """(6,7) and (9,16) on the circle about (6,12): rational points, exact boundaries."""
+    line = CircleLine.through(6, 12, 5, (4, 1), (5, 4))
+    answer = Points((line.point(-1), line.point(1)), line.extent_length())
+    tolerance = Tolerance(extent=Fraction(1, 2**20))
+    target = compile_answer(answer, tolerance)
+    width = Fraction(11, 2**20)
+    assert answer.unit == 11
+
+    def outcome(y):
+        return check(AnswerKind.POINTS, [[6, y], [9, 16]], target, ask(answer, tolerance))
+
+    assert isinstance(outcome(float(7 + width)), Accepted)
+    assert isinstance(outcome(fraction_json(7 - width)), Accepted)
+    assert isinstance(outcome({"decimal": decimal_of(7 + width, 20)}), Accepted)
+    assert isinstance(outcome(math.nextafter(float(7 + width), 8)), Rejection)
+    assert isinstance(outcome(fraction_json(7 + width + TINY)), Rejection)
+    assert isinstance(outcome({"decimal": decimal_of(7 + width + Fraction(1, 10**25), 30)}), Rejection)
+
+
+def test_large_integers_on_the_boundary():
+    """2**53 + 1 is no double: an int answer is not judged as one."""
+    x = 2**60 + 1
+    answer = Parameter(Surd(x), Surd(1))
+    exactly = Tolerance()
+    assert accepts(answer, exactly, x)
+    assert not accepts(answer, exactly, x - 1)
+    assert not accepts(answer, exactly, float(x))
+    assert accepts_text(answer, exactly, str(x))
+    assert not accepts_text(answer, exactly, str(x + 1))
+    target = compile_answer(answer, exactly)
+    assert target.t[0] > target.t[1]  # no double is accepted
+    within_one = Tolerance(extent=Fraction(1))
+    assert accepts(answer, within_one, x + 1)
+    assert not accepts(answer, within_one, x + 2)
+    assert accepts(answer, within_one, 2.0**60)
+
+
+def test_zero_takes_the_zero_tolerance_times_an_irrational_unit():
+    unit = Surd(0, 1, 2)
+    tolerance = Tolerance(relative=Fraction(1, 2), zero=Fraction(1, 4))
+    answer = Parameter(Surd(0), unit)
+    assert exact_ends(answer.t, tolerance, unit) == (-unit / 4, unit / 4)
+    assert accepts(answer, tolerance, 0)
+    assert accepts(answer, tolerance, -0.0)
+    assert accepts(answer, tolerance, 0.3535533905932737)
+    assert not accepts(answer, tolerance, 0.3535533905932738)
+    assert accepts(answer, tolerance, fraction_json(Fraction((unit / 4).decimal(40)) - Fraction(1, 10**39)))
+    assert not accepts(
+        answer, tolerance, fraction_json(Fraction((unit / 4).decimal(40)) + Fraction(1, 10**39))
+    )
+
+
+def test_an_extent_tolerance_of_an_irrational_unit_is_refused():
+    with pytest.raises(ProblemError, match="extent"):
+        compile_answer(Parameter(Surd(0, 1, 3), Surd(0, 1, 2)), POINTS)
+    with pytest.raises(ProblemError, match="extent"):
+        exact_ends(Surd(2), POINTS, Surd(0, 1, 2))
+
+
+def test_a_relative_tolerance_of_one_reaches_zero_exactly():
+    tolerance = Tolerance(relative=Fraction(1))
+    answer = Parameter(Surd(0, 1, 2), Surd(1))
+    assert accepts(answer, tolerance, 0)
+    assert not accepts(answer, tolerance, -5e-324)
+    assert not accepts(answer, tolerance, fraction_json(-Fraction(1, 10**400)))
+
+
+@pytest.mark.parametrize("bits", [54, 55, 56, 58, 62])
+def test_enclosures_too_coarse_to_decide_are_noticed(bits):
+    """With hardly more bits than a double has, most enclosures straddle something; no result may differ."""
+    source = random.Random(53)
+    wide = [  # an enclosure of many units, since q is large beside s
+        (
+            Surd(source.randint(-(10**6), 10**6), sign * source.randint(2, 10**6), source.randint(2, 99), 3),
+            Surd(7),
+        )
+        for sign in (-1, 1)
+        for _ in range(150)
+    ]
+    for x, unit in [*irrational_cases(150), *wide]:
+        # Roots of such a precision that |x| itself is an integer of `bits` bits.
+        k = bits - math.frexp(float(x))[1]
+        if x.is_rational or k < 0:
+            continue
+        root = math.isqrt(x.d << 2 * k)
+        for tolerance in (*ALL, Tolerance(relative=Fraction(1, 3), ulps=Fraction(1, 3))):
+            low, high = exact_ends(x, tolerance, unit)
+            found = measure(x, tolerance, unit, lambda d, _, k=k, root=root: (k, root))
+            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
+            assert found.nearest == float(x)
+
+
+def test_fixed_point_enclosures_hold_what_they_enclose():
+    source = random.Random(59)
+    for _ in range(3000):
+        d = source.randint(2, 10**6)
+        q, s, k = (
+            source.choice((-1, 1)) * source.randint(1, 10**4),
+            source.randint(1, 50),
+            source.randint(0, 30),
+        )
+        x = Surd(source.randint(-(10**6), 10**6), q, d, s)
+        low, high = rounding.enclose(x.p, x.q, x.s, k, math.isqrt(d << 2 * k))
+        assert low <= x * 2**k <= high
+        near, width = source.randint(1 << 53, 1 << 60), source.randint(0, 9)
+        exponent = near.bit_length() - 53
+        tolerance = Tolerance(*(Fraction(source.randint(0, 9), source.randint(1, 9)) for _ in range(4)))
+        unit = Fraction(source.randint(0, 99), source.randint(1, 99))
+        inner, outer = widths(tolerance, Surd.of(unit), near, near + width, exponent, k)
+        for size in (near, near + width):
+            reach = max(tolerance.extent * unit * 2**k, tolerance.relative * size)
+            assert inner <= reach + tolerance.ulps * 2**exponent <= outer
+
+
+@pytest.mark.parametrize("scale", [-1060, -1030, -600, 600, 1000])
+def test_extreme_magnitudes(scale):
+    """Subnormal, tiny and huge answers: the rounded ends still say what the exact ones do."""
+    factor = Fraction(2) ** scale
+    for x, unit in irrational_cases(15):
+        x, unit = x * factor / 10**9, unit * factor / 10**9
+        for tolerance in ALL:
+            low, high = exact_ends(x, tolerance, unit)
+            found = measure(x, tolerance, unit)
+            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
+            assert found.nearest == float(x)
+
+
+def test_answers_beyond_the_largest_double():
+    x = Surd(10**400, 1, 2)
+    answer = Parameter(x, Surd(1))
+    target = compile_answer(answer, RELATIVE)
+    assert all(map(math.isfinite, target.t))
+    assert target.t[4] == math.ulp(1e308)
+    assert target.t[0] > target.t[1]
+    assert accepts(answer, RELATIVE, {"int": f"{10**400:x}"})
+    assert accepts_text(answer, RELATIVE, "1" + "0" * 400)
+    assert accepts_text(answer, RELATIVE, "1e400")
+    assert not accepts_text(answer, RELATIVE, "1.1e400")
+    assert not accepts(answer, RELATIVE, 1.7e308)
+
+
+def test_targets_keep_through_json():
+    import json
+
+    from judge.compare import from_json, to_json
+
+    line = CircleLine.through(0.5, 1, 1.3, (1, 2), (4, 1.5))
+    answers = [
+        (AnswerKind.COUNT, Count(None), CountTarget),
+        (AnswerKind.COUNT, Count(2), CountTarget),
+        (AnswerKind.POINTS, Points((), Surd(1)), PointsTarget),
+        (AnswerKind.POINTS, Points((line.point(-1), line.point(1)), line.extent_length()), PointsTarget),
+        (AnswerKind.PARAMETER, Parameter(None, Surd(1)), ParameterTarget),
+        (AnswerKind.PARAMETER, Parameter(line.root(1), line.extent_parameter()), ParameterTarget),
+    ]
+    for kind, answer, shape in answers:
+        target = compile_answer(answer, RELATIVE)
+        assert isinstance(target, shape)
+        assert from_json(kind, json.loads(json.dumps(to_json(target)))) == target

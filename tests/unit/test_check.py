@@ -1,0 +1,243 @@
+"""What `check` says of right, wrong, mistyped and forged answers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from judge.compare import Accepted, Rejection, check, compile_answer, wanted_text
+from judge.compare.answers import Count, Parameter, Points
+from judge.exact import CircleLine, Surd
+from judge.spec import AnswerKind, Tolerance
+
+POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
+T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
+LINE = CircleLine.through(2, 1, 1, (0, 1), (4, 1))
+TWO = Points((LINE.point(-1), LINE.point(1)), LINE.extent_length())
+ONE = Points((CircleLine.through(2, 1, 1, (3, 0), (3, 3)).point(0),), Surd(2))
+NONE = Points((), Surd(2))
+
+
+def never():
+    raise AssertionError("the exact answer was asked for without need")
+
+
+def points(raw: Any, answer: Points = TWO):
+    exact = lambda: (answer, POINTS_TOLERANCE)  # noqa: E731
+    return check(AnswerKind.POINTS, raw, compile_answer(answer, POINTS_TOLERANCE), exact)
+
+
+def count(raw: Any, value: int | None = 1):
+    return check(AnswerKind.COUNT, raw, compile_answer(Count(value), T_TOLERANCE), never)
+
+
+def parameter(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
+    answer = Parameter(t, Surd(2))
+    exact = lambda: (answer, T_TOLERANCE)  # noqa: E731
+    return check(AnswerKind.PARAMETER, raw, compile_answer(answer, T_TOLERANCE), exact)
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [
+        [[1.0, 1.0], [3.0, 1.0]],
+        [[1, 1], [3, 1]],
+        [[1, 1.0], [{"fraction": ["3", "1"]}, {"decimal": "1.000"}]],
+        [[1.0 + 1e-9, 1.0 - 1e-9], [{"int": "3"}, {"decimal": "1e0"}]],
+        ((1.0, 1.0), (3.0, 1.0)),
+    ],
+)
+def test_right_points(raw):
+    assert isinstance(points(raw), Accepted)
+
+
+def test_worst_error_is_measured_in_ulps():
+    assert points([[1.0, 1.0], [3.0, 1.0]]) == Accepted(0.0)
+    assert points([[1.0, 1.0], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points([[1.0, 1], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points([], NONE) == Accepted(None)
+    assert count(1) == Accepted(None)
+    assert parameter(0.5 + 2**-52) == Accepted(2.0)
+    assert parameter(0.0, Surd(0)) == Accepted(0.0)
+    assert parameter(1e-13, Surd(0)) == Accepted(0.0)
+    assert parameter(None, None) == Accepted(None)
+    # x just below 2, whose double is 2: the ulp is that of the exact number, not of its double.
+    below = Surd(0, 1, 4 * 10**40 - 1, 10**20)
+    assert parameter(2.0, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+    assert parameter(2.0 - 2**-52, below).worst_ulps == pytest.approx(1.0)
+    assert parameter(2, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("raw", "message"),
+    [
+        ([], "2 points wanted, none given"),
+        ([[1.0, 1.0]], "2 points wanted, 1 given"),
+        ([[1.0, 1.0]] * 3, "3 points given"),
+        ([[3.0, 1.0], [1.0, 1.0]], "the right points in the wrong order"),
+        ([[3, 1], [1.0, 1.0]], "the right points in the wrong order"),
+        (None, "None where a list of points is meant"),
+        (2, "2 where a list of points is meant"),
+        ([1.0, 1.0], "point 1 is meant to be (x, y)"),
+        ([[1.0, 1.0, 0.0], [3.0, 1.0]], "point 1 has 3 coordinates"),
+        ([[1.0, None], [3.0, 1.0]], "None where y of point 1 is meant"),
+        ([[1.0, 1.0], [float("nan"), 1.0]], "nan where x of point 2 is meant"),
+        ([[1.0, 1.0], [{"type": "float", "text": "inf"}, 1.0]], "inf where x of point 2 is meant"),
+        ([[True, 1.0], [3.0, 1.0]], "the bool True where x of point 1 is meant"),
+        ([{"type": "complex", "text": "(1+1j)"}, [3.0, 1.0]], "return a point as (x, y)"),
+        ({"type": "generator", "text": ""}, "wrap it in list(...)"),
+        ({"type": "zip", "text": ""}, "wrap it in list(...)"),
+        ({"type": "str", "text": "'1'"}, "the str '1' where a list of points is meant"),
+        ([[1.0, 1.0], [3.0, {"type": "Mine", "text": "a subclass of float"}]], "Mine, a subclass of float,"),
+    ],
+)
+def test_wrong_points_say_why(raw, message):
+    outcome = points(raw)
+    assert isinstance(outcome, Rejection)
+    assert message in outcome.message
+    assert outcome.wanted == "[(1.0, 1.0), (3.0, 1.0)]"
+
+
+def test_a_number_that_is_off_is_named_and_measured():
+    outcome = points([[1.0, 1.0], [3.0, 1.5]])
+    assert isinstance(outcome, Rejection)
+    assert outcome.where == "y of point 2"
+    assert (outcome.absolute, outcome.relative, outcome.ulps) == (0.5, 0.5, 0.5 * 2**52)
+    assert outcome.message == "y of point 2 is off by 0.5, 0.5 of it (2.25e+15 ulps)"
+    assert outcome.got == "[(1.0, 1.0), (3.0, 1.5)]"
+
+
+def test_a_tangency_given_twice_is_named():
+    outcome = points([[3.0, 1.0], [3.0, 1.0]], ONE)
+    assert outcome.message == "1 point wanted, 2 given: the same point twice"
+    assert points([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point wanted, 2 given"
+    assert points([[3.0, 1.0]], NONE).message == "no points wanted, 1 given"
+
+
+@pytest.mark.parametrize(
+    ("raw", "message"),
+    [
+        (2, "1 wanted, 2 given"),
+        (None, "1 wanted, None given"),
+        (1.0, "the float 1.0 where an int is meant"),
+        (True, "the bool True where an int is meant"),
+        ({"type": "bool", "text": "True"}, "the bool True where an int is meant"),
+        ({"type": "bool_", "text": "True"}, "the bool_ True where an int is meant"),
+        ({"type": "str", "text": "'1'"}, "the str '1' where an int is meant"),
+        ({"int": "10000000000000000"}, "1 wanted, 18446744073709551616 given"),
+        ({"fraction": ["1", "1"]}, "the number Fraction(1, 1) where an int is meant"),
+        ([1], "a list where an int is meant"),
+        ({"type": "Colour", "text": "a subclass of int"}, "Colour, a subclass of int, where an int is meant"),
+    ],
+)
+def test_wrong_counts_say_why(raw, message):
+    outcome = count(raw)
+    assert isinstance(outcome, Rejection)
+    assert outcome.message.startswith(message)
+
+
+def test_counts_of_no_line():
+    assert isinstance(count(None, None), Accepted)
+    assert count(0, None).message == "None wanted, 0 given"
+
+
+def test_wrong_parameters_say_why():
+    assert parameter(None).message == "None given, but the ray hits: t = 0.5"
+    assert parameter(0.5, None).message == "None wanted, 0.5 given"
+    assert "where a number or None is meant" in parameter([0.5]).message
+    assert parameter(0.25).where == "t"
+    assert parameter(0.25).relative == 0.5
+    away = parameter(1e-3, Surd(0))
+    assert (away.absolute, away.relative, away.ulps) == (1e-3, None, None)
+    assert away.message == "t is off by 0.001"
+
+
+def deep(levels: int) -> Any:
+    value: Any = 1.0
+    for _ in range(levels):
+        value = [value]
+    return value
+
+
+ABSURD = [
+    deep(100_000),
+    [[1.0] * 100_000] * 2,
+    [[]] * 2,
+    [{}, {}],
+    {},
+    {"type": 1, "text": []},
+    {"type": "x" * 10**6, "text": "\x1b[2J" * 10**5},
+    {"type": "bool"},
+    {"int": 5},
+    {"int": "zz"},
+    {"int": "f" * 10**6},
+    {"int": "-"},
+    {"fraction": ["1", "0"]},
+    {"fraction": ["1"]},
+    {"fraction": "ab"},
+    {"fraction": [["1"], {}]},
+    {"decimal": "1e999999999"},
+    {"decimal": "1e-999999999999999999999999999"},
+    {"decimal": "9" * 10**6},
+    {"decimal": "nan"},
+    {"decimal": ["1"]},
+    {"decimal": "１"},
+    {"fraction": ["f" * 1000, "1"]},
+    {"fraction": ["1", "f" * 1000]},
+    {"decimal": "1e5000"},
+    {"decimal": "1e-5000"},
+    {1: 2},
+    float("inf"),
+    float("-inf"),
+    float("nan"),
+    10**3000,
+    -(10**3000),
+    1e308,
+    -5e-324,
+    "text" * 10**5,
+    "\x00\x1b[31m",
+    b"bytes",
+    {1, 2},
+    True,
+    False,
+    object(),
+    [None, None],
+    [[None, None], [None, None]],
+    [["1", "1"], ["3", "1"]],
+    [{"type": "list", "text": ""}, [1, 1]],
+    [[1e308, 1e308], [-1e308, {"int": "-f" * 3}]],
+]
+
+
+@pytest.mark.parametrize("raw", ABSURD, ids=range(len(ABSURD)))
+def test_absurd_answers_are_rejected_and_never_raise(raw):
+    for form in (raw, [raw], [[raw, raw], [raw, raw]], [[1.0, raw], [3.0, 1.0]]):
+        for outcome in (points(form), points(form, ONE), count(form), parameter(form)):
+            assert isinstance(outcome, Rejection)
+            for text in (outcome.message, outcome.got, outcome.wanted):
+                assert len(text) < 800
+                assert text.isprintable()
+
+
+def test_fast_answers_need_no_exact_one():
+    target = compile_answer(TWO, POINTS_TOLERANCE)
+    for raw in (
+        [[1.0, 1.0], [3.0, 1.0]],
+        [[1, 1], [3, 1]],
+        [[1.0, 1.0], [3.0, 9.0]],
+        [[1, {"decimal": "7"}]] * 2,
+    ):
+        check(AnswerKind.POINTS, raw, target, never)
+
+
+def test_a_target_of_another_kind_is_a_fault_of_the_caller():
+    with pytest.raises(TypeError, match="points"):
+        check(AnswerKind.POINTS, [], compile_answer(Count(1), T_TOLERANCE), never)
+
+
+def test_wanted_text():
+    assert wanted_text(compile_answer(Count(None), T_TOLERANCE)) == "None"
+    assert wanted_text(compile_answer(NONE, T_TOLERANCE)) == "[]"
+    assert wanted_text(compile_answer(Parameter(Surd(0, 1, 2), Surd(1)), T_TOLERANCE)) == repr(2**0.5)

@@ -1,0 +1,233 @@
+"""Answers encoded inside the containment, and read back outside."""
+
+from __future__ import annotations
+
+import collections
+import decimal
+import enum
+import fractions
+import json
+import subprocess
+import sys
+import typing
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import judge.sandbox.encode as encode_module
+from judge.compare.decode import Fault, Written, number
+from judge.sandbox.encode import MOST_ITEMS, encode
+
+
+def through(value):
+    """`value` after the whole journey."""
+    return json.loads(json.dumps(encode(value), allow_nan=False))
+
+
+def wrong(name, text=""):
+    return {"type": name, "text": text}
+
+
+class Point(typing.NamedTuple):
+    x: float
+    y: float
+
+
+class Grown(list):
+    pass
+
+
+class Liar(list):
+    def __iter__(self):
+        return iter([1])
+
+
+class LongLiar(collections.UserList):
+    pass
+
+
+class LyingTuple(tuple):
+    __slots__ = ()
+
+    def __len__(self):
+        return 2
+
+
+class MyFloat(float):
+    def __le__(self, other):
+        return True
+
+
+class Colour(enum.IntEnum):
+    RED = 1
+
+
+class Loud:
+    def __repr__(self):
+        raise RuntimeError("repr was called")
+
+    __str__ = __hash__ = __eq__ = __float__ = __iter__ = __len__ = __repr__
+
+
+@pytest.mark.parametrize(
+    ("value", "form"),
+    [
+        (None, None),
+        (2, 2),
+        (-(2**63), -(2**63)),
+        (2**63, {"int": "8000000000000000"}),
+        (-(2**70), {"int": "-400000000000000000"}),
+        (0.1, 0.1),
+        (-0.0, 0.0),
+        ([], []),
+        ([(1, 2.5), (3.0, 4)], [[1, 2.5], [3.0, 4]]),
+        (((1, 2), [3, 4]), [[1, 2], [3, 4]]),
+        (Point(1, 2.0), [1, 2.0]),
+        (Grown([(1, 2)]), [[1, 2]]),
+        (fractions.Fraction(-3, 17), {"fraction": ["-3", "11"]}),
+        (decimal.Decimal("1.50"), {"decimal": "1.50"}),
+        (decimal.Decimal("NaN"), {"decimal": "NaN"}),
+        (True, wrong("bool", "True")),
+        (float("nan"), wrong("float", "nan")),
+        (float("-inf"), wrong("float", "-inf")),
+        ("1", wrong("str", "'1'")),
+        (b"1", wrong("bytes", "b'1'")),
+        (1 + 2j, wrong("complex", "(1+2j)")),
+        (Liar([1]), wrong("Liar", "a subclass of list with its own way of reading it")),
+        (LyingTuple((1,)), wrong("LyingTuple", "a subclass of tuple with its own way of reading it")),
+        (LongLiar([1]), wrong("LongLiar")),
+        (MyFloat(1.0), wrong("MyFloat", "a subclass of float")),
+        (Colour.RED, wrong("Colour", "a subclass of int")),
+        ({1: 2}, wrong("dict")),
+        ({1, 2}, wrong("set")),
+        ((i for i in range(3)), wrong("generator")),
+        (zip([1], [2], strict=True), wrong("zip")),
+        (Loud(), wrong("Loud")),
+        (Loud, wrong("type")),
+        (2**5000, wrong("int", "5001 bits long")),
+    ],
+)
+def test_forms(value, form):
+    assert through(value) == form
+
+
+@pytest.mark.parametrize(
+    ("value", "form"),
+    [
+        (np.float64(0.1), 0.1),
+        (np.float32(0.1), float(np.float32(0.1))),
+        (np.float16(0.5), 0.5),
+        (np.int64(7), 7),
+        (np.uint64(2**64 - 1), {"int": "f" * 16}),
+        (np.longdouble(0.5), 0.5),
+        (np.longdouble(1) / 3 * 0 + 2, 2.0),
+        (np.bool_(True), wrong(np.bool_.__name__, "True")),
+        (np.float64("nan"), wrong("float64", "nan")),
+        (np.float32("inf"), wrong("float32", "inf")),
+        (np.complex128(1j), wrong("complex128", "1j")),
+        (np.str_("1"), wrong("str_", "")),
+        (np.array([[1.5, 2], [3, 4]]), [[1.5, 2.0], [3.0, 4.0]]),
+        (np.array([1, 2], dtype=np.int32), [1, 2]),
+        (np.array(3.5), 3.5),
+        (np.zeros((0, 2)), []),
+        ([np.array([1.0, 2.0]), (np.float64(3), np.int8(4))], [[1.0, 2.0], [3.0, 4]]),
+        (np.array([True]), [wrong(np.bool_.__name__, "True")]),
+        (np.array([None, 0.5], dtype=object), [None, 0.5]),
+    ],
+)
+def test_numpy_counts_as_the_numbers_it_holds(value, form):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert through(value) == form
+
+
+@pytest.mark.skipif(np.finfo(np.longdouble).nmant <= 52, reason="long double is a double here")
+def test_a_long_double_keeps_all_its_bits():
+    value = np.longdouble(1) + np.finfo(np.longdouble).eps
+    assert number(through(value)) == fractions.Fraction(*map(int, value.as_integer_ratio()))
+    assert number(through(value)) != 1
+
+
+def test_a_class_derived_from_numpys_is_a_wrong_type():
+    class Mine(np.float64):
+        pass
+
+    class Rows(np.ndarray):
+        pass
+
+    assert through(Mine(1.0))["type"] == "Mine"
+    assert through(np.zeros(2).view(Rows))["type"] == "Rows"
+
+
+def test_a_class_that_only_calls_itself_numpy_is_a_wrong_type():
+    forged = type("float64", (), {"__module__": "numpy", "dtype": None, "item": lambda self: 1.0})
+    assert through(forged()) == wrong("float64")
+
+
+def test_bounds_of_depth_and_items():
+    cyclic: list = [1]
+    cyclic.append(cyclic)
+    text = json.dumps(encode(cyclic))
+    assert "nested more than" in text
+    assert len(text) < 1000
+    wide: list = [0] * 50
+    wide[:] = [wide] * 50
+    assert len(json.dumps(encode(wide))) < 100 * MOST_ITEMS
+    assert through([0] * (MOST_ITEMS + 1)) == wrong("list", f"more than {MOST_ITEMS} items")
+    assert through(np.zeros(MOST_ITEMS + 1)) == wrong("list", f"more than {MOST_ITEMS} items")
+    assert len(through("x" * 10**6)["text"]) <= 80
+    assert len(through(type("N" * 10**5, (), {})())["type"]) <= 80
+
+
+def test_nothing_foreign_runs(monkeypatch):
+    class Meta(type):
+        def __getattribute__(cls, name):
+            raise RuntimeError("the metaclass was asked")
+
+    class Strange(metaclass=Meta):
+        pass
+
+    assert through(Strange()) == wrong("Strange")
+    forged = type("Fraction", (), {"numerator": property(lambda self: 1 / 0)})
+    monkeypatch.setattr(fractions, "Fraction", forged)
+    assert through(forged()) == wrong("Fraction", "reading it raised ZeroDivisionError")
+    broken = type(sys)("numpy")
+    broken.ndarray, broken.generic = forged, 5
+    monkeypatch.setitem(sys.modules, "numpy", broken)
+    assert through(Strange())["type"] == "Strange"
+
+
+@pytest.mark.parametrize(
+    "value",
+    [0, 5, -7, 2**64, -(2**4000), 0.1, 5e-324, fractions.Fraction(1, 3), fractions.Fraction(-(2**90), 7)],
+)
+def test_numbers_come_back_exactly(value):
+    read = number(through(value))
+    assert type(read) is type(value)
+    assert read == value
+
+
+def test_decimals_come_back_exactly_or_are_refused():
+    read = number(through(decimal.Decimal("-12.5e-3")))
+    assert isinstance(read, Written)
+    assert read.exact() == fractions.Fraction(-1, 80)
+    for text in ("NaN", "Infinity", "1e999999", "-1e-999999"):
+        assert isinstance(number(through(decimal.Decimal(text))), Fault)
+
+
+def test_the_module_stands_alone():
+    """It runs inside the containment, from its own source, with nothing of judge to import."""
+    source = Path(encode_module.__file__).read_text(encoding="utf-8")
+    assert "judge" not in {
+        line.split()[1].split(".")[0] for line in source.splitlines() if line.startswith("from ")
+    }
+    run = subprocess.run(
+        [sys.executable, "-I", "-S", "-c", source + "\nprint(encode([(1.5, 2)]))"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    assert run.stdout.strip() == "[[1.5, 2]]"
