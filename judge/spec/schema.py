@@ -1,0 +1,91 @@
+"""The shape of `problem.toml`, as a person writes it; load.py makes a Problem of it."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from enum import Enum
+from typing import Any
+
+import msgspec
+
+from judge.spec.model import AnswerKind, ParameterType, Tier
+
+Exact = int | Decimal  # a number of the file, never rounded
+
+
+class ToleranceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[tolerance]`, or a group's own one, which replaces it whole."""
+
+    extent: Exact = 0
+    relative: Exact = 0
+    zero: Exact = 0
+    ulps: Exact = 0
+
+
+class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[limits]`: the bounds of one test group."""
+
+    cpu_seconds: Exact
+    wall_seconds: Exact
+    memory_mb: Exact
+    output_mb: Exact
+
+
+class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One `[[parameters]]`."""
+
+    name: str
+    type: ParameterType
+    low: Exact
+    high: Exact
+    about: str
+
+
+class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One `[[groups]]`; `seed` and `count` may be missing only where the builder is "examples"."""
+
+    name: str
+    about: str
+    builder: str
+    points: int
+    parameters: dict[str, Any] = {}
+    seed: int | None = None
+    count: int | None = None
+    tolerance: ToleranceTable | None = None
+    kills: list[str] = []
+
+
+class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The whole file."""
+
+    title: str
+    tier: Tier
+    summary: str
+    entry: str
+    answer: AnswerKind
+    limits: LimitsTable
+    parameters: list[ParameterTable]
+    groups: list[GroupTable]
+    tolerance: ToleranceTable | None = None
+    bands: dict[str, Exact] = {}
+
+
+_TABLES: dict[str, type[msgspec.Struct]] = {
+    "tolerance": ToleranceTable,
+    "limits": LimitsTable,
+    "parameters": ParameterTable,
+    "groups": GroupTable,
+}
+
+
+def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
+    """The keys that the table at `path` may have."""
+    names = [part for part in path if isinstance(part, str)]
+    table = _TABLES[names[-1]] if names else ProblemTable
+    return table.__struct_fields__
+
+
+def enum_values(path: tuple[str | int, ...]) -> tuple[str, ...]:
+    """The words that the key at `path` may have."""
+    kinds: dict[str | int, type[Enum]] = {"tier": Tier, "answer": AnswerKind, "type": ParameterType}
+    return tuple(member.value for member in kinds[path[-1]])

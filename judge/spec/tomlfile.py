@@ -1,0 +1,124 @@
+"""One problem.toml: its text, its shape, and a fault shown on the line it stands on."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from decimal import Decimal
+from pathlib import Path
+from typing import Any, NoReturn
+
+import msgspec
+
+from judge.errors import ProblemError, nearest
+from judge.spec import schema
+from judge.spec.lines import KeyPath, key_lines, line_of, parse_path
+from judge.spec.model import Problem
+
+_KINDS = {
+    "`int | decimal`": "a number",
+    "`decimal`": "a number with a point",
+    "`float`": "a number with a point",
+    "`int`": "a whole number",
+    "`int | null`": "a whole number",
+    "`str`": "text",
+    "`bool`": "true or false",
+    "`array`": "a list",
+    "`object`": "a table",
+    "`object | null`": "a table",
+}
+
+
+class TomlFile:
+    """The problem.toml of a folder. Every fault is a ProblemError with its line."""
+
+    def __init__(self, folder: Path) -> None:
+        self._name = f"{folder.name}/problem.toml"
+        self._text = read_text(folder / "problem.toml")
+
+    def fault(self, path: KeyPath, what: str, remedy: str) -> NoReturn:
+        """Raise the fault of what stands at `path`."""
+        line = line_of(path, key_lines(self._text))
+        raise ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)
+
+    def table(self) -> schema.ProblemTable:
+        """The file in its shape; its values are not yet checked."""
+        try:
+            raw = tomllib.loads(self._text, parse_float=Decimal)
+        except ValueError as error:  # TOMLDecodeError, or an integer too long for Python to read
+            self._no_toml(str(error))
+        try:
+            return msgspec.convert(raw, schema.ProblemTable)
+        except msgspec.ValidationError as error:
+            what, _, place = str(error).partition(" - at `")
+            self._misshapen(what, parse_path(place.rstrip("`")), raw)
+
+    def _no_toml(self, message: str) -> NoReturn:
+        what, _, place = message.partition(" (at ")
+        found = re.match(r"line (\d+)", place)
+        line = int(found[1]) if found else self._text.count("\n") + 1
+        what = what[:1].lower() + what[1:]
+        raise ProblemError(f"no TOML: {what}", where=f"{self._name}:{line}", remedy="repair this line")
+
+    def _misshapen(self, what: str, path: KeyPath, raw: dict[str, Any]) -> NoReturn:
+        """Raise msgspec's fault in words for a person, with the name that was meant."""
+        if unknown := re.fullmatch(r"Object contains unknown field `(.*)`", what):
+            self._unknown_key(unknown[1], path)
+        if missing := re.fullmatch(r"Object missing required field `(.*)`", what):
+            self._missing_key(missing[1], path, raw)
+        if invalid := re.fullmatch(r"Invalid enum value '(.*)'", what, re.DOTALL):
+            values = schema.enum_values(path)
+            self.fault(
+                path, f"{path[-1]} = {invalid[1]!r} is unknown", _meant(invalid[1], values, "use one of")
+            )
+        if kinds := re.fullmatch(r"Expected (`.*`), got (`.*`)", what):
+            wanted, got = (_KINDS.get(kind, kind) for kind in kinds.groups())
+            self.fault(path, f"{_dotted(path)} is {got}", f"give {wanted}")
+        self.fault(path, f"{_dotted(path)}: {what[:1].lower()}{what[1:]}", "correct its value")
+
+    def _unknown_key(self, key: str, path: KeyPath) -> NoReturn:
+        known = schema.fields_at(path)
+        self.fault((*path, key), f"unknown key {key!r}", _meant(key, known, "the keys are"))
+
+    def _missing_key(self, key: str, path: KeyPath, raw: dict[str, Any]) -> NoReturn:
+        """A key that is missing is most often there, misspelt."""
+        table: Any = raw
+        for part in path:
+            table = table[part]
+        stray = nearest(key, set(table) - set(schema.fields_at(path)))
+        if stray is not None:
+            self.fault((*path, stray), f"unknown key {stray!r}", f"did you mean {key!r}?")
+        self.fault(path, f"the key {key!r} is missing in {_dotted(path)}", f"add {key} = …")
+
+
+def group_place(problem: Problem, group: str, key: str) -> str:
+    """Where a group's key stands, as `id/problem.toml:12`, for faults that only building shows."""
+    index = next(at for at, each in enumerate(problem.groups) if each.name == group)
+    lines = key_lines(read_text(problem.folder / "problem.toml"))
+    return f"{problem.id}/problem.toml:{line_of(('groups', index, key), lines)}"
+
+
+def read_text(path: Path) -> str:
+    """The text of one of a problem's files. Raises ProblemError."""
+    where = f"{path.parent.name}/{path.name}"
+    try:
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
+    except UnicodeDecodeError as error:
+        what = f"byte {error.start} is not UTF-8"
+        raise ProblemError(what, where=where, remedy="save the file as UTF-8") from None
+    except OSError as error:
+        what = f"cannot be read: {error.strerror}"
+        raise ProblemError(what, where=where, remedy=f"make {path} a readable file") from None
+
+
+def _meant(name: str, names: tuple[str, ...], introduction: str) -> str:
+    meant = nearest(name, names)
+    return f"did you mean {meant!r}?" if meant else f"{introduction} {', '.join(names)}"
+
+
+def _dotted(path: KeyPath) -> str:
+    """A path for a person; the line says which of several tables it is in."""
+    names = [str(part) for part in path if isinstance(part, str)]
+    return ".".join(names) if names else "the file"

@@ -1,0 +1,118 @@
+"""Finding problems: the order of the places, and what is said on a miss."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+from judge.errors import ProblemError, UsageError
+from judge.spec.find import all_problems, find_problem, problem_folders
+
+SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
+
+
+@pytest.fixture
+def pack(tmp_path):
+    """Makes a folder of problems with these names."""
+
+    def make(place, *names):
+        for name in names:
+            shutil.copytree(SOUND, tmp_path / place / "problems" / name)
+        return (tmp_path / place / "problems").resolve()
+
+    return make
+
+
+@pytest.fixture(autouse=True)
+def _no_other_packs(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+
+
+def test_the_projects_own_problems_are_found():
+    problem = find_problem("segment")
+    assert problem.id == "segment"
+    assert problem.solutions.name == "segment"
+    assert {"count", "segment", "ray-nearest", "exact-count"} <= {each.id for each in all_problems()}
+
+
+def test_a_named_folder_comes_first(pack, monkeypatch):
+    named, variable = pack("a", "segment"), pack("b", "segment", "roots")
+    monkeypatch.setenv("JUDGE_PROBLEMS", f"{variable}{os.pathsep}")
+    assert find_problem("segment", [named]).folder == named / "segment"
+    assert find_problem("segment").folder == variable / "segment"
+    assert find_problem("roots", [named]).solutions == variable.parent / "solutions" / "roots"
+    folders = problem_folders([named])
+    assert [folder for folder in folders if folder.name == "segment"] == [named / "segment"]
+
+
+def test_folders_that_hold_no_problem_are_passed_over(pack):
+    named = pack("a", "roots")
+    (named / "sets").mkdir()
+    (named / "README.md").write_text("not a problem")
+    assert [folder.name for folder in problem_folders([named]) if folder.parent == named] == ["roots"]
+
+
+def test_a_problem_without_its_toml_is_broken_rather_than_unknown(pack):
+    named = pack("a", "roots")
+    (named / "roots" / "problem.toml").unlink()
+    with pytest.raises(ProblemError, match=r"^roots/problem.toml: the file is missing"):
+        find_problem("roots", [named])
+
+
+@pytest.mark.parametrize("name", ["segmnet", "Segment", "../segment", "segment/", ""])
+def test_an_unknown_name_is_a_usage_error(name):
+    with pytest.raises(UsageError, match="no problem is called"):
+        find_problem(name)
+
+
+def test_an_unknown_name_gets_the_nearest_one():
+    with pytest.raises(UsageError, match="did you mean 'segment'"):
+        find_problem("segmnet")
+
+
+def test_a_missing_folder_names_who_asked_for_it(tmp_path, monkeypatch):
+    with pytest.raises(UsageError, match=r"^--problems: .*nowhere is not a folder"):
+        find_problem("segment", [tmp_path / "nowhere"])
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "nowhere"))
+    with pytest.raises(UsageError, match=r"^\$JUDGE_PROBLEMS: .*nowhere is not a folder"):
+        find_problem("segment")
+
+
+class Point:
+    """An entry point as an installed pack declares it."""
+
+    name, value = "more", "more.problems"
+
+    def __init__(self, pack):
+        self.pack = pack
+
+    def load(self):
+        if isinstance(self.pack, Exception):
+            raise self.pack
+        return self.pack
+
+
+def test_installed_packs_are_asked_only_on_a_miss(pack, monkeypatch):
+    installed = pack("c", "roots")
+    asked = []
+
+    def entry_points(group):
+        asked.append(group)
+        return [Point(str(installed))]
+
+    monkeypatch.setattr(importlib.metadata, "entry_points", entry_points)
+    find_problem("segment")
+    assert asked == []
+    assert find_problem("roots").folder == installed / "roots"
+    assert asked == ["judge.problems"]
+
+
+@pytest.mark.parametrize("broken", [ImportError("no module more"), "/nowhere/at/all", 7])
+def test_a_broken_pack_is_named(broken, monkeypatch):
+    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [Point(broken)])
+    with pytest.raises(ProblemError, match=r"^entry point more.problems: the pack 'more' .*uninstall it$"):
+        find_problem("roots")
