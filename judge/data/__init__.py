@@ -1,1 +1,6 @@
 """Test data: building cases, proving promises, pinning and caching them."""
+
+from judge.data.load import load_data
+from judge.data.model import GroupData, ProblemData
+
+__all__ = ["GroupData", "ProblemData", "load_data"]

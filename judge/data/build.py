@@ -1,0 +1,186 @@
+"""Building a problem's cases from its builders, and their targets from its exact reference.
+
+Case i of a group is drawn from the seed text `seed/group/i/attempt`; attempts go on until one is neither
+rejected by its builder, nor out of bounds, nor against the promise, nor already in the group. So a case
+depends on nothing but the group's own declaration and the cases before it.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+from judge.compare.answers import Answer, Count, Parameter, Points
+from judge.compare.check import Rejection, check
+from judge.compare.targets import compile_answer
+from judge.data.draw import Draw, Rejected, SeededDraw
+from judge.data.model import GroupData, Progress, reseeded
+from judge.data.module import Builder, ProblemModule, blaming
+from judge.data.validate import Validator
+from judge.errors import ProblemError, nearest
+from judge.spec import AnswerKind, Case, Example, Group, Problem, Tolerance
+from judge.spec.statement import EXAMPLES
+from judge.spec.tomlfile import group_place
+
+_ANSWERS: dict[AnswerKind, type[Answer]] = {
+    AnswerKind.COUNT: Count,
+    AnswerKind.POINTS: Points,
+    AnswerKind.PARAMETER: Parameter,
+}
+_ATTEMPTS = 1_000  # for one case
+
+
+def build(
+    problem: Problem, module: ProblemModule, seed: int | None = None, progress: Progress | None = None
+) -> list[GroupData]:
+    """Every group's data. Raises ProblemError, also where a worked example contradicts the reference."""
+    _check_examples(problem, module)
+    total = sum(group.count for group in problem.groups)
+    done = 0
+    built = []
+    for declared in problem.groups:
+        group = reseeded(declared, seed)
+        cases = build_cases(problem, module, group)
+        with blaming(problem, f"group {group.name!r}: the reference fails"):
+            targets = [compile_answer(_answer(problem, module, case), group.tolerance) for case in cases]
+        built.append(GroupData(group, cases, targets))
+        done += len(cases)
+        if progress is not None:
+            progress(done, total)
+    return built
+
+
+def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[Case]:
+    """The cases of one group, each of them proved. Raises ProblemError."""
+    validator = Validator(problem, module.promise)
+    if group.builder == EXAMPLES:
+        return [_example_case(each, validator, problem) for each in problem.examples]
+    builder = _bound_builder(problem, module, group)
+    cases: dict[Case, None] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
+    what = f"group {group.name!r}: the builder {group.builder!r} fails"
+    with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
+        for number in range(group.count):
+            case = _new_case(problem, group, builder, validator, number, cases)
+            cases[case] = None
+    return list(cases)
+
+
+def _new_case(
+    problem: Problem,
+    group: Group,
+    builder: Callable[[Draw], Any],
+    validator: Validator,
+    number: int,
+    taken: dict[Case, None],
+) -> Case:
+    failures: Counter[str] = Counter()
+    latest: dict[str, str] = {}  # for each reason, what the last such fault was
+    for attempt in range(_ATTEMPTS):
+        try:
+            case = builder(SeededDraw(f"{group.seed}/{group.name}/{number}/{attempt}"))
+        except Rejected:
+            failures["rejected by the builder"] += 1
+            continue
+        if fault := validator.shape(case):
+            raise ProblemError(
+                f"group {group.name!r}: the builder {group.builder!r} gives no case: {fault}",
+                where=f"{problem.id}/problem.py",
+                remedy="correct what it returns",
+            )
+        if fault := validator.bounds(case):
+            failures["out of bounds"] += 1
+            latest["out of bounds"] = f" ({fault})"
+        elif fault := validator.promise(case):
+            failures["against the promise"] += 1
+            latest["against the promise"] = f" ({fault})"
+        elif case in taken:
+            failures["already in the group"] += 1
+        else:
+            proved: Case = case
+            return proved
+    reason, times = failures.most_common(1)[0]
+    raise ProblemError(
+        f"group {group.name!r}: the builder {group.builder!r} gives no case {number + 1} of {group.count} "
+        f"in {_ATTEMPTS} attempts, {times} of them {reason}{latest.get(reason, '')}",
+        where=group_place(problem, group.name, "builder"),
+        remedy="correct its parameters, or lower count",
+    )
+
+
+def _bound_builder(problem: Problem, module: ProblemModule, group: Group) -> Callable[[Draw], Any]:
+    """The group's builder with its parameters filled in."""
+    builder = module.builders.get(group.builder)
+    if builder is None:
+        names = [*module.builders, EXAMPLES]
+        meant = nearest(group.builder, names)
+        raise ProblemError(
+            f"group {group.name!r} wants the unknown builder {group.builder!r}",
+            where=group_place(problem, group.name, "builder"),
+            remedy=f"did you mean {meant!r}?" if meant else f"the builders are {', '.join(names)}",
+        )
+    parameters = dict(group.parameters)
+    _check_parameters(builder, parameters, problem, group)
+    return lambda draw: builder(draw, **parameters)
+
+
+def _check_parameters(builder: Builder, parameters: dict[str, Any], problem: Problem, group: Group) -> None:
+    signature = inspect.signature(builder)
+    try:
+        signature.bind(None, **parameters)
+    except TypeError as error:
+        names = [name for name in list(signature.parameters)[1:] if name not in parameters]
+        unknown = next((name for name in parameters if name not in signature.parameters), None)
+        meant = nearest(unknown, names) if unknown is not None else None
+        listed = ", ".join(list(signature.parameters)[1:]) or "none"
+        raise ProblemError(
+            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {error}",
+            where=group_place(problem, group.name, "parameters"),
+            remedy=f"did you mean {meant!r}?" if meant else f"its parameters are {listed}",
+        ) from None
+
+
+def _example_case(example: Example, validator: Validator, problem: Problem) -> Case:
+    where = f"{problem.id}/statement.md:{example.line}"
+    with blaming(problem, "the promise fails on an example"):
+        fault = validator.fault(example.case)
+    if fault:
+        raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
+    return example.case
+
+
+def _check_examples(problem: Problem, module: ProblemModule) -> None:
+    """Hold every worked example against the reference, whether or not a group judges by them."""
+    group = next((each for each in problem.groups if each.builder == EXAMPLES), problem.groups[0])
+    validator = Validator(problem, module.promise)
+    for example in problem.examples:
+        _check_example(problem, module, example, _example_case(example, validator, problem), group.tolerance)
+
+
+def _check_example(
+    problem: Problem, module: ProblemModule, example: Example, case: Case, tolerance: Tolerance
+) -> None:
+    with blaming(problem, "the reference fails on an example"):
+        answer = _answer(problem, module, case)
+        target = compile_answer(answer, tolerance)
+    outcome = check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
+    if isinstance(outcome, Rejection):
+        raise ProblemError(
+            f"the example contradicts the reference: {outcome.message}",
+            where=f"{problem.id}/statement.md:{example.line}",
+            remedy="correct the example's answer, or the reference",
+        )
+
+
+def _answer(problem: Problem, module: ProblemModule, case: Case) -> Answer:
+    """The reference's answer, which must be of the problem's kind."""
+    answer = module.reference(*case)
+    if type(answer) is not _ANSWERS[problem.answer]:
+        raise TypeError(f"a {_ANSWERS[problem.answer].__name__} is wanted, not {answer!r}")
+    return answer
+
+
+def _as_json(value: Any) -> Any:
+    """A literal as a submission's answer arrives: tuples are lists."""
+    return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value

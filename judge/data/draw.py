@@ -1,0 +1,101 @@
+"""Where a builder gets its choices from.
+
+A builder draws small numbers and never sees where they come from, so one description serves seeded data now
+and a searching or shrinking source later. Draw the parameters of a construction, not raw coordinates.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from typing import Never, Protocol, TypeVar
+
+T = TypeVar("T")
+
+_BLOCK_BITS = 512  # of one SHA-512 digest
+
+
+class Rejected(Exception):  # noqa: N818 - a signal, not a fault
+    """These choices make no case; the builder is asked again with others."""
+
+
+class Draw(Protocol):
+    """A source of choices."""
+
+    def integer(self, low: int, high: int) -> int:
+        """An int from low to high, both included; ValueError if there is none."""
+        ...
+
+    def choice(self, options: Sequence[T]) -> T:
+        """One of `options`; ValueError if there is none."""
+        ...
+
+    def sign(self) -> int:
+        """Minus one or one."""
+        ...
+
+    def boolean(self) -> bool:
+        """False or True."""
+        ...
+
+    def reject(self) -> Never:
+        """Give these choices up: nothing can be built from them."""
+        ...
+
+
+class SeededDraw:
+    """Choices that depend on a seed text alone.
+
+    The bits are SHA-512 of the seed and a block number, not those of `random`: pinned data must be the same
+    on every version of Python.
+    """
+
+    __slots__ = ("_bits", "_block", "_left", "_seed")
+
+    def __init__(self, seed: str) -> None:
+        self._seed = hashlib.sha512(seed.encode())
+        self._block = 0
+        self._bits = 0
+        self._left = 0
+
+    def integer(self, low: int, high: int) -> int:
+        """An int from low to high, both included, all equally likely."""
+        span = high - low
+        if span < 0:
+            raise ValueError(f"no integer from {low} to {high}")
+        width = span.bit_length()
+        while True:  # each round succeeds with a chance above one half
+            offset = self._take(width)
+            if offset <= span:
+                return low + offset
+
+    def choice(self, options: Sequence[T]) -> T:
+        """One of `options`, all equally likely."""
+        if not options:
+            raise ValueError("nothing to choose from")
+        return options[self.integer(0, len(options) - 1)]
+
+    def sign(self) -> int:
+        """Minus one or one."""
+        return 1 if self._take(1) else -1
+
+    def boolean(self) -> bool:
+        """False or True."""
+        return bool(self._take(1))
+
+    def reject(self) -> Never:
+        """Give these choices up: nothing can be built from them."""
+        raise Rejected
+
+    def _take(self, width: int) -> int:
+        """The next `width` bits."""
+        while self._left < width:
+            digest = self._seed.copy()
+            digest.update(b"/%d" % self._block)
+            self._block += 1
+            self._bits |= int.from_bytes(digest.digest(), "big") << self._left
+            self._left += _BLOCK_BITS
+        taken = self._bits & ((1 << width) - 1)
+        self._bits >>= width
+        self._left -= width
+        return taken

@@ -1,0 +1,66 @@
+"""What building or reading a problem's data gives."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from judge.spec import Case, Group, Problem, Tolerance
+from judge.spec.statement import EXAMPLES
+
+if TYPE_CHECKING:
+    from judge.compare.answers import Answer
+    from judge.compare.targets import AnyTarget
+    from judge.data.module import ProblemModule
+
+Progress = Callable[[int, int], None]  # cases done, cases in all
+
+
+@dataclass(frozen=True, slots=True)
+class GroupData:
+    """A group's cases and, for each, what an answer is held against."""
+
+    group: Group
+    cases: list[Case]
+    targets: list[AnyTarget]
+
+
+class ProblemData:
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+
+    __slots__ = ("_module", "groups", "notes", "problem")
+
+    def __init__(
+        self,
+        problem: Problem,
+        groups: tuple[GroupData, ...],
+        notes: tuple[str, ...] = (),
+        module: ProblemModule | None = None,
+    ) -> None:
+        self.problem = problem
+        self.groups = groups
+        self.notes = notes
+        self._module = module
+
+    def exact(self, case: Case, group: Group) -> tuple[Answer, Tolerance]:
+        """The exact answer to a case of that group, and its tolerance.
+
+        Only a rejection's reason and an answer within a hair of the edge need it, so problem.py is loaded
+        here on the first use. Raises ProblemError.
+        """
+        from judge.data.module import blaming, load_module
+
+        if self._module is None:
+            self._module = load_module(self.problem)
+        with blaming(self.problem, "the reference fails"):
+            return self._module.reference(*case), group.tolerance
+
+
+def reseeded(group: Group, seed: int | None) -> Group:
+    """The group as a run with its own seed has it; None stands for the declared one."""
+    if seed is None or group.builder == EXAMPLES:
+        return group
+    digest = hashlib.sha256(f"{seed}/{group.name}".encode()).digest()
+    return replace(group, seed=int.from_bytes(digest[:8], "big"))

@@ -1,0 +1,169 @@
+"""Building, proving and pinning data."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.data.model import reseeded
+from judge.data.module import load_module
+from judge.data.pins import differences, hash_of, read_pins, write_pins
+from judge.data.validate import Validator, prove
+from judge.errors import ProblemError
+from judge.spec import Parameter, ParameterType
+from judge.spec.load import load_problem
+
+SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
+
+
+@pytest.fixture
+def copy(tmp_path):
+    folder = tmp_path / "problems" / "root-count"
+    shutil.copytree(SOUND, folder)
+    return folder
+
+
+def test_cases_and_targets_of_every_group():
+    problem = load_problem(SOUND)
+    data = load_data(problem, cache=False)
+    examples, small = data.groups
+    assert examples.cases == [(4,), (-1,)]
+    assert [target.value for target in examples.targets] == [2, 0]
+    assert len(set(small.cases)) == 5
+    assert [target.value for target in small.targets] == [(c > 0) - (c < 0) + 1 for (c,) in small.cases]
+    assert data.notes == ()
+    answer, tolerance = data.exact((9,), small.group)
+    assert (answer.value, tolerance) == (2, small.group.tolerance)
+
+
+def test_building_again_gives_the_same():
+    problem = load_problem(SOUND)
+    first, second = load_data(problem, cache=False), load_data(problem, cache=False)
+    assert [group.cases for group in first.groups] == [group.cases for group in second.groups]
+
+
+def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
+    problem = load_problem(SOUND)
+    drawn = set()
+    for seed in (None, 0, 1, 2):
+        data = load_data(problem, seed=seed, cache=False)
+        assert data.groups[0].cases == [(4,), (-1,)]
+        drawn.add(tuple(data.groups[1].cases))
+    assert len(drawn) == 4
+    groups = [reseeded(each, 3) for each in problem.groups]
+    assert groups[0] == problem.groups[0]
+    assert groups[1].seed not in (3, problem.groups[1].seed)
+
+
+def test_progress_counts_every_case():
+    steps = []
+    load_data(load_problem(SOUND), cache=False, progress=lambda done, total: steps.append((done, total)))
+    assert steps == [(2, 7), (7, 7)]
+
+
+def test_the_fixtures_pins_hold():
+    problem = load_problem(SOUND)
+    assert differences(read_pins(problem), load_data(problem, cache=False).groups) == []
+
+
+def test_pins_notice_drift_new_groups_and_old_ones(copy):
+    problem = load_problem(copy)
+    groups = load_data(problem, cache=False).groups
+    write_pins(problem, groups)
+    assert json.loads((copy / "hashes.json").read_text())["groups"]["small"] == hash_of(groups[1])
+    pins = read_pins(problem)
+    assert differences(pins, groups) == []
+    pins["small"] = "0" * 64
+    pins["large"] = pins.pop("examples")
+    assert differences(pins, groups) == [
+        "the data of group 'small' differ from their pinned hash",
+        "group 'examples' has no pinned hash",
+        "the pinned hash of 'large' belongs to no group",
+    ]
+
+
+def test_a_hash_covers_cases_and_targets():
+    groups = load_data(load_problem(SOUND), cache=False).groups
+    small = groups[1]
+    hashes = {hash_of(small)}
+    small.cases.reverse()
+    hashes.add(hash_of(small))
+    small.targets.pop()
+    hashes.add(hash_of(small))
+    assert len(hashes) == 3
+
+
+def test_a_problem_without_pins(copy):
+    (copy / "hashes.json").unlink()
+    assert read_pins(load_problem(copy)) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["", "[]", '{"schema": 2, "groups": {}}', '{"schema": 1, "groups": {"a": 1}}']
+)
+def test_a_broken_file_of_pins_is_a_fault(copy, text):
+    (copy / "hashes.json").write_text(text)
+    with pytest.raises(ProblemError, match=r"^root-count/hashes.json: .*judge verify root-count --pin"):
+        read_pins(load_problem(copy))
+
+
+def parameters(*types):
+    return tuple(
+        Parameter(f"p{at}", kind, Fraction(-5), Fraction(11, 2), "") for at, kind in enumerate(types)
+    )
+
+
+class Problem:
+    parameters = parameters(
+        ParameterType.NUMBER, ParameterType.INTEGER, ParameterType.POINT, ParameterType.INTEGER_POINT
+    )
+
+
+def test_a_valid_case_has_no_fault():
+    validator = Validator(Problem, lambda *case: None)
+    assert validator.fault((5.5, -5, (0, -0.0), (1, 2))) is None
+
+
+@pytest.mark.parametrize(
+    ("case", "fault"),
+    [
+        ([1, 1, (1, 1), (1, 1)], "a case must be a tuple of 4 arguments"),
+        ((1, 1, (1, 1)), "a case must be a tuple of 4 arguments"),
+        ((True, 1, (1, 1), (1, 1)), "p0 has True, a bool, where a number is meant"),
+        ((Fraction(1), 1, (1, 1), (1, 1)), "p0 has Fraction(1, 1), a Fraction, where a number is meant"),
+        ((float("nan"), 1, (1, 1), (1, 1)), "p0 has nan, which is not finite"),
+        ((1, 1.0, (1, 1), (1, 1)), "p1 has the float 1.0 where an int is meant"),
+        ((1, 1, [1, 1], (1, 1)), "p2 must be a pair of numbers, not [1, 1]"),
+        ((1, 1, (1, 1, 1), (1, 1)), "p2 must be a pair of numbers, not (1, 1, 1)"),
+        ((1, 1, (1, float("inf")), (1, 1)), "p2 has inf, which is not finite"),
+        ((1, 1, (1, 1), (1, 1.5)), "p3 has the float 1.5 where an int is meant"),
+        ((5.500000000000001, 1, (1, 1), (1, 1)), "p0 has 5.500000000000001, outside -5 to 11/2"),
+        ((1, 1, (1, -6), (1, 1)), "p2 has -6, outside -5 to 11/2"),
+        ((1, 3, (1, 1), (1, 1)), "three"),
+    ],
+)
+def test_an_invalid_case_is_named(case, fault):
+    validator = Validator(Problem, lambda *case: "three" if case[1] == 3 else None)
+    assert validator.fault(case) == fault
+
+
+def test_proving_stops_at_the_first_bad_case():
+    problem = load_problem(SOUND)
+    validator = Validator(problem, load_module(problem).promise)
+    prove(validator, "small", [(1,), (9,)], "root-count/problem.py")
+    with pytest.raises(ProblemError, match="case 2 of group 'small' is invalid: c has 10, outside -9 to 9"):
+        prove(validator, "small", [(1,), (10,), (11,)], "root-count/problem.py")
+
+
+def test_two_problems_of_one_name_keep_their_own_code(copy):
+    text = (copy / "problem.py").read_text()
+    (copy / "problem.py").write_text(text.replace("Count((c > 0) - (c < 0) + 1)", "Count(1)"))
+    other, own = load_module(load_problem(copy)), load_module(load_problem(SOUND))
+    assert other.reference(4).value == 1
+    assert own.reference(4).value == 2
+    assert not (copy / "__pycache__").exists()

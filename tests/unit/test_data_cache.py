@@ -1,0 +1,229 @@
+"""The cache of built data: warm starts, and everything that can be wrong with a file."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.data.pins import hash_of
+from judge.spec.load import load_problem
+
+ROOT = Path(__file__).parent.parent.parent
+SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """The cache folder of this test."""
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "data"
+
+
+@pytest.fixture
+def copy(tmp_path):
+    target = tmp_path / "problems" / "root-count"
+    shutil.copytree(SOUND, target)
+    return target
+
+
+def files(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def built(problem, **options):
+    """The data, and whether they had to be built."""
+    steps = []
+    data = load_data(problem, progress=lambda done, total: steps.append(done), **options)
+    return data, bool(steps)
+
+
+def plain(data):
+    return [(group.group, group.cases, group.targets) for group in data.groups]
+
+
+@pytest.mark.parametrize("name", ["root-count", "count", "segment", "ray-nearest", "exact-count"])
+def test_what_is_read_is_what_was_built(name):
+    problem = load_problem(SOUND if name == "root-count" else ROOT / "problems" / name)
+    cold, was_built = built(problem)
+    assert was_built
+    warm, was_built = built(problem)
+    assert not was_built
+    assert plain(warm) == plain(cold)
+    # Hashes and texts also tell an int from a float, and the signs of zero apart.
+    assert [hash_of(group) for group in warm.groups] == [hash_of(group) for group in cold.groups]
+    assert [repr(group.cases) for group in warm.groups] == [repr(group.cases) for group in cold.groups]
+    assert warm.notes == ()
+    group = warm.groups[0]
+    assert warm.exact(group.cases[0], group.group) == cold.exact(group.cases[0], group.group)
+
+
+@pytest.mark.parametrize("name", ["problem.toml", "problem.py", "statement.md"])
+def test_a_changed_file_builds_anew_and_drops_the_old_data(copy, folder, name):
+    built(load_problem(copy))
+    old = files(folder)
+    with (copy / name).open("a") as file:
+        file.write("\n")
+    assert built(load_problem(copy))[1]
+    assert len(files(folder)) == 1
+    assert files(folder) != old
+
+
+def test_a_seed_has_a_file_of_its_own(folder):
+    problem = load_problem(SOUND)
+    own = plain(built(problem)[0])
+    assert built(problem, seed=5)[1]
+    assert not built(problem, seed=5)[1]
+    assert built(problem, seed=6)[1]
+    assert plain(built(problem)[0]) == own
+    assert not built(problem)[1]
+    assert len(files(folder)) == 2
+
+
+def test_two_folders_with_one_problem_name_do_not_fight(copy, folder):
+    built(load_problem(copy))
+    built(load_problem(SOUND))
+    assert not built(load_problem(copy))[1]
+    assert len(files(folder)) == 2
+
+
+def test_without_the_cache_nothing_is_read_or_kept(folder):
+    problem = load_problem(SOUND)
+    assert built(problem, cache=False)[1]
+    assert not folder.exists()
+
+
+def with_checksum(body):
+    return hashlib.sha256(body).hexdigest().encode() + b"\n" + body
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"\n",
+        b"\xff\x00" * 50,
+        with_checksum(b"not JSON"),
+        with_checksum(b"[]"),
+        with_checksum(b"null"),
+        with_checksum(b'{"examples": [[], []], "small": [[], []]}'),
+        with_checksum(b'{"examples": 3, "small": [[[1]], [1]]}'),
+        with_checksum(b'{"examples": [[[1], 2], [1, 1]], "small": [[[1],[1],[1],[1],[1]], [1,1,1,1,1]]}'),
+        with_checksum(b"[" * 100_000),
+    ],
+)
+def test_a_corrupt_file_is_built_anew(folder, content):
+    problem = load_problem(SOUND)
+    sound = plain(built(problem)[0])
+    (file,) = folder.iterdir()
+    file.write_bytes(content)
+    data, was_built = built(problem)
+    assert was_built
+    assert plain(data) == sound
+    assert data.notes == ()
+    assert not built(problem)[1]
+
+
+@pytest.mark.parametrize("place", [0, 1, 70, -1])
+def test_one_flipped_byte_is_noticed(folder, place):
+    problem = load_problem(SOUND)
+    built(problem)
+    (file,) = folder.iterdir()
+    content = bytearray(file.read_bytes())
+    content[place] ^= 1
+    file.write_bytes(content)
+    assert built(problem)[1]
+
+
+def test_a_cut_off_file_is_noticed(folder):
+    problem = load_problem(SOUND)
+    built(problem)
+    (file,) = folder.iterdir()
+    file.write_bytes(file.read_bytes()[:-10])
+    assert built(problem)[1]
+
+
+def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "file"))
+    data, was_built = built(load_problem(SOUND))
+    assert was_built
+    assert len(data.groups) == 2
+    (note,) = data.notes
+    assert "not kept for the next run" in note
+    assert "set $JUDGE_CACHE to a writable folder" in note
+
+
+def test_the_users_own_cache_folder_by_default(tmp_path, monkeypatch):
+    monkeypatch.delenv("JUDGE_CACHE")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+    built(load_problem(SOUND))
+    assert any("circle-line-judge" in str(path) for path in tmp_path.rglob("root-count-*.json"))
+
+
+def test_many_writers_and_readers_at_once(folder):
+    problem = load_problem(SOUND)
+    sound = plain(built(problem, cache=False)[0])
+    seen, start = [], threading.Barrier(8)
+
+    def work():
+        start.wait(timeout=20)
+        for _ in range(5):
+            shutil.rmtree(folder, ignore_errors=True)
+            data = load_data(problem)
+            seen.append(plain(data) == sound)
+
+    threads = [threading.Thread(target=work) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=60)
+    assert seen == [True] * 40
+    load_data(problem)
+    assert len(files(folder)) == 1
+
+
+def test_a_failed_write_leaves_no_temporary_file(folder, monkeypatch):
+    def no_space(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", no_space)
+    data, _ = built(load_problem(SOUND))
+    assert "No space left on device" in data.notes[0]
+    assert files(folder) == []
+
+
+def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
+    program = (
+        "import sys\n"
+        "from judge.data import load_data\n"
+        "from judge.spec.find import find_problem\n"
+        "load_data(find_problem('segment'))\n"
+        "print(*sys.modules)"
+    )
+    run = [sys.executable, "-c", program]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    for expected in (True, False):
+        done = subprocess.run(run, capture_output=True, text=True, env=environment, timeout=60, check=True)
+        names = done.stdout.split()
+        for heavy in ("judge.exact", "judge.data.build", "judge.data.module", "judge.data.builders"):
+            assert (heavy in names) is expected, heavy
+        assert any(name.startswith("judge_problem_segment") for name in names) is expected
+        assert not any(name.startswith(("rich", "hypothesis")) for name in names)
+
+
+def test_the_file_is_plain_json_below_its_checksum(folder):
+    built(load_problem(SOUND))
+    (file,) = folder.iterdir()
+    checksum, _, body = file.read_bytes().partition(b"\n")
+    assert hashlib.sha256(body).hexdigest().encode() == checksum
+    assert list(json.loads(body)) == ["examples", "small"]
