@@ -1,1 +1,25 @@
 """Judging one submission: executing, comparing, measuring."""
+
+from judge.run.execute import run_submission
+from judge.run.result import (
+    Failure,
+    GroupResult,
+    Mode,
+    Ratio,
+    Result,
+    Timing,
+    exit_code,
+    judge_fault,
+)
+
+__all__ = [
+    "Failure",
+    "GroupResult",
+    "Mode",
+    "Ratio",
+    "Result",
+    "Timing",
+    "exit_code",
+    "judge_fault",
+    "run_submission",
+]

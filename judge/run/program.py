@@ -1,0 +1,108 @@
+"""Program mode: the submission reads a whole group from stdin and writes a line for each case.
+
+T                      number of cases
+cx cy r ax ay bx by    the parameters in order, floats as `repr`; T such lines
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from judge.run.tally import VERDICTS, Tally, group_limits
+from judge.sandbox import Box, ProgramResult, Stop
+from judge.spec import Argument, Case, Verdict
+
+SHOWN = 80  # characters of a line that is quoted
+SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
+
+
+def render_group(cases: Sequence[Case]) -> bytes:
+    """The standard input of a program that is judged on these cases."""
+    lines = [str(len(cases)), *(" ".join(_numbers(case)) for case in cases)]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def _numbers(arguments: Iterable[Argument]) -> Iterator[str]:
+    for argument in arguments:
+        if isinstance(argument, (tuple, list)):
+            yield from _numbers(argument)
+        else:
+            yield repr(argument)
+
+
+def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
+    """The lines of an output, without blank ones at its end.
+
+    Bytes that are not ASCII become characters that no answer holds. Where the output is not `complete`, an
+    unfinished last line is left out: it may be half a number.
+    """
+    text = stdout.decode("ascii", errors="replace").replace("\r\n", "\n")
+    *lines, rest = text.split("\n")
+    if complete:
+        lines.append(rest)
+    while lines and not lines[-1].strip(" \t"):
+        lines.pop()
+    return lines
+
+
+def judge_program(box: Box, tally: Tally) -> None:
+    """Run the program once on the whole group and compare it line by line."""
+    from judge.compare.text import check_line
+
+    problem, cases = tally.problem, tally.group.cases
+    result = box.run_program(render_group(cases), group_limits(problem, tally.usage))
+    tally.usage += result.usage
+    complete = result.stop is Stop.ANSWERED
+    lines = answer_lines(result.stdout, complete=complete)
+    surplus = lines[len(cases) :]
+    compared = lines[: len(cases) - bool(surplus)]
+    for index, line in enumerate(compared):
+        tally.compared(
+            index, check_line(problem.answer, line, tally.group.targets[index], tally.exact(index))
+        )
+    if surplus:
+        message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
+        tally.failed(len(cases) - 1, Verdict.WA, message, f"more lines: {surplus[0][:SHOWN]!r}")
+    elif complete and len(lines) < len(cases):
+        message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
+        tally.failed(len(lines), Verdict.WA, message, "no line")
+    if not complete:
+        _stopped(box, tally, result, len(lines))
+
+
+def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int) -> None:
+    """Record a run that did not end well; its time, memory or output belong to no case in particular."""
+    if tally.failure is not None:
+        return
+    count = len(tally.group.cases)
+    index = min(printed, count - 1)
+    message = f"{result.detail}, after {_counted(printed, 'line')} of {count}"
+    if result.stop in (Stop.EXCEPTION, Stop.EXITED) and result.usage.wall_seconds < SEARCHED_SECONDS:
+        culprit = _culprit(box, tally)
+        if culprit is not None:
+            index, message = culprit, result.detail
+    tally.failed(index, VERDICTS[result.stop], message)
+
+
+def _culprit(box: Box, tally: Tally) -> int | None:
+    """The case at which the program breaks, found by halving, or None where it breaks without any.
+
+    What it had printed may still have been in its buffer, so the lines that arrived do not tell.
+    """
+    cases = tally.group.cases
+
+    def breaks(count: int) -> bool:
+        stdin = render_group(cases[:count])
+        return box.run_program(stdin, group_limits(tally.problem, tally.usage)).stop is not Stop.ANSWERED
+
+    if breaks(0):
+        return None
+    good, bad = 0, len(cases)
+    while bad - good > 1:
+        middle = (good + bad) // 2
+        good, bad = (good, middle) if breaks(middle) else (middle, bad)
+    return bad - 1
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -1,0 +1,184 @@
+"""What judging one submission came to: frozen values, ready to be shown or written as JSON.
+
+`Result.as_json()` is the published object (schema 1); the attributes hold a little more for the screen, such
+as a group's points and how far off an answer was.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+from judge.errors import ExitCode
+from judge.spec import Verdict
+
+SCHEMA = 1
+
+
+class Mode(Enum):
+    """How a submission was run; the value is its name in JSON."""
+
+    FUNCTION = "function"  # its entry function was called
+    PROGRAM = "program"  # it read stdin and wrote stdout
+
+
+@dataclass(frozen=True, slots=True)
+class GroupResult:
+    """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth."""
+
+    name: str
+    verdict: Verdict
+    cases: int
+    passed: int
+    worst_ulps: float | None  # the largest error of an accepted number, None where none was measured
+    cpu_seconds: float
+    points: int = 0
+
+    @property
+    def score(self) -> int:
+        """The points earned: all of them or none."""
+        return self.points if self.verdict is Verdict.AC else 0
+
+    def as_json(self) -> dict[str, Any]:
+        """The group's object in the published form."""
+        return {
+            "name": self.name,
+            "verdict": self.verdict.value,
+            "cases": self.cases,
+            "passed": self.passed,
+            "worst_ulps": self.worst_ulps,
+            "cpu_seconds": self.cpu_seconds,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """The first failing case, or why nothing could be run (then only `message` is set).
+
+    `case` counts from 1 within its group. `input` maps a parameter's name to its number or `[x, y]`.
+    `where` says which number is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
+    """
+
+    message: str
+    group: str | None = None
+    case: int | None = None
+    input: dict[str, Any] | None = None
+    expected: str | None = None
+    got: str | None = None
+    where: str = ""
+    absolute: float | None = None
+    relative: float | None = None
+    ulps: float | None = None
+
+    def as_json(self) -> dict[str, Any]:
+        """The failure's object in the published form."""
+        return {
+            "group": self.group,
+            "case": self.case,
+            "input": self.input,
+            "expected": self.expected,
+            "got": self.got,
+            "message": self.message,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """CPU time as a multiple of the reference solution's, over interleaved pairs of runs."""
+
+    median: float
+    low: float
+    high: float
+    pairs: int
+
+    def as_json(self) -> dict[str, Any]:
+        """The ratio's object in the published form."""
+        return {"median": self.median, "low": self.low, "high": self.high, "pairs": self.pairs}
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """What a submission used in all its groups; `borderline` says the time limit was a close call."""
+
+    cpu_seconds: float = 0.0
+    wall_seconds: float = 0.0
+    ratio: Ratio | None = None
+    borderline: bool = False
+
+    def as_json(self) -> dict[str, Any]:
+        """The timing's object in the published form."""
+        return {
+            "cpu_seconds": self.cpu_seconds,
+            "wall_seconds": self.wall_seconds,
+            "ratio": self.ratio.as_json() if self.ratio else None,
+            "borderline": self.borderline,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """The outcome of one submission on one problem.
+
+    `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
+    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE).
+    """
+
+    problem: str
+    submission: str
+    mode: Mode
+    verdict: Verdict
+    groups: tuple[GroupResult, ...] = ()
+    failure: Failure | None = None
+    time: Timing = Timing()
+    memory_bytes: int = 0
+    isolation: str = "limits"
+    counterexample: dict[str, Any] | None = None
+    pitfall: dict[str, Any] | None = None
+
+    @property
+    def score(self) -> int:
+        """The points of the accepted groups."""
+        return sum(group.score for group in self.groups)
+
+    @property
+    def points(self) -> int:
+        """The points of all groups that were run: 100 unless some were left out."""
+        return sum(group.points for group in self.groups)
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """What this result alone tells the shell."""
+        if self.verdict is Verdict.AC:
+            return ExitCode.ACCEPTED
+        return ExitCode.FAULT if self.verdict is Verdict.JE else ExitCode.NOT_ACCEPTED
+
+    def as_json(self) -> dict[str, Any]:
+        """The published object; its keys and their order are fixed by the schema number."""
+        return {
+            "schema": SCHEMA,
+            "problem": self.problem,
+            "submission": self.submission,
+            "mode": self.mode.value,
+            "verdict": self.verdict.value,
+            "score": self.score,
+            "groups": [group.as_json() for group in self.groups],
+            "failure": self.failure.as_json() if self.failure else None,
+            "counterexample": self.counterexample,
+            "pitfall": self.pitfall,
+            "time": self.time.as_json(),
+            "memory_bytes": self.memory_bytes,
+            "isolation": self.isolation,
+        }
+
+
+def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
+    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
+    return Result(
+        problem, submission, Mode.FUNCTION, Verdict.JE, failure=Failure(message), isolation=isolation
+    )
+
+
+def exit_code(results: list[Result]) -> ExitCode:
+    """What several results together tell the shell: the judge's fault weighs most, then a rejection."""
+    return max((result.exit_code for result in results), default=ExitCode.ACCEPTED)

@@ -1,0 +1,127 @@
+"""A test group while it is being judged: what passed, and the first case that did not."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from judge.run.result import Failure, GroupResult, Mode
+from judge.sandbox import Limits, Stop, Usage
+from judge.spec import Case, Problem, Verdict
+
+if TYPE_CHECKING:
+    from judge.compare.answers import Answer
+    from judge.compare.check import Accepted, Rejection
+    from judge.data import GroupData, ProblemData
+    from judge.spec import Tolerance
+
+VERDICTS = {
+    Stop.EXCEPTION: Verdict.RTE,
+    Stop.EXITED: Verdict.RTE,
+    Stop.TAMPERED: Verdict.RTE,
+    Stop.CPU: Verdict.TLE,
+    Stop.WALL: Verdict.TLE,
+    Stop.MEMORY: Verdict.MLE,
+    Stop.OUTPUT: Verdict.OLE,
+}
+
+
+class Tally:
+    """Collects the outcomes of one group's cases, in order, into a `GroupResult` and a `Failure`."""
+
+    def __init__(self, data: ProblemData, group: GroupData, mode: Mode) -> None:
+        self.problem: Problem = data.problem
+        self.group = group
+        self.usage = Usage()
+        self.passed = 0
+        self.verdict = Verdict.AC
+        self.failure: Failure | None = None
+        self._data = data
+        self._mode = mode
+        self._worst: float | None = None
+
+    def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
+        """What `check` calls if it needs the exact answer of a case."""
+        return lambda: self._data.exact(self.group.cases[index], self.group.group)
+
+    def compared(self, index: int, outcome: Accepted | Rejection) -> None:
+        """Record what comparing the answer of a case came to."""
+        from judge.compare.check import Accepted
+
+        if isinstance(outcome, Accepted):
+            self.passed += 1
+            worst = outcome.worst_ulps
+            # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
+            if worst is not None and math.isfinite(worst):
+                self._worst = max(self._worst or 0.0, worst)
+        elif self.failure is None:
+            self.verdict = Verdict.WA
+            self.failure = Failure(
+                outcome.message,
+                self.group.group.name,
+                index + 1,
+                named_input(self.problem, self.group.cases[index]),
+                outcome.wanted,
+                outcome.got,
+                outcome.where,
+                outcome.absolute,
+                outcome.relative,
+                outcome.ulps,
+            )
+
+    def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+        """Record a case without an answer to compare."""
+        if self.failure is None:
+            self.verdict = verdict
+            self.failure = Failure(
+                message,
+                self.group.group.name,
+                index + 1,
+                named_input(self.problem, self.group.cases[index]),
+                self._wanted(index),
+                got,
+            )
+
+    def stopped(self, index: int, stop: Stop, detail: str) -> None:
+        """Record a case that ended otherwise than with an answer."""
+        self.failed(index, VERDICTS[stop], detail)
+
+    def _wanted(self, index: int) -> str:
+        from judge.compare.check import wanted_text
+        from judge.compare.text import render_target
+
+        text = wanted_text if self._mode is Mode.FUNCTION else render_target
+        return text(self.group.targets[index])
+
+    def result(self) -> GroupResult:
+        """The group's outcome; cases that were never run have not passed."""
+        group = self.group.group
+        return GroupResult(
+            group.name,
+            self.verdict,
+            len(self.group.cases),
+            self.passed,
+            self._worst,
+            self.usage.cpu_seconds,
+            group.points,
+        )
+
+
+def named_input(problem: Problem, case: Case) -> dict[str, Any]:
+    """A case's arguments by parameter name, points as lists."""
+    return {
+        parameter.name: list(value) if isinstance(value, (tuple, list)) else value
+        for parameter, value in zip(problem.parameters, case, strict=True)
+    }
+
+
+def group_limits(problem: Problem, used: Usage) -> Limits:
+    """What is left of a group's limits once `used` of its time has gone."""
+    limits = problem.limits
+    return Limits(
+        max(0.0, limits.cpu_seconds - used.cpu_seconds),
+        max(0.0, limits.wall_seconds - used.wall_seconds),
+        limits.memory_bytes,
+        limits.output_bytes,
+    )

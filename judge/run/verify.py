@@ -1,0 +1,272 @@
+"""The setter's gate: everything that a problem's folder and its solutions promise, checked.
+
+    data        every case is valid, and every worked example agrees with the reference
+    pins        the data are those of hashes.json
+    solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says
+    kills       each wrong program fails a group that names its mistake, and each group kills what it names
+
+Nothing is printed: what is wrong is in the report.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from judge.data import ProblemData, load_data
+from judge.data.module import blaming, load_module
+from judge.data.pins import differences, read_pins, write_pins
+from judge.data.validate import Validator, prove
+from judge.errors import ProblemError
+from judge.run.execute import run_submission
+from judge.run.result import Result
+from judge.spec import Problem, Verdict
+
+Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
+
+
+class Folder(Enum):
+    """The folders of solutions, and so the verdict that is wanted of what is in them."""
+
+    ACCEPTED = "accepted"
+    WRONG = "wrong"
+    SLOW = "slow"
+
+    def allows(self, verdict: Verdict) -> bool:
+        """Whether a program of this folder may get that verdict."""
+        if self is Folder.ACCEPTED:
+            return verdict is Verdict.AC
+        if self is Folder.SLOW:
+            return verdict is Verdict.TLE
+        return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+
+    @property
+    def wanted(self) -> str:
+        """The verdict in words."""
+        return {"accepted": "AC", "wrong": "a rejection", "slow": "TLE"}[self.value]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One broken promise: what, where and what to do."""
+
+    what: str
+    where: str
+    remedy: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.where}: {self.what}" + (f"; {self.remedy}" if self.remedy else "")
+
+
+@dataclass(frozen=True, slots=True)
+class SolutionReport:
+    """One program's verdict; `name` is its docstring's first line and `failed` the groups it fails."""
+
+    file: str  # as wrong/absolute-epsilon.py
+    folder: Folder
+    name: str
+    verdict: Verdict
+    failed: tuple[str, ...]
+
+    @property
+    def ok(self) -> bool:
+        """Whether this is the verdict that the folder wants."""
+        return self.folder.allows(self.verdict)
+
+
+@dataclass(frozen=True, slots=True)
+class VerifyReport:
+    """All that was checked; `pins` is "matching", "written", or "differing"."""
+
+    problem: str
+    groups: int
+    cases: int
+    pins: str
+    solutions: tuple[SolutionReport, ...]
+    faults: tuple[Fault, ...]
+
+    @property
+    def ok(self) -> bool:
+        """Whether nothing is wrong."""
+        return not self.faults
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """One file of the solutions."""
+
+    path: Path
+    folder: Folder
+    content: bytes
+    name: str
+
+    @property
+    def file(self) -> str:
+        return f"{self.folder.value}/{self.path.name}"
+
+
+def verify_problem(
+    problem: Problem, *, update_pins: bool = False, progress: Progress | None = None
+) -> VerifyReport:
+    """Check everything; with `update_pins` the data as they are become the pinned ones.
+
+    A problem whose data cannot be built has that as its one fault. Raises ProblemError only where hashes.json
+    cannot be written.
+    """
+    tell = progress or (lambda _what, _done, _total: None)
+    try:
+        data = load_data(
+            problem, progress=lambda done, total: tell("building data", done, total), cache=False
+        )
+        _prove_data(problem, data)
+    except ProblemError as error:
+        return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
+    pins, faults = _check_pins(problem, data, update_pins)
+    sources, unreadable = _read_sources(problem)
+    faults += unreadable
+    reports = []
+    for done, source in enumerate(sources):
+        tell("judging solutions", done, len(sources))
+        result = run_submission(
+            problem, data, source.content, source.path.name, groups=None, on_progress=None
+        )
+        report = _solution_report(source, result)
+        reports.append(report)
+        if not report.ok:
+            faults.append(_verdict_fault(report, result, problem))
+    tell("judging solutions", len(sources), len(sources))
+    faults += _kill_faults(problem, reports)
+    return VerifyReport(
+        problem=problem.id,
+        groups=len(data.groups),
+        cases=sum(len(group.cases) for group in data.groups),
+        pins=pins,
+        solutions=tuple(reports),
+        faults=tuple(faults),
+    )
+
+
+def _prove_data(problem: Problem, data: ProblemData) -> None:
+    """A second, independent look at every case, after all builders have had their say."""
+    validator = Validator(problem, load_module(problem).promise)
+    with blaming(problem, "the promise fails"):
+        for group in data.groups:
+            prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
+
+
+def _fault_of(error: ProblemError, problem: Problem) -> Fault:
+    return Fault(error.what, error.where or problem.id, error.remedy or "")
+
+
+def _check_pins(problem: Problem, data: ProblemData, update: bool) -> tuple[str, list[Fault]]:
+    if update:
+        write_pins(problem, data.groups)
+        return "written", []
+    where = f"{problem.id}/hashes.json"
+    remedy = f"if that is meant, pin the data with: judge verify {problem.id} --pin"
+    try:
+        pins = read_pins(problem)
+    except ProblemError as error:
+        return "differing", [_fault_of(error, problem)]
+    if pins is None:
+        return "differing", [Fault("the data are not pinned", where, remedy)]
+    faults = [Fault(what, where, remedy) for what in differences(pins, data.groups)]
+    return ("differing" if faults else "matching"), faults
+
+
+def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
+    """Every solution that can be read, and a fault for each that cannot or has no name."""
+    sources: list[_Source] = []
+    faults: list[Fault] = []
+    for folder in Folder:
+        paths = sorted((problem.solutions / folder.value).glob("*.py"))
+        if not paths and folder is Folder.ACCEPTED:
+            where = f"{problem.solutions.name}/{folder.value}"
+            faults.append(
+                Fault(
+                    "there is no accepted solution", where, f"add one to {problem.solutions / folder.value}"
+                )
+            )
+        for path in paths:
+            where = f"{problem.solutions.name}/{folder.value}/{path.name}"
+            try:
+                content = path.read_bytes()
+                name = _docstring_name(content)
+            except OSError as error:
+                faults.append(Fault(f"cannot be read: {error.strerror}", where, "make it readable"))
+                continue
+            except (SyntaxError, ValueError) as error:
+                faults.append(Fault(f"no Python: {error}", where, "repair it"))
+                continue
+            if not name:
+                wanted = "mistake" if folder is Folder.WRONG else "idea"
+                faults.append(Fault("it has no docstring", where, f"begin it with the name of its {wanted}"))
+            sources.append(_Source(path, folder, content, name))
+    return sources, faults
+
+
+def _docstring_name(source: bytes) -> str:
+    """The docstring's first line, without a full stop; empty if there is none."""
+    lines = (ast.get_docstring(ast.parse(source)) or "").splitlines()
+    return lines[0].strip().rstrip(".") if lines else ""
+
+
+def _solution_report(source: _Source, result: Result) -> SolutionReport:
+    failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
+    return SolutionReport(source.file, source.folder, source.name, result.verdict, failed)
+
+
+def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:
+    why = f" ({result.failure.message})" if result.failure else ""
+    return Fault(
+        f"gets {report.verdict.value} where {report.folder.wanted} is wanted{why}",
+        f"{problem.solutions.name}/{report.file}",
+        "move it to the folder it belongs to, or correct it or the data",
+    )
+
+
+def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fault]:
+    """Hold the mistakes that the groups name against the programs that make them."""
+    wrong = [report for report in reports if report.folder is Folder.WRONG]
+    aimed = {
+        mistake: {group.name for group in problem.groups if mistake in group.kills}
+        for group in problem.groups
+        for mistake in group.kills
+    }
+    faults = [fault for report in wrong for fault in _program_faults(report, aimed, problem)]
+    for mistake, groups in aimed.items():
+        programs = [report for report in wrong if report.name == mistake]
+        if not programs:
+            what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"
+            remedy = f"add {problem.solutions / 'wrong' / mistake}.py"
+            faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
+            continue
+        killing = {name for report in programs for name in report.failed}
+        faults += [
+            Fault(
+                f"group {name!r} names {mistake!r} and accepts every program that makes it",
+                f"{problem.id}/problem.toml",
+                "strengthen its data, or take the name out of its kills",
+            )
+            for name in sorted(groups - killing)
+        ]
+    return faults
+
+
+def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem: Problem) -> list[Fault]:
+    where = f"{problem.solutions.name}/{report.file}"
+    stem = Path(report.file).stem
+    faults = []
+    if report.name and stem != report.name and not stem.startswith(f"{report.name}-"):
+        what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
+        faults.append(Fault(what, where, f"call it {report.name}.py, or {report.name}-….py"))
+    if report.name not in aimed:
+        faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
+    elif report.ok and not aimed[report.name].intersection(report.failed):
+        listed = ", ".join(report.failed) or "none"
+        what = f"it fails no group that names {report.name!r}; it fails {listed}"
+        faults.append(Fault(what, where, "correct the groups' kills, or their data"))
+    return faults

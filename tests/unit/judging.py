@@ -1,0 +1,66 @@
+"""A tiny problem with hand-made data, for tests of judging: is x + y of the point 0, 1 or 2?"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+
+from judge.compare.targets import CountTarget, ParameterTarget
+from judge.data.model import GroupData, ProblemData
+from judge.run import run_submission
+from judge.spec import AnswerKind, Group, Limits, Parameter, ParameterType, Problem, Tier, Tolerance
+
+LIMITS = Limits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]
+COUNTS = [1, 1, 2, 0]
+GOOD = b"def answer(n, P):\n    return int(n + P[0] + P[1])\n"
+
+
+def make_group(name="one", points=100):
+    return Group(name, "", "examples", MappingProxyType({}), 1, len(CASES), points, Tolerance(), ())
+
+
+def make_problem(groups, kind=AnswerKind.COUNT, limits=LIMITS):
+    low, high = Fraction(-10), Fraction(10)
+    parameters = (
+        Parameter("n", ParameterType.NUMBER, low, high, ""),
+        Parameter("P", ParameterType.POINT, low, high, ""),
+    )
+    folder = Path("/nowhere")
+    return Problem(
+        "sum", "Sum", Tier.JUNIOR, "", "answer", kind, parameters, MappingProxyType({}), limits, groups,
+        folder, folder,
+    )  # fmt: skip
+
+
+def make_data(*names, limits=LIMITS, cases=CASES, counts=COUNTS, step=0):
+    """Groups of the same cases, but that n and the count grow by `step` from each group to the next."""
+    groups = tuple(make_group(name, 100 // len(names)) for name in names)
+    problem = make_problem(groups, limits=limits)
+    return ProblemData(
+        problem,
+        tuple(
+            GroupData(
+                group,
+                [(n + place * step, P) for n, P in cases],
+                [CountTarget(count + place * step) for count in counts],
+            )
+            for place, group in enumerate(groups)
+        ),
+    )
+
+
+def make_parameter_data(values):
+    """One case for each v, wanted within v ± 1."""
+    group = make_group()
+    problem = make_problem((group,), AnswerKind.PARAMETER)
+    targets = [ParameterTarget((v - 1.0, v + 1.0, v, 0.0, math.ulp(v))) for v in values]
+    return ProblemData(problem, (GroupData(group, [(v, (0, 0)) for v in values], targets),))
+
+
+def judged(source, data=None, **options):
+    data = data or make_data("one")
+    source = source.encode() if isinstance(source, str) else source
+    return run_submission(data.problem, data, source, "my.py", **options)

@@ -1,0 +1,120 @@
+"""Judging a submission whose entry function is called."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
+
+from judge.run import Mode
+from judge.spec import Verdict
+
+
+def test_an_accepted_submission():
+    progress = []
+    result = judged(GOOD, make_data("one", "two"), on_progress=lambda *done: progress.append(done))
+    assert (result.verdict, result.mode, result.failure) == (Verdict.AC, Mode.FUNCTION, None)
+    assert (result.score, result.points, int(result.exit_code)) == (100, 100, 0)
+    assert [(group.name, group.passed, group.cases) for group in result.groups] == [
+        ("one", 4, 4),
+        ("two", 4, 4),
+    ]
+    assert progress == [(4, 8), (8, 8)]
+    assert result.isolation == "limits"
+    assert result.time.cpu_seconds > 0
+    assert result.memory_bytes > 0
+    assert result.groups[0].worst_ulps is None
+
+
+def test_a_wrong_answer_shows_the_first_failing_case():
+    result = judged("def answer(n, P): return n")
+    assert (result.verdict, result.score, int(result.exit_code)) == (Verdict.WA, 0, 1)
+    assert result.groups[0].passed == 3
+    failure = result.failure
+    assert (failure.group, failure.case) == ("one", 2)
+    assert failure.input == {"n": 0, "P": [0.5, 0.5]}
+    assert (failure.expected, failure.got) == ("1", "0")
+
+
+def test_all_groups_run_and_the_first_failing_one_decides():
+    data = make_data("one", "two", "three", "four", step=10)
+    source = """
+def answer(n, P):
+    if n == 10: return 7
+    if n == 21: raise ValueError("late")
+    return int(n + P[0] + P[1])
+"""
+    result = judged(source, data)
+    assert [group.verdict.value for group in result.groups] == ["AC", "WA", "RTE", "AC"]
+    assert (result.verdict, result.score) == (Verdict.WA, 50)
+    assert (result.failure.group, result.failure.case) == ("two", 2)
+
+
+def test_only_the_groups_asked_for():
+    result = judged(GOOD, make_data("one", "two"), groups={"two"})
+    assert [group.name for group in result.groups] == ["two"]
+    assert (result.verdict, result.score, result.points) == (Verdict.AC, 50, 50)
+
+
+@pytest.mark.parametrize(
+    ("body", "verdict", "message"),
+    [
+        ("1 / 0", Verdict.RTE, "ZeroDivisionError: division by zero (line 3)"),
+        ("import os; os._exit(0)", Verdict.RTE, "exit status 0"),
+        ("bytes(1 << 40)", Verdict.MLE, "MemoryError (line 3)"),
+        ("while True: pass", Verdict.TLE, "used more than 0.5 s of CPU time"),
+        ("while True: print('x' * 999)", Verdict.OLE, "wrote more than 1 MB"),
+    ],
+)
+def test_each_way_to_fail_has_its_verdict(body, verdict, message):
+    source = f"def answer(n, P):\n    if n == 2:\n        {body}\n    return int(n + P[0] + P[1])\n"
+    result = judged(source, make_data("one", limits=replace(LIMITS, cpu_seconds=0.5)))
+    assert (result.verdict, result.failure.message) == (verdict, message)
+    assert (result.failure.case, result.failure.expected, result.failure.got) == (3, "2", "no answer")
+    assert result.groups[0].passed == (2 if verdict is Verdict.TLE else 3)
+
+
+def test_a_group_is_given_up_after_three_losses():
+    result = judged(
+        "import os\ndef answer(n, P): os._exit(0)", make_data("one", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
+    )
+    assert (result.verdict, result.failure.case, result.groups[0].passed) == (Verdict.RTE, 1, 0)
+
+
+def test_an_endless_loop_ends_the_run_after_two_groups():
+    limits = replace(LIMITS, cpu_seconds=0.2)
+    result = judged("def answer(n, P):\n    while True: pass\n", make_data("a", "b", "c", "d", limits=limits))
+    assert [group.verdict for group in result.groups] == [Verdict.TLE] * 4
+    assert [group.cpu_seconds > 0 for group in result.groups] == [True, True, False, False]
+    assert result.failure.group == "a"
+
+
+@pytest.mark.parametrize("answer", ["True", "'1'", "1.0", "float('nan')", "[1]", "(1,)", "lambda: 1", "1j"])
+def test_wrong_types_are_wrong_answers_with_a_reason(answer):
+    result = judged(f"def answer(n, P): return {answer}")
+    assert result.verdict is Verdict.WA
+    assert result.failure.message
+
+
+def test_worst_ulps_of_accepted_numbers():
+    result = judged("def answer(n, P): return n + 2 ** -50", make_parameter_data([2.0, 4.0, 3.0]))
+    assert result.verdict is Verdict.AC
+    assert result.groups[0].worst_ulps == 2.0
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        (
+            b"def answer(n, P)\n    return 1",
+            "SyntaxError: expected ':' (line 1, column 17): def answer(n, P)",
+        ),
+        (b"x = 1\ny = '\xe9'\n", "the file is not UTF-8: byte 0xe9 (line 2); save it as UTF-8"),
+        (b"x = 1\0", "source code string cannot contain null bytes"),
+    ],
+)
+def test_what_does_not_compile(source, message):
+    result = judged(source)
+    assert (result.verdict, result.groups, int(result.exit_code)) == (Verdict.CE, (), 1)
+    assert result.failure.message.endswith(message)

@@ -1,0 +1,91 @@
+"""Judging a submission that reads a whole group and prints a line a case."""
+
+from __future__ import annotations
+
+import pytest
+from judging import CASES, judged, make_data
+
+from judge.run import Mode
+from judge.run.program import answer_lines, render_group
+from judge.spec import Verdict
+
+PROGRAM = """
+import sys
+lines = sys.stdin.read().splitlines()
+assert len(lines) == 1 + int(lines[0])
+for line in lines[1:]:
+    n, x, y = map(float, line.split())
+    print(int(n + x + y))
+"""
+
+
+def test_a_group_as_standard_input():
+    assert render_group(CASES) == b"4\n1 0 0\n0 0.5 0.5\n2 -1 1\n0 0 0\n"
+    assert render_group([(10**40, (5e-324, -0.0))]) == b"1\n" + b"1" + b"0" * 40 + b" 5e-324 -0.0\n"
+
+
+@pytest.mark.parametrize(
+    ("stdout", "complete", "lines"),
+    [
+        (b"1\n2\n", True, ["1", "2"]),
+        (b"1\r\n2", True, ["1", "2"]),
+        (b"1\n2", False, ["1"]),
+        (b"1\n\n2\n \n\n", True, ["1", "", "2"]),
+        (b"", True, []),
+        (b"\xff\n", True, ["\ufffd"]),
+    ],
+)
+def test_lines_of_an_output(stdout, complete, lines):
+    assert answer_lines(stdout, complete=complete) == lines
+
+
+def test_an_accepted_program():
+    result = judged(PROGRAM, make_data("one", "two"))
+    assert (result.verdict, result.mode, result.score) == (Verdict.AC, Mode.PROGRAM, 100)
+    assert [group.passed for group in result.groups] == [4, 4]
+
+
+def test_a_wrong_line():
+    result = judged(PROGRAM.replace("n + x + y", "n"))
+    assert (result.verdict, result.groups[0].passed, result.failure.case) == (Verdict.WA, 3, 2)
+    assert (result.failure.expected, result.failure.got) == ("1", "0")
+
+
+@pytest.mark.parametrize("text", ["1_0", "0x1", "1\\0", "nan", "1 2", "1.0", "", "one", "\u0661", "True"])
+def test_lines_that_are_no_answer(text):
+    result = judged(f"for _ in range(int(input())): print('{text}')")
+    assert (result.verdict, result.failure.case) == (Verdict.WA, 1)
+
+
+def test_too_few_and_too_many_lines():
+    few = judged(PROGRAM.replace("lines[1:]", "lines[1:3]"))
+    assert (few.verdict, few.failure.case, few.groups[0].passed) == (Verdict.WA, 3, 2)
+    assert few.failure.message.startswith("2 lines printed, 4 wanted: one for each case")
+    many = judged(PROGRAM + "print('done')")
+    assert (many.verdict, many.failure.case, many.groups[0].passed) == (Verdict.WA, 4, 3)
+    assert many.failure.got == "more lines: 'done'"
+
+
+def test_a_program_that_breaks_is_shown_the_case_it_breaks_at():
+    result = judged(PROGRAM.replace("    print", "    1 / (n - 2)\n    print"))
+    assert (result.verdict, result.failure.case) == (Verdict.RTE, 3)
+    assert result.failure.message.startswith("ZeroDivisionError: float division by zero (line 7)")
+
+
+def test_a_program_that_breaks_anyway_is_told_so():
+    result = judged("print(1, flush=True)\n1 / 0")
+    assert (result.verdict, result.failure.case) == (Verdict.RTE, 2)
+    assert result.failure.message == "ZeroDivisionError: division by zero (line 2), after 1 line of 4"
+
+
+def test_a_misspelt_entry_is_pointed_out():
+    result = judged("import math\n\ndef anwser(n, P):\n    return 1\n")
+    assert (result.verdict, result.mode) == (Verdict.WA, Mode.PROGRAM)
+    assert result.failure.message == (
+        "0 lines printed, 4 wanted: one for each case; it was run as a program because it defines no answer; "
+        "is anwser (line 3) meant to be it?"
+    )
+
+
+def test_a_file_without_any_name_is_not_told_about_functions():
+    assert judged("print(1)").failure.message == "1 line printed, 4 wanted: one for each case"
