@@ -1,0 +1,205 @@
+"""Figures, and the changes that keep what a recipe built.
+
+A recipe works in small integers. These functions then carry its figure to where programs fail: far from the
+origin, to other scales, to any direction, from int to float. All of them are exact but `turned`,
+which round every number once and correctly. They use integers, `/` of integers and `ldexp` only, no sine or
+cosine, so the data come out the same on every machine.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from judge.data.builders import require
+from judge.data.builders.numbers import pythagorean
+from judge.data.draw import Draw
+from judge.spec.model import Case, Number, Point
+
+NUMBER_TYPES = ("int", "float", "mixed")
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A circle, points, and free vectors (which a move leaves alone), before it becomes a case."""
+
+    centre: Point
+    radius: Number
+    points: tuple[Point, ...]
+    vectors: tuple[Point, ...] = ()
+
+    @property
+    def case(self) -> Case:
+        """The arguments of a call: cx, cy, r, the points, the vectors."""
+        return (*self.centre, self.radius, *self.points, *self.vectors)
+
+    @property
+    def extent(self) -> Fraction:
+        """The largest of r and of |x|, |y| of the points seen from the centre, exactly."""
+        cx, cy = (Fraction(value) for value in self.centre)
+        spans = [span for x, y in self.points for span in (abs(Fraction(x) - cx), abs(Fraction(y) - cy))]
+        return max(Fraction(self.radius), *spans)
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """The rotation that takes (1, 0) to (cosine, sine) / norm: integers, cosine² + sine² = norm²."""
+
+    cosine: int
+    sine: int
+    norm: int
+
+
+def line(centre: Point, radius: Number, a: Point, b: Point) -> Figure:
+    """The figure of a line or segment from A to B: the case (cx, cy, r, A, B)."""
+    return Figure(centre, radius, (a, b))
+
+
+def ray(centre: Point, radius: Number, origin: Point, direction: Point) -> Figure:
+    """The figure of a ray from O along D: the case (cx, cy, r, O, D)."""
+    return Figure(centre, radius, (origin,), (direction,))
+
+
+def swapped(figure: Figure) -> Figure:
+    """The figure with its points in reverse order."""
+    return replace(figure, points=figure.points[::-1])
+
+
+def exact_sum(x: Number, y: Number) -> Number:
+    """x + y, checked to be free of rounding."""
+    total = x + y
+    require(isinstance(total, int) or Fraction(total) == Fraction(x) + Fraction(y), f"{x!r} + {y!r} is exact")
+    return total
+
+
+def moved(figure: Figure, dx: Number, dy: Number) -> Figure:
+    """The figure moved by (dx, dy), exactly."""
+
+    def move(point: Point) -> Point:
+        return exact_sum(point[0], dx), exact_sum(point[1], dy)
+
+    return replace(figure, centre=move(figure.centre), points=tuple(move(point) for point in figure.points))
+
+
+def scaled(figure: Figure, exponent: int) -> Figure:
+    """The figure times 2**exponent, exactly; a negative exponent makes every number a float."""
+
+    def scale(value: Number) -> Number:
+        if isinstance(value, int) and exponent >= 0:
+            return value << exponent
+        result = math.ldexp(float(value), exponent)
+        require(Fraction(result) == Fraction(value) * Fraction(2) ** exponent, f"{value!r} scales exactly")
+        return result
+
+    return _each_number(figure, scale) if exponent else figure
+
+
+def mirrored(figure: Figure, symmetry: int) -> Figure:
+    """The figure under one of the 8 symmetries of the square about the origin, exactly; 0 changes nothing."""
+
+    def mirror(point: Point) -> Point:
+        x, y = point
+        x, y = (-x if symmetry & 1 else x), (-y if symmetry & 2 else y)
+        return (y, x) if symmetry & 4 else (x, y)
+
+    return replace(
+        figure,
+        centre=mirror(figure.centre),
+        points=tuple(mirror(point) for point in figure.points),
+        vectors=tuple(mirror(vector) for vector in figure.vectors),
+    )
+
+
+def turned(figure: Figure, turn: Turn, divisor: int = 1) -> Figure:
+    """The integer figure turned about the origin and divided by `divisor`, each number rounded once.
+
+    The rounding moves a point by up to 2⁻⁵³ of its distance from the origin: a tangent stays one within the
+    bands only if the origin is not much farther away than the figure is wide, and |B − A| not much shorter.
+    """
+    require(turn.cosine**2 + turn.sine**2 == turn.norm**2, "a turn keeps lengths")
+
+    def rotate(point: Point) -> Point:
+        x, y = integer(point[0]), integer(point[1])
+        divide = turn.norm * divisor
+        return (turn.cosine * x - turn.sine * y) / divide, (turn.sine * x + turn.cosine * y) / divide
+
+    return Figure(
+        rotate(figure.centre),
+        integer(figure.radius) / divisor,
+        tuple(rotate(point) for point in figure.points),
+        tuple(rotate(vector) for vector in figure.vectors),
+    )
+
+
+def as_floats(figure: Figure) -> Figure:
+    """The figure with every number a float of the same value."""
+    return _each_number(figure, exact_float)
+
+
+def mixed(draw: Draw, figure: Figure) -> Figure:
+    """The figure with some of its integral numbers as ints and the others as floats."""
+
+    def either(value: Number) -> Number:
+        if isinstance(value, float):
+            return int(value) if value.is_integer() and draw.boolean() else value
+        return exact_float(value) if draw.boolean() else value
+
+    return _each_number(figure, either)
+
+
+def typed(draw: Draw, figure: Figure, numbers: str) -> Figure:
+    """The figure with its numbers as they are ("int"), all floats ("float") or a mixture ("mixed")."""
+    require(numbers in NUMBER_TYPES, f"numbers is one of {', '.join(NUMBER_TYPES)}")
+    if numbers == "int":
+        return figure
+    return as_floats(figure) if numbers == "float" else mixed(draw, figure)
+
+
+def with_radius(figure: Figure, radius: Number) -> Figure:
+    """The figure with another radius."""
+    return replace(figure, radius=radius)
+
+
+def draw_point(draw: Draw, size: int) -> tuple[int, int]:
+    """A point of integers, each up to `size` in magnitude."""
+    return draw.integer(-size, size), draw.integer(-size, size)
+
+
+def draw_turn(draw: Draw, size: int = 1 << 12) -> Turn:
+    """A rotation by an angle whose sine and cosine no double holds; `size` bounds the norm from above."""
+    cosine, sine, norm = pythagorean(draw, size)
+    return Turn(cosine * draw.sign(), sine * draw.sign(), norm)
+
+
+def draw_mirrored(draw: Draw, figure: Figure) -> Figure:
+    """The figure under any of the 8 symmetries of the square."""
+    return mirrored(figure, draw.integer(0, 7))
+
+
+def exact_float(value: Number) -> float:
+    """The float of the same value, checked to be it."""
+    result = float(value)
+    require(Fraction(result) == Fraction(value), f"{value!r} is a double")
+    return result
+
+
+def integer(value: Number) -> int:
+    """The number, checked to be an int."""
+    if not isinstance(value, int):
+        require(False, f"{value!r} is an int")
+        return int(value)
+    return value
+
+
+def _each_number(figure: Figure, change: Callable[[Number], Number]) -> Figure:
+    def pair(point: Point) -> Point:
+        return change(point[0]), change(point[1])
+
+    return Figure(
+        pair(figure.centre),
+        change(figure.radius),
+        tuple(pair(point) for point in figure.points),
+        tuple(pair(vector) for vector in figure.vectors),
+    )
