@@ -1,0 +1,23 @@
+"""The circle and the ray: the exact answer, the promise of every case, the recipes of the data."""
+
+from __future__ import annotations
+
+from judge.compare.answers import Parameter
+from judge.data.builders.rays import RAY_BUILDERS
+from judge.exact import Bands, CircleLine
+from judge.spec.load import bands_beside
+from judge.spec.model import Number, Point
+
+BANDS = Bands(**bands_beside(__file__))
+BUILDERS = RAY_BUILDERS
+
+
+def reference(cx: Number, cy: Number, r: Number, origin: Point, direction: Point) -> Parameter:
+    """The least t >= 0 or None; the unit is the extent in terms of t, which only t = 0 needs."""
+    line = CircleLine.ray(cx, cy, r, origin, direction)
+    return Parameter(BANDS.ray(line), line.extent_parameter())
+
+
+def promise(cx: Number, cy: Number, r: Number, origin: Point, direction: Point) -> str | None:
+    """What is within the forbidden bands: the tangency, or a common point near the origin."""
+    return BANDS.broken_ray(CircleLine.ray(cx, cy, r, origin, direction))

@@ -1,0 +1,23 @@
+"""The circle and the closed segment: the exact answer, the promise of every case, the recipes of the data."""
+
+from __future__ import annotations
+
+from judge.compare.answers import Points
+from judge.data.builders.endpoints import SEGMENT_BUILDERS
+from judge.exact import Bands, CircleLine
+from judge.spec.load import bands_beside
+from judge.spec.model import Number, Point
+
+BANDS = Bands(**bands_beside(__file__))
+BUILDERS = SEGMENT_BUILDERS
+
+
+def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Points:
+    """The common points in order of t, with the extent as the unit of their tolerance."""
+    line = CircleLine.through(cx, cy, r, A, B)
+    return Points(tuple(line.point(which) for which in BANDS.segment(line)), line.extent_length())
+
+
+def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:
+    """What is within the forbidden bands: the tangency, or a common point near an end."""
+    return BANDS.broken_segment(CircleLine.through(cx, cy, r, A, B))

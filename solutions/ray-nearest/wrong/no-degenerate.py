@@ -1,0 +1,27 @@
+"""no-degenerate
+
+D = (0, 0) divides by zero.
+There is no ray then: return None before dividing.
+"""
+
+from math import copysign, hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    ux, uy = D[0] / n, D[1] / n
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    m = -(fx * ux + fy * uy)
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [m]
+    else:
+        outer = m + copysign(sqrt((r - d) * (r + d)), m)
+        roots = sorted([outer, (fx * fx + fy * fy - r * r) / outer])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

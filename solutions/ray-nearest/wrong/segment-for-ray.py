@@ -1,0 +1,28 @@
+"""segment-for-ray
+
+A root beyond t = 1 is dropped, as if the ray ended at O + D.
+A ray has no end: only t >= 0 is asked for.
+"""
+
+from math import copysign, hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    m = -(fx * D[0] + fy * D[1]) / n
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [m]
+    else:
+        outer = m + copysign(sqrt((r - d) * (r + d)), m)
+        roots = sorted([outer, (fx * fx + fy * fy - r * r) / outer])
+    for s in roots:
+        if -near <= s <= n + near:
+            return 0 if s <= near else s / n
+    return None

@@ -1,0 +1,23 @@
+"""no-degenerate
+
+A == B is called no segment, and nothing is returned even if the point lies on the circle.
+Return the point if its distance from the centre is the radius.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    if tuple(A) == tuple(B):
+        return []
+    ax, ay = A[0] - cx, A[1] - cy
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(B[0] - cx), abs(B[1] - cy))
+    n = hypot(dx, dy)
+    ux, uy = dx / n, dy / n
+    d = abs(ux * ay - uy * ax)
+    if d > r + near:
+        return []
+    h = sqrt((r - d) * (r + d)) if d < r - near else 0
+    m = -(ux * ax + uy * ay)
+    return [(A[0] + s * ux, A[1] + s * uy) for s in sorted({m - h, m + h}) if -near <= s <= n + near]

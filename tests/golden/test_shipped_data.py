@@ -1,0 +1,52 @@
+"""The shipped problems' data: pinned, proved, and buildable from any seed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.data.module import load_module
+from judge.data.pins import differences, read_pins
+from judge.data.validate import Validator, prove
+from judge.spec.load import load_problem
+
+PROBLEMS = Path(__file__).parent.parent.parent / "problems"
+NAMES = ["count", "exact-count", "ray-nearest", "segment"]
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def problem(request):
+    return load_problem(PROBLEMS / request.param)
+
+
+@pytest.fixture(scope="module")
+def data(problem):
+    return load_data(problem, cache=False)
+
+
+def test_every_group_is_as_it_was_pinned(problem, data):
+    pins = read_pins(problem)
+    assert pins is not None
+    assert differences(pins, data.groups) == []
+
+
+def test_every_case_is_proved(problem, data):
+    validator = Validator(problem, load_module(problem).promise)
+    for group in data.groups:
+        prove(validator, group.group.name, group.cases, problem.id)
+        assert len(group.cases) == len(group.targets) == group.group.count
+
+
+def test_there_are_cases_and_points_enough(problem, data):
+    assert sum(len(group.cases) for group in data.groups) >= 1000
+    assert sum(group.points for group in problem.groups) == 100
+    assert problem.examples
+
+
+@pytest.mark.parametrize("seed", [0, 20261120, 2**70])
+def test_any_seed_gives_full_groups_of_other_cases(problem, data, seed):
+    other = load_data(problem, seed=seed, cache=False)
+    assert [len(group.cases) for group in other.groups] == [group.count for group in problem.groups]
+    assert sum(a.cases != b.cases for a, b in zip(data.groups, other.groups, strict=True)) >= 10
