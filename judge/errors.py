@@ -9,7 +9,6 @@ A submission's faults are not errors: they are verdicts.
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from enum import IntEnum
 
@@ -58,5 +57,7 @@ class ProblemError(JudgeError):
 
 def nearest(name: str, names: Iterable[str]) -> str | None:
     """The one of `names` that `name` was most likely meant to be, or None."""
+    import difflib  # late: only who mistyped something waits for it
+
     matches = difflib.get_close_matches(name, list(names), n=1, cutoff=0.6)
     return matches[0] if matches else None

@@ -1,1 +1,26 @@
-"""The command line: thin, and quick to start."""
+"""The command line: thin, and quick to start.
+
+    app.py          the commands' table, loading a command when it is used, and how everything ends
+    options.py      options and look-ups that several commands share
+    submissions.py  reading the files to judge
+    run.py, list.py, show.py, data.py, verify.py   one command each, named `command`
+
+Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import NoReturn
+
+_INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
+
+
+def main() -> NoReturn:
+    """The console script."""
+    try:
+        from judge.cli.app import app  # in here, so that an early Ctrl-C is as quiet as a late one
+
+        app.main()
+    except KeyboardInterrupt:
+        sys.exit(_INTERRUPTED)

@@ -1,0 +1,172 @@
+"""The `judge` command: its table of commands, and the one place where faults become a line and a status."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+import click
+
+from judge import __version__
+from judge.errors import ExitCode, JudgeError, UsageError, nearest
+
+# name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
+COMMANDS = {
+    "run": "Judge submissions on a problem.",
+    "list": "List the problems.",
+    "show": "Show a problem: its statement, parameters and test groups.",
+    "data": "Write a problem's test data and exact answers as files.",
+    "verify": "Check problems from the setter's side.",
+}
+
+_DEBUG = "--debug"
+_CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
+
+
+class ReaderLeftError(Exception):
+    """Standard output was closed by the program that read it, as `head` does."""
+
+
+class Commands(click.Group):
+    """A group that imports a command's module when the command is used, and says every fault in one line."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """The commands in the order of the table."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """The command of that name, its module imported now."""
+        if cmd_name not in COMMANDS:
+            return None
+        command = importlib.import_module(f"judge.cli.{cmd_name}").command
+        assert isinstance(command, click.Command)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command that the first argument names; a name unlike any is refused with the nearest one."""
+        name = args[0]
+        if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
+            meant = nearest(name, COMMANDS)
+            advice = f"did you mean '{meant}'?" if meant else "the commands are " + ", ".join(COMMANDS)
+            raise click.UsageError(f"no such command '{name}'; {advice}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """List the commands from the table, without importing any."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; a reader that left is told apart from other faults of the system."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as fault:
+            raise ReaderLeftError from fault
+
+    def main(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, prog_name: str | None = None, **settings: Any
+    ) -> NoReturn:
+        """Run the command line and leave with its status; nothing but `--debug` shows a traceback."""
+        words = list(sys.argv[1:] if args is None else args)
+        words, debug = _without_debug(words)
+        settings["standalone_mode"] = False
+        try:
+            status = super().main(words, prog_name or "judge", **settings)
+        except (click.Abort, KeyboardInterrupt):
+            sys.exit(ExitCode.INTERRUPTED)
+        except ReaderLeftError:
+            _hush()
+            sys.exit(_CLOSED_PIPE)
+        except Exception as fault:
+            if debug and not isinstance(fault, UsageError | click.ClickException):
+                _show_traceback(fault)
+            message, status = explain(fault)
+            _complain(message)
+        sys.exit(int(status or 0))
+
+
+def explain(fault: Exception) -> tuple[str, int]:
+    """The line and the exit status that `fault` comes to."""
+    if isinstance(fault, JudgeError):
+        return str(fault), fault.exit_code
+    if isinstance(fault, click.UsageError):
+        message = _usage(fault)
+        if fault.ctx and not message.endswith("?"):
+            message += f"; see '{fault.ctx.command_path} --help'"
+        return message, ExitCode.USAGE
+    if isinstance(fault, click.ClickException):
+        return fault.format_message(), ExitCode.USAGE
+    what = " ".join(str(fault).split())
+    kind = type(fault).__name__
+    return (
+        f"internal fault: {kind}{': ' if what else ''}{what}; run again with {_DEBUG} for the traceback",
+        ExitCode.FAULT,
+    )
+
+
+def _usage(fault: click.UsageError) -> str:
+    """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
+    if isinstance(fault, click.NoSuchOption):
+        meant = nearest(fault.option_name, _option_names(fault.ctx))
+        return f"no such option '{fault.option_name}'" + (f"; did you mean '{meant}'?" if meant else "")
+    message = " ".join(fault.format_message().split()).rstrip(".")
+    return message[:1].lower() + message[1:]
+
+
+def _option_names(ctx: click.Context | None) -> list[str]:
+    if ctx is None:
+        return []
+    return [name for parameter in ctx.command.get_params(ctx) for name in parameter.opts if name[:1] == "-"]
+
+
+def _without_debug(words: list[str]) -> tuple[list[str], bool]:
+    """The arguments less `--debug`, which every command takes; what stands after `--` is not ours."""
+    end = words.index("--") if "--" in words else len(words)
+    kept = [word for word in words[:end] if word != _DEBUG]
+    return kept + words[end:], len(kept) != end
+
+
+def _complain(message: str) -> None:
+    from judge.report.layout import Span, Style, line
+    from judge.report.screen import err
+
+    try:
+        err().show([line(Span("judge:", Style.BAD), " ", message)])
+    except BrokenPipeError:
+        _hush()
+
+
+def _show_traceback(fault: Exception) -> None:
+    import traceback  # only for --debug
+
+    traceback.print_exception(fault)
+
+
+def _hush() -> None:
+    """Point standard output where nobody minds, so that the interpreter's last flush cannot fail."""
+    try:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
+        return
+
+
+@click.group(
+    cls=Commands,
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, "-V", "--version", message="judge %(version)s")
+@click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")
+@click.pass_context
+def app(ctx: click.Context) -> None:
+    """Judge circle-line geometry: exact answers, contained submissions, explained mistakes.
+
+    Try `judge list`, then `judge show PROBLEM`, then `judge run PROBLEM FILE`.
+    """
+    if ctx.invoked_subcommand is None:
+        click.echo(ctx.get_help())

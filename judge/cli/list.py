@@ -1,0 +1,64 @@
+"""`judge list`: the problems that can be found."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from judge.cli.options import json_option, problems_option, write_json
+from judge.errors import ExitCode, ProblemError
+from judge.report.layout import Span, Style, line
+from judge.report.problems import cases, list_lines
+from judge.report.screen import err, out
+from judge.spec import Problem, Tier
+from judge.spec.find import problem_folders
+from judge.spec.load import load_problem
+
+SCHEMA = 1
+
+
+@click.command("list")
+@json_option
+@problems_option
+def command(as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
+    """List the problems.
+
+    Easiest first. A broken one is named on standard error and the others are listed all the same.
+    """
+    problems, faults = _load(folders)
+    if as_json:
+        for problem in problems:
+            write_json(as_object(problem))
+    elif problems:
+        screen = out()
+        screen.show(list_lines(problems, screen.width))
+    err().show(line(Span("judge:", Style.BAD), f" {fault}") for fault in faults)
+    return ExitCode.FAULT if faults else ExitCode.ACCEPTED
+
+
+def as_object(problem: Problem) -> dict[str, Any]:
+    """The published object of one problem in a list."""
+    return {
+        "schema": SCHEMA,
+        "problem": problem.id,
+        "title": problem.title,
+        "tier": problem.tier.value,
+        "summary": problem.summary,
+        "entry": problem.entry,
+        "groups": len(problem.groups),
+        "cases": cases(problem),
+        "points": sum(group.points for group in problem.groups),
+    }
+
+
+def _load(folders: tuple[Path, ...]) -> tuple[list[Problem], list[ProblemError]]:
+    problems, faults = [], []
+    for folder in problem_folders(folders):
+        try:
+            problems.append(load_problem(folder))
+        except ProblemError as fault:
+            faults.append(fault)
+    tiers = list(Tier)
+    return sorted(problems, key=lambda problem: (tiers.index(problem.tier), problem.id)), faults

@@ -1,0 +1,139 @@
+"""`judge run`: judge submissions on a problem."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import click
+
+from judge.cli.options import (
+    chosen_groups,
+    group_option,
+    json_option,
+    problems_option,
+    seed_option,
+    write_json,
+)
+from judge.cli.submissions import Submission, read_submissions
+from judge.data import ProblemData, load_data
+from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
+from judge.report.layout import Span, Style, line
+from judge.report.progress import progress
+from judge.report.results import result_lines, summary_lines, verdict_lines
+from judge.report.screen import err, out
+from judge.run import Result, exit_code, judge_fault, run_submission
+from judge.spec import Problem
+from judge.spec.find import find_problem
+
+
+@click.command("run")
+@click.argument("name", metavar="PROBLEM")
+@click.argument("files", metavar="FILE...", nargs=-1, required=True)
+@json_option
+@click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
+@group_option
+@seed_option
+@problems_option
+def command(
+    name: str,
+    files: tuple[str, ...],
+    as_json: bool,
+    quiet: bool,
+    groups: tuple[str, ...],
+    seed: int | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
+    """Judge submissions on a problem.
+
+    A FILE that defines the problem's entry function has it called; any other is run as a program that reads
+    standard input. A folder stands for the *.py in it.
+
+    Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
+    """
+    try:
+        problem = _problem(name, folders)
+        submissions = read_submissions(files)
+        chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
+        data = _data(problem, seed)
+    except ProblemError as fault:
+        if as_json:
+            for submission in read_submissions(files):
+                write_json(judge_fault(name, submission.name, str(fault)).as_json())
+        raise
+    show = _Json() if as_json else _Screen(brief=quiet, several=len(submissions) > 1)
+    for submission in submissions:
+        show.result(_judge(problem, data, submission, chosen))
+    return show.close()
+
+
+def _problem(name: str, folders: Sequence[Path]) -> Problem:
+    try:
+        return find_problem(name, folders)
+    except UsageError as fault:
+        if name.endswith(".py"):
+            remedy = "the problem comes first: judge run PROBLEM FILE"
+            raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
+        if "/" in name:
+            remedy = "give its id, and the folder it is in with --problems"
+            raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
+        raise
+
+
+def _data(problem: Problem, seed: int | None) -> ProblemData:
+    with progress(f"building {problem.id}") as advance:
+        data = load_data(problem, seed=seed, progress=advance)
+    err().show(line(Span("judge:", Style.WARNING), f" {note}") for note in data.notes)
+    return data
+
+
+def _judge(problem: Problem, data: ProblemData, submission: Submission, groups: set[str] | None) -> Result:
+    try:
+        with progress(submission.name) as advance:
+            return run_submission(
+                problem, data, submission.source, submission.name, groups=groups, on_progress=advance
+            )
+    except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
+        return judge_fault(problem.id, submission.name, str(fault))
+
+
+@dataclass(slots=True)
+class _Json:
+    """Results for a script: each on its line as soon as it is known."""
+
+    results: list[Result] = field(default_factory=list)
+
+    def result(self, result: Result) -> None:
+        """One more result."""
+        self.results.append(result)
+        write_json(result.as_json())
+
+    def close(self) -> ExitCode:
+        """What they come to."""
+        return exit_code(self.results)
+
+
+@dataclass(slots=True)
+class _Screen:
+    """Results for a person: the verdict, or the table of them, last."""
+
+    brief: bool
+    several: bool
+    results: list[Result] = field(default_factory=list)
+
+    def result(self, result: Result) -> None:
+        """One more result."""
+        self.results.append(result)
+        screen = out()
+        if not self.brief:
+            screen.show([*result_lines(result, screen.width), *([line()] if self.several else [])])
+        elif not self.several:
+            screen.show(verdict_lines(result, screen.width, alone=True))
+
+    def close(self) -> ExitCode:
+        """The table of several, and what they come to."""
+        if self.several:
+            screen = out()
+            screen.show(summary_lines(self.results, screen.width))
+        return exit_code(self.results)

@@ -1,0 +1,102 @@
+"""`judge show`: one problem, whole."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import click
+
+from judge.cli.options import json_option, problems_option, write_json
+from judge.errors import ExitCode
+from judge.report.layout import line
+from judge.report.problems import detail_lines
+from judge.report.screen import out
+from judge.report.statement import show_statement
+from judge.spec import Group, Parameter, Problem, Tolerance
+from judge.spec.find import find_problem
+
+SCHEMA = 1
+
+
+@click.command("show")
+@click.argument("name", metavar="PROBLEM")
+@json_option
+@problems_option
+def command(name: str, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
+    """Show a problem: its statement, parameters and test groups.
+
+    Parameters come with their bounds, test groups with what they probe, their points and tolerances.
+    """
+    problem = find_problem(name, folders)
+    if as_json:
+        write_json(as_object(problem))
+        return ExitCode.ACCEPTED
+    screen = out()
+    show_statement(problem.statement, screen)
+    screen.show([line(), *detail_lines(problem, screen.width)])
+    return ExitCode.ACCEPTED
+
+
+def as_object(problem: Problem) -> dict[str, Any]:
+    """The published object of one problem. Bounds, bands and tolerances are exact: `n` or `n/d` as text."""
+    limits = problem.limits
+    return {
+        "schema": SCHEMA,
+        "problem": problem.id,
+        "title": problem.title,
+        "tier": problem.tier.value,
+        "summary": problem.summary,
+        "entry": problem.entry,
+        "answer": problem.answer.value,
+        "parameters": [_parameter(parameter) for parameter in problem.parameters],
+        "bands": {name: str(width) for name, width in problem.bands.items()},
+        "limits": {
+            "cpu_seconds": limits.cpu_seconds,
+            "wall_seconds": limits.wall_seconds,
+            "memory_bytes": limits.memory_bytes,
+            "output_bytes": limits.output_bytes,
+        },
+        "groups": [_group(group) for group in problem.groups],
+        "examples": [
+            {"input": _named(problem, example.case), "answer": example.wanted} for example in problem.examples
+        ],
+        "statement": problem.statement,
+    }
+
+
+def _named(problem: Problem, case: tuple[Any, ...]) -> dict[str, Any]:
+    return {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
+
+
+def _parameter(parameter: Parameter) -> dict[str, Any]:
+    return {
+        "name": parameter.name,
+        "type": parameter.type.value,
+        "low": str(parameter.low),
+        "high": str(parameter.high),
+        "about": parameter.about,
+    }
+
+
+def _group(group: Group) -> dict[str, Any]:
+    return {
+        "name": group.name,
+        "about": group.about,
+        "cases": group.count,
+        "points": group.points,
+        "seed": group.seed,
+        "tolerance": _tolerance(group.tolerance),
+        "kills": list(group.kills),
+    }
+
+
+def _tolerance(tolerance: Tolerance) -> dict[str, str]:
+    parts: dict[str, Fraction] = {
+        "extent": tolerance.extent,
+        "relative": tolerance.relative,
+        "zero": tolerance.zero,
+        "ulps": tolerance.ulps,
+    }
+    return {name: str(amount) for name, amount in parts.items()}

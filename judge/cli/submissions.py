@@ -1,0 +1,86 @@
+"""Reading the files to judge: all of them before the first is judged."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from judge.errors import UsageError, nearest
+
+_LARGEST = 4 * 2**20  # bytes; no person writes more, and it keeps /dev/zero from filling memory
+
+
+@dataclass(frozen=True, slots=True)
+class Submission:
+    """A file to judge: its name as the person gave it, and its bytes."""
+
+    name: str
+    source: bytes
+
+
+def read_submissions(names: Iterable[str]) -> list[Submission]:
+    """The named files; a folder stands for its *.py, in order. A file named twice is judged once.
+
+    Raises:
+        UsageError: one is missing, unreadable, no ordinary file or too large, or a folder holds no *.py.
+    """
+    files = dict.fromkeys(file for name in names for file in _files(name))
+    return [Submission(file, _read(file)) for file in files]
+
+
+def _files(name: str) -> list[str]:
+    if not name:  # which would be the current folder
+        raise UsageError("no such file", where="''", remedy="name a Python file")
+    try:
+        is_folder = stat.S_ISDIR(Path(name).stat().st_mode)
+        if not is_folder:
+            return [name]
+        found = sorted(path for path in Path(name).glob("*.py") if path.is_file())
+    except OSError as fault:
+        raise _unreadable(name, fault) from fault
+    except ValueError as fault:  # a NUL in the name
+        raise UsageError("no such file", where=repr(name)) from fault
+    if not found:
+        raise UsageError(
+            "this folder holds no *.py file", where=name, remedy="name a file, or a folder of submissions"
+        )
+    return [str(path) for path in found]
+
+
+def _read(name: str) -> bytes:
+    try:
+        with Path(name).open("rb") as file:
+            mode = os.fstat(file.fileno()).st_mode
+            if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode)):
+                raise UsageError("this is no ordinary file", where=name, remedy="name a Python file")
+            source = file.read(_LARGEST + 1)
+    except OSError as fault:
+        raise _unreadable(name, fault) from fault
+    if len(source) > _LARGEST:
+        raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=name)
+    return source
+
+
+def _unreadable(name: str, fault: OSError) -> UsageError:
+    if not isinstance(fault, FileNotFoundError):
+        reason = (fault.strerror or "cannot be read").lower()
+        return UsageError(f"cannot be read ({reason})", where=name, remedy="check its permissions")
+    return UsageError("no such file", where=name, remedy=_meant(Path(name)))
+
+
+def _meant(path: Path) -> str:
+    """What to do about a missing file: the nearest name beside it, or where the search began."""
+    try:
+        beside = [entry.name for entry in path.parent.iterdir()]
+    except OSError:
+        return f"there is no folder {path.parent}"
+    meant = nearest(path.name, beside)
+    if meant:
+        return f"did you mean {path.with_name(meant)}?"
+    try:
+        return f"paths start from {Path.cwd()}"
+    except OSError:
+        return "the current folder is gone"

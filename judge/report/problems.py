@@ -1,0 +1,116 @@
+"""Problems for the screen: the list of them, and one of them whole."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.values import bound, counted, size
+from judge.spec import Group, Parameter, Problem, Tolerance
+
+
+def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]:
+    """One row a problem."""
+    columns = (
+        Column("problem"),
+        Column("tier"),
+        Column("entry"),
+        Column("groups", right=True),
+        Column("cases", right=True),
+        Column("title", flexible=True),
+    )
+    rows: list[list[Cell]] = [
+        [
+            Span(problem.id, Style.STRONG),
+            problem.tier.value,
+            problem.entry,
+            str(len(problem.groups)),
+            f"{cases(problem):,}",
+            problem.title,
+        ]
+        for problem in problems
+    ]
+    yield from Table(columns, rows, indent=0).lines(width)
+
+
+def heading_lines(problem: Problem) -> Iterator[Line]:
+    """Title and tier."""
+    yield line(
+        Span(problem.id, Style.STRONG), f"  {problem.title}", Span(f"  {problem.tier.value}", Style.FAINT)
+    )
+
+
+def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
+    """What follows the statement: parameters with bounds, test groups with tolerances, limits."""
+    yield line(Span("Parameters", Style.STRONG))
+    yield from _parameter_table(problem.parameters).lines(width)
+    yield line()
+    total = f"  {counted(cases(problem), 'case')}, {sum(group.points for group in problem.groups)} points"
+    yield line(Span("Test groups", Style.STRONG), Span(total, Style.FAINT))
+    tolerances = Counter(group.tolerance for group in problem.groups)
+    usual = tolerances.most_common(1)[0][0]
+    yield from _group_table(problem.groups, usual).lines(width)
+    yield line()
+    aside = "unless the group says otherwise" if len(tolerances) > 1 else ""
+    yield from beside(Span("Tolerance", Style.STRONG), aside, width)
+    yield from hanging(Span(""), Span(tolerance(usual)), width, indent=2, column=2)
+    yield line()
+    limits = problem.limits
+    yield line(Span("Limits", Style.STRONG), Span("  for each group", Style.FAINT))
+    yield from _labelled("CPU", f"{limits.cpu_seconds:g} s", width)
+    yield from _labelled("wall clock", f"{limits.wall_seconds:g} s", width)
+    yield from _labelled("memory", size(limits.memory_bytes), width)
+    yield from _labelled("output", size(limits.output_bytes), width)
+
+
+def cases(problem: Problem) -> int:
+    """How many cases all its groups hold."""
+    return sum(group.count for group in problem.groups)
+
+
+def tolerance(value: Tolerance) -> str:
+    """A tolerance in words, such as `1e-9 of the extent + 4 ulp`."""
+    wide = [f"{bound(value.extent)} of the extent"] if value.extent else []
+    wide += [f"{bound(value.relative)} relative"] if value.relative else []
+    parts = [" or ".join(wide)] if wide else []
+    parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
+    said = " + ".join(parts) or "none: the exact answer"
+    if not value.zero:
+        return said
+    return f"{said}; where the exact number is 0, {bound(value.zero)} of the extent as a length"
+
+
+def _parameter_table(parameters: Sequence[Parameter]) -> Table:
+    columns = (Column("name"), Column("type"), Column("from", right=True), Column("to", right=True))
+    rows: list[list[Cell]] = [
+        [
+            Span(parameter.name, Style.STRONG),
+            parameter.type.value.replace("-", " "),
+            bound(parameter.low),
+            bound(parameter.high),
+            parameter.about,
+        ]
+        for parameter in parameters
+    ]
+    return Table((*columns, Column("about", flexible=True)), rows)
+
+
+def _group_table(groups: Sequence[Group], usual: Tolerance) -> Table:
+    columns = (
+        Column("group"),
+        Column("cases", right=True),
+        Column("points", right=True),
+        Column("about", flexible=True),
+    )
+    rows: list[list[Cell]] = []
+    for group in groups:
+        about = group.about
+        if group.tolerance != usual:
+            about += f" Tolerance: {tolerance(group.tolerance)}."
+        rows.append([Span(group.name, Style.STRONG), str(group.count), str(group.points), about])
+    return Table(columns, rows)
+
+
+def _labelled(label: str, text: str, width: int | None) -> list[Line]:
+    return hanging(Span(label, Style.FAINT), Span(text), width, indent=2, column=14)

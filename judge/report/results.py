@@ -1,0 +1,140 @@
+"""Results for the screen: one line a group, the failing case, and the verdict last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.values import arguments, counted, seconds, size
+from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.spec.verdict import Verdict
+
+_STYLES = {
+    Verdict.AC: Style.GOOD,
+    Verdict.WA: Style.BAD,
+    Verdict.CE: Style.BAD,
+    Verdict.RTE: Style.BAD,
+    Verdict.JE: Style.BAD,
+    Verdict.TLE: Style.WARNING,
+    Verdict.MLE: Style.WARNING,
+    Verdict.OLE: Style.WARNING,
+}
+_LABELS = 12  # the column where what follows a label begins
+
+
+def verdict_span(verdict: Verdict) -> Span:
+    """The verdict's short name in its colour."""
+    return Span(verdict.value, _STYLES[verdict])
+
+
+def result_lines(result: Result, width: int | None) -> Iterator[Line]:
+    """One submission's report; its last line is the verdict."""
+    mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
+    yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
+    yield line()
+    if result.groups:
+        yield from group_table(result.groups).lines(width)
+        yield line()
+    if result.failure:
+        yield from failure_lines(result.failure, width)
+        yield line()
+    yield from verdict_lines(result, width)
+
+
+_MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}
+
+
+def group_table(groups: Sequence[GroupResult]) -> Table:
+    """One row a group: its verdict, the cases it passed, the points it earned."""
+    columns = (Column("group"), Column("verdict"), Column("passed", right=True), Column("points", right=True))
+    return Table(columns, [_group_row(group) for group in groups])
+
+
+def _group_row(group: GroupResult) -> list[Cell]:
+    accepted = group.verdict is Verdict.AC
+    quiet = Style.FAINT if accepted else Style.PLAIN
+    points = str(group.points) if accepted else f"0 of {group.points}"
+    return [
+        Span(group.name, Style.PLAIN if accepted else Style.STRONG),
+        verdict_span(group.verdict),
+        Span(f"{group.passed}/{group.cases}", quiet),
+        Span(points, quiet),
+    ]
+
+
+def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
+    """The failing case: where it is, what went in, what was wanted and got, and why: how far off it is."""
+    if failure.group is not None:
+        yield line("  ", Span(_place(failure), Style.STRONG))
+    rows = [
+        ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
+        ("wanted", failure.expected, Style.GOOD),
+        ("got", failure.got, Style.BAD),
+        ("why", failure.message, Style.PLAIN),
+    ]
+    for label, text, style in rows:
+        if text:
+            yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+
+
+def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> list[Line]:
+    """The verdict in words, the points, the cases and what they cost.
+
+    Where it stands alone it also says why nothing could be run.
+    """
+    parts = [result.verdict.meaning]
+    if alone and result.failure and not result.groups:
+        parts = [f"{result.verdict.meaning}: {result.failure.message}"]
+    if result.groups:
+        passed, cases = _cases(result)
+        parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
+        parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
+    label = verdict_span(result.verdict)
+    return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
+
+
+def _share(passed: int, cases: int) -> str:
+    return counted(cases, "case") if passed == cases else f"{passed:,} of {counted(cases, 'case')}"
+
+
+def _cases(result: Result) -> tuple[int, int]:
+    groups = result.groups
+    return sum(group.passed for group in groups), sum(group.cases for group in groups)
+
+
+def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line]:
+    """Several submissions: a row each, and how many were accepted on the last line."""
+    accepted = sum(result.verdict is Verdict.AC for result in results)
+    all_right = accepted == len(results)
+    columns = [
+        Column("submission"),
+        Column("verdict"),
+        Column("points", right=True),
+        Column("CPU", right=True),
+        Column("first failure", flexible=True),
+    ]
+    shown = len(columns) - all_right
+    rows = [_summary_row(result)[:shown] for result in results]
+    yield from Table(tuple(columns[:shown]), rows).lines(width)
+    yield line()
+    style = Style.GOOD if all_right else Style.BAD
+    yield from beside(Span(f"{accepted} of {len(results)} accepted", style), results[0].problem, width)
+
+
+def _summary_row(result: Result) -> list[Cell]:
+    return [
+        result.submission,
+        verdict_span(result.verdict),
+        Span(str(result.score), Style.FAINT),
+        Span(seconds(result.time.cpu_seconds), Style.FAINT),
+        _place(result.failure),
+    ]
+
+
+def _place(failure: Failure | None) -> str:
+    """Where a failure is, or what it is where it has no place."""
+    if failure is None:
+        return ""
+    if failure.group is None:
+        return failure.message
+    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"

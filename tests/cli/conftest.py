@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+
+import pytest
+from cli_support import PACK, ROOT, Outcome
+
+from judge.cli import main
+from judge.data import load_data
+from judge.data.pins import write_pins
+from judge.spec.find import find_problem
+
+
+@pytest.fixture(scope="session")
+def pack(tmp_path_factory):
+    """A pack of problems with one problem, `middle`, whose data are pinned as they are now."""
+    folder = tmp_path_factory.mktemp("pack")
+    shutil.copytree(PACK, folder, dirs_exist_ok=True)
+    problem = find_problem("middle", [folder / "problems"])
+    write_pins(problem, load_data(problem, cache=False).groups)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory):
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(autouse=True)
+def _own_settings(pack, cache, monkeypatch):
+    """The person's own cache and settings stay out of it."""
+    monkeypatch.setenv("JUDGE_CACHE", str(cache))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(pack / "problems"))
+    for name in ("NO_COLOR", "COLUMNS", "FORCE_COLOR"):
+        monkeypatch.delenv(name, raising=False)
+
+
+@pytest.fixture
+def judge(capsys, monkeypatch) -> Callable[..., Outcome]:
+    """Run the command line in this process."""
+
+    def run(*words: object) -> Outcome:
+        monkeypatch.setattr(sys, "argv", ["judge", *map(str, words)])
+        with pytest.raises(SystemExit) as left:
+            main()
+        written = capsys.readouterr()
+        return Outcome(int(left.value.code), written.out, written.err)
+
+    return run
+
+
+@pytest.fixture
+def process() -> Callable[..., Outcome]:
+    """Run the command line as a process of its own, piped."""
+
+    def run(*words: object, **settings: str) -> Outcome:
+        ended = subprocess.run(
+            [sys.executable, "-m", "judge", *map(str, words)],
+            capture_output=True,
+            encoding="utf-8",
+            timeout=120,
+            cwd=ROOT,
+            env={**os.environ, **settings},
+        )
+        return Outcome(ended.returncode, ended.stdout, ended.stderr)
+
+    return run
+
+
+@pytest.fixture
+def submit(tmp_path, monkeypatch) -> Callable[..., str]:
+    """Write a submission into an own folder, which becomes the current one."""
+    monkeypatch.chdir(tmp_path)
+
+    def write(source: str | bytes, name: str = "mine.py") -> str:
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(source if isinstance(source, bytes) else source.encode())
+        return name
+
+    return write

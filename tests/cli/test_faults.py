@@ -1,0 +1,144 @@
+"""What goes wrong on the judge's side: one line, status 3, and no traceback but for --debug."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from cli_support import BROKEN, MEAN, ROOT
+
+from judge.cli import list as list_module
+from judge.cli import run as run_module
+from judge.errors import ProblemError
+
+FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
+
+
+@pytest.mark.parametrize("name", FAULTY)
+def test_a_broken_problem_is_one_line_with_its_file(name, judge, submit):
+    ended = judge("run", name, submit(MEAN), "--problems", BROKEN)
+    assert (ended.status, ended.out) == (3, "")
+    assert ended.err.count("\n") == 1
+    assert ended.err.startswith(f"judge: {name}/")
+
+
+def test_a_list_names_the_broken_ones_and_shows_the_others(judge):
+    ended = judge("list", "--problems", BROKEN)
+    assert ended.status == 3
+    assert "middle" in ended.out
+    assert "judge: misspelt-key/problem.toml" in ended.err
+    assert "Traceback" not in ended.err
+
+
+def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
+    real = run_module.run_submission
+
+    def faulty(problem, data, source, name, **settings):
+        if name == "team/a.py":
+            raise ProblemError("the reference fails", where="middle/problem.py:9")
+        return real(problem, data, source, name, **settings)
+
+    monkeypatch.setattr(run_module, "run_submission", faulty)
+    submit(MEAN, "team/a.py")
+    submit(MEAN, "team/b.py")
+    ended = judge("run", "middle", "team", "--json")
+    assert ended.status == 3
+    results = [json.loads(line) for line in ended.lines]
+    assert [result["verdict"] for result in results] == ["JE", "AC"]
+    assert results[0]["failure"]["message"] == "middle/problem.py:9: the reference fails"
+    assert judge("run", "middle", "team").lines[-1] == "1 of 2 accepted  middle"
+
+
+def test_verify_reports_a_broken_problem_as_its_fault(judge):
+    ended = judge("verify", "bad-toml", "--problems", BROKEN)
+    assert ended.status == 3
+    assert "fault  bad-toml/problem.toml" in ended.out
+    assert ended.lines[-1] == "1 fault  1 problem checked"
+
+
+def test_an_internal_fault_is_one_line(judge, monkeypatch):
+    def fail(_folders):
+        raise RuntimeError("the sky\nfell")
+
+    monkeypatch.setattr(list_module, "problem_folders", fail)
+    ended = judge("list")
+    assert (ended.status, ended.out) == (3, "")
+    assert ended.err == (
+        "judge: internal fault: RuntimeError: the sky fell; run again with --debug for the traceback\n"
+    )
+
+
+@pytest.mark.parametrize("words", [("list", "--debug"), ("--debug", "list")])
+def test_debug_shows_the_traceback(words, judge, monkeypatch):
+    def fail(_folders):
+        raise RuntimeError("the sky")
+
+    monkeypatch.setattr(list_module, "problem_folders", fail)
+    ended = judge(*words)
+    assert (ended.status, ended.out) == (3, "")
+    assert ended.err.startswith("Traceback (most recent call last)")
+    assert "judge: internal fault: RuntimeError: the sky" in ended.err.splitlines()[-1]
+
+
+def test_debug_is_not_for_the_callers_own_faults(judge):
+    assert judge("show", "middel", "--debug").err.count("\n") == 1
+
+
+def test_an_interrupt(judge, monkeypatch):
+    def interrupt(_folders):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(list_module, "problem_folders", interrupt)
+    ended = judge("list")
+    assert ended.status == 130
+    assert "Traceback" not in ended.err
+
+
+def test_ctrl_c_in_mid_run(submit, tmp_path):
+    submit("import time\ndef middle(a, b):\n    time.sleep(60)\n")
+    running = subprocess.Popen(
+        [sys.executable, "-m", "judge", "run", "middle", str(tmp_path / "mine.py")],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )
+    with pytest.raises(subprocess.TimeoutExpired):  # it sleeps: it is in the middle of the run now
+        running.communicate(timeout=1.5)
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=30)
+    assert running.returncode == 130
+    assert out == ""
+    assert "Traceback" not in err
+
+
+def test_a_reader_that_leaves_is_no_fault():
+    script = f"{sys.executable} -m judge show segment | head -n 1; echo ${{PIPESTATUS[0]}}"
+    ended = subprocess.run(
+        ["bash", "-c", script], capture_output=True, text=True, timeout=60, cwd=ROOT, check=True
+    )
+    first, status = ended.stdout.splitlines()
+    assert first.startswith("# ")
+    assert status in ("0", "141")  # 0 where everything fitted into the pipe
+    assert ended.stderr == ""
+
+
+def test_standard_output_that_is_closed_or_full(process):
+    for target in (">&-", ">/dev/full"):
+        if target.endswith("full") and not Path(target[1:]).exists():
+            continue
+        ended = subprocess.run(
+            ["bash", "-c", f"{sys.executable} -m judge list {target}"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            cwd=ROOT,
+        )
+        assert ended.returncode != 0, target
+        assert "Traceback" not in ended.stderr
+        assert ended.stderr.count("\n") == 1

@@ -1,0 +1,135 @@
+from __future__ import annotations
+
+import pytest
+
+from judge.report.layout import (
+    Column,
+    Span,
+    Style,
+    Table,
+    beside,
+    cells,
+    hanging,
+    pad,
+    printable,
+    wrap,
+)
+
+
+def texts(lines):
+    return ["".join(span.text for span in spans) for spans in lines]
+
+
+@pytest.mark.parametrize(
+    ("text", "width", "rows"),
+    [
+        ("", 10, [""]),
+        ("one two three", None, ["one two three"]),
+        ("one two three", 7, ["one two", "three"]),
+        ("one\ntwo", 10, ["one", "two"]),
+        ("A=(1, 2), B=(3, 4)", 12, ["A=(1, 2),", "B=(3, 4)"]),
+        ("A=(1, 2), B=(3, 4)", 6, ["A=(1,", "2),", "B=(3,", "4)"]),
+        ("1234567890123", 5, ["12345", "67890", "123"]),
+        ("some-long-name", 8, ["some-", "long-", "name"]),
+        ("a (never closed", 6, ["a", "(never", "closed"]),
+        ("日本語", 4, ["日本", "語"]),
+        ("日", 1, ["日"]),
+    ],
+)
+def test_wrapping(text, width, rows):
+    assert wrap(text, width) == rows
+
+
+def test_wrapping_loses_nothing():
+    text = "cx=-669.32545866, A=(-1890.442842675294, -1514.9179835211764), B=(1" + "0" * 100 + ", 4)"
+    for width in range(1, 90):
+        rows = wrap(text, width)
+        assert "".join(rows).replace(" ", "") == text.replace(" ", "")
+        assert max(map(cells, rows)) <= width
+
+
+def test_whatever_steers_a_terminal_is_written_out():
+    assert printable("a\x1b[31m\tb\x00\u202e\ud800é") == r"a\x1b[31m\tb\x00\u202e\ud800é"
+
+
+@pytest.mark.parametrize(("text", "columns"), [("abc", 3), ("é", 1), ("e\u0301", 1), ("日本", 4), ("", 0)])
+def test_columns(text, columns):
+    assert cells(text) == columns
+    assert cells(pad(text, 6)) == cells(pad(text, 6, right=True)) == 6
+
+
+def test_a_hanging_indent():
+    lines = hanging(Span("why"), Span("one two three"), 16, indent=2, column=8)
+    assert texts(lines) == ["  why   one two", "        three"]
+
+
+def test_a_remark_goes_below_where_there_is_no_room_beside():
+    assert texts(beside(Span("name"), "remark", None)) == ["name  remark"]
+    assert texts(beside(Span("name"), "remark", 12)) == ["name  remark"]
+    assert texts(beside(Span("name"), "remark", 11)) == ["name", "remark"]
+
+
+COLUMNS = (Column("name"), Column("cases", right=True), Column("about", flexible=True))
+ROWS = [["tangent-turned", "60", "rounding has moved every number a little"], [Span("grid"), "343", "small"]]
+
+
+def test_a_table_with_room():
+    assert texts(Table(COLUMNS, ROWS).lines(None)) == [
+        "  name            cases  about",
+        "  tangent-turned     60  rounding has moved every number a little",
+        "  grid              343  small",
+    ]
+
+
+def test_prose_is_wrapped_in_its_column():
+    assert texts(Table(COLUMNS, ROWS).lines(50)) == [
+        "  name            cases  about",
+        "  tangent-turned     60  rounding has moved every",
+        "                         number a little",
+        "  grid              343  small",
+    ]
+
+
+def test_prose_goes_below_its_row():
+    assert texts(Table(COLUMNS, ROWS).lines(30)) == [
+        "  name            cases",
+        "  tangent-turned     60",
+        "    rounding has moved every",
+        "    number a little",
+        "  grid              343",
+        "    small",
+    ]
+
+
+def test_names_are_broken():
+    assert texts(Table(COLUMNS[:2], [row[:2] for row in ROWS]).lines(17)) == [
+        "  name      cases",
+        "  tangent-     60",
+        "  turned",
+        "  grid        343",
+    ]
+
+
+def test_at_last_a_row_is_a_paragraph():
+    assert texts(Table(COLUMNS, ROWS).lines(16)) == [
+        "  tangent-",
+        "  turned",
+        "    cases 60,",
+        "    rounding has",
+        "    moved every",
+        "    number a",
+        "    little",
+        "  grid",
+        "    cases 343,",
+        "    small",
+    ]
+
+
+def test_no_table_is_wider_than_its_room():
+    for width in range(14, 90):
+        assert max(map(cells, texts(Table(COLUMNS, ROWS).lines(width)))) <= width
+
+
+def test_a_table_keeps_styles_and_ends_no_line_in_spaces():
+    lines = Table((Column(""), Column("")), [[Span("a", Style.BAD), ""]], indent=0).lines(20)
+    assert lines == [(Span(""), Span("a", Style.BAD))]
