@@ -64,7 +64,12 @@ def command(
         raise
     show = _Json() if as_json else _Screen(brief=quiet, several=len(submissions) > 1)
     for submission in submissions:
-        show.result(_judge(problem, data, submission, chosen))
+        try:
+            show.result(_judge(problem, data, submission, chosen))
+        except Exception as fault:  # ours: a script gets its object all the same
+            if as_json:
+                write_json(judge_fault(problem.id, submission.name, f"internal fault: {fault!r}").as_json())
+            raise
     return show.close()
 
 

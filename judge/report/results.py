@@ -70,11 +70,16 @@ def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
         ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
         ("wanted", failure.expected, Style.GOOD),
         ("got", failure.got, Style.BAD),
-        ("why", failure.message, Style.PLAIN),
+        ("why", None if _says_nothing_new(failure) else failure.message, Style.PLAIN),
     ]
     for label, text, style in rows:
         if text:
             yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+
+
+def _says_nothing_new(failure: Failure) -> bool:
+    """Whether the reason only repeats the two lines above it, as a wrong count's does."""
+    return failure.message == f"{failure.expected} wanted, {failure.got} given"
 
 
 def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> list[Line]:

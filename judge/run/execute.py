@@ -64,7 +64,7 @@ def run_submission(
     failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
     failure = failing.failure if failing else None
     if failure and mode is Mode.PROGRAM:
-        failure = _noted(failure, inspection, problem.entry)
+        failure = _noted(failure, inspection, problem.entry, source)
     return Result(
         problem.id,
         name,
@@ -115,12 +115,15 @@ def _fault_text(fault: SourceFault, source: bytes) -> str:
     return f"{fault.message} ({place}){quoted}" if place else fault.message
 
 
-def _noted(failure: Failure, inspection: Inspection, entry: str) -> Failure:
-    """A program's failure, told that it may have been meant as a function."""
-    if not inspection.names:
+_READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
+
+
+def _noted(failure: Failure, inspection: Inspection, entry: str, source: bytes) -> Failure:
+    """A program's failure, told that it was taken for one only because the entry function is missing."""
+    close = nearest(entry, (name for name, _ in inspection.names))
+    if close is None and any(word in source for word in _READS):
         return failure
     note = f"it was run as a program because it defines no {entry}"
-    close = nearest(entry, (name for name, _ in inspection.names))
     if close:
         line = next(line for name, line in inspection.names if name == close)
         note += f"; is {close} (line {line}) meant to be it?"
