@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
+from msgspec import Struct
 
 from judge.cli.options import (
     chosen_groups,
@@ -103,11 +103,10 @@ def _judge(problem: Problem, data: ProblemData, submission: Submission, groups: 
         return judge_fault(problem.id, submission.name, str(fault))
 
 
-@dataclass(slots=True)
-class _Json:
+class _Json(Struct):
     """Results for a script: each on its line as soon as it is known."""
 
-    results: list[Result] = field(default_factory=list)
+    results: list[Result] = []
 
     def result(self, result: Result) -> None:
         """One more result."""
@@ -119,13 +118,12 @@ class _Json:
         return exit_code(self.results)
 
 
-@dataclass(slots=True)
-class _Screen:
+class _Screen(Struct):
     """Results for a person: the verdict, or the table of them, last."""
 
     brief: bool
     several: bool
-    results: list[Result] = field(default_factory=list)
+    results: list[Result] = []
 
     def result(self, result: Result) -> None:
         """One more result."""

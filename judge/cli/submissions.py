@@ -5,16 +5,16 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from judge.errors import UsageError, nearest
 
 _LARGEST = 4 * 2**20  # bytes; no person writes more, and it keeps /dev/zero from filling memory
 
 
-@dataclass(frozen=True, slots=True)
-class Submission:
+class Submission(Struct, frozen=True):
     """A file to judge: its name as the person gave it, and its bytes."""
 
     name: str

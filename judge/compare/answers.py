@@ -2,28 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from judge.exact import Surd
 
 
-@dataclass(frozen=True, slots=True)
-class Count:
+class Count(Struct, frozen=True):
     """How many common points, or None where there is no line."""
 
     value: int | None
 
 
-@dataclass(frozen=True, slots=True)
-class Points:
+class Points(Struct, frozen=True):
     """The common points (x, y) in order of t; `unit` is the case's extent e, in the caller's units."""
 
     points: tuple[tuple[Surd, Surd], ...]
     unit: Surd
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
+class Parameter(Struct, frozen=True):
     """The parameter t, or None for a miss; `unit` is e/|D|, the extent in units of t."""
 
     t: Surd | None

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, nextafter
 from sys import float_info
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from judge.compare.decode import Fault, Given, Written, fault, near, number, show
 from judge.compare.targets import AnyTarget, CountTarget, ParameterTarget, PointsTarget, Target
@@ -20,8 +21,7 @@ if TYPE_CHECKING:
 Exact = Callable[[], "tuple[Answer, Tolerance]"]
 
 
-@dataclass(frozen=True, slots=True)
-class Accepted:
+class Accepted(Struct, frozen=True):
     """The answer is right; `worst_ulps` is the largest error of its numbers, in ulps of the exact ones.
 
     None where the answer has no measured number; an exact 0, which has no scale of its own, adds nothing.
@@ -30,8 +30,7 @@ class Accepted:
     worst_ulps: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Rejection:
+class Rejection(Struct, frozen=True):
     """The answer is wrong, and why, for a person.
 
     `wanted` and `got` are whole answers. Where one number decided, `where` names it ("y of point 2") and its

@@ -7,9 +7,10 @@ absurd, comes out as a `Fault` that says why it is no number.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
+
+from msgspec import Struct
 
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
@@ -20,16 +21,14 @@ _DECIMAL = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE]([+-]?[0-9]+))?", re.ASCI
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
+class Fault(Struct, frozen=True):
     """Something that is no number: what it is, for a person, and what to do about it."""
 
     text: str
     remedy: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Written:
+class Written(Struct, frozen=True):
     """A number in decimal text of bounded length and exponent; `approx` is its correctly rounded double."""
 
     text: str

@@ -6,8 +6,9 @@ the correctly rounded double of the exact x, `ulp` is ulp(x) and residual = (x â
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from judge.spec import AnswerKind, Tolerance
 
@@ -17,22 +18,19 @@ if TYPE_CHECKING:
 Target = tuple[float, float, float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class CountTarget:
+class CountTarget(Struct, frozen=True):
     """The wanted count, or None."""
 
     value: int | None
 
 
-@dataclass(frozen=True, slots=True)
-class PointsTarget:
+class PointsTarget(Struct, frozen=True):
     """The wanted points in order, each as the targets of x and y."""
 
     points: tuple[tuple[Target, Target], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterTarget:
+class ParameterTarget(Struct, frozen=True):
     """The wanted parameter, or None."""
 
     t: Target | None

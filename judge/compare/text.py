@@ -8,8 +8,9 @@ parameter   t | none
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
 
 from judge.compare.check import Exact, Outcome, Rejection, check
 from judge.compare.decode import Fault, Written, decimal, shown

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.spec import Case, Group, Problem, Tolerance
 from judge.spec.statement import EXAMPLES
@@ -18,8 +20,7 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int], None]  # cases done, cases in all
 
 
-@dataclass(frozen=True, slots=True)
-class GroupData:
+class GroupData(Struct, frozen=True):
     """A group's cases and, for each, what an answer is held against."""
 
     group: Group

@@ -15,9 +15,10 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, cast
+
+from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
 from judge.spec import Case, Problem
@@ -29,8 +30,7 @@ if TYPE_CHECKING:
 Builder = Callable[..., Case]
 
 
-@dataclass(frozen=True, slots=True)
-class ProblemModule:
+class ProblemModule(Struct, frozen=True):
     """What a problem.py defines."""
 
     reference: Callable[..., Answer]

@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import TypeVar
+
+from msgspec import Struct
 
 T = TypeVar("T")
 
@@ -27,8 +28,7 @@ class Style(Enum):
     WARNING = "warning"
 
 
-@dataclass(frozen=True, slots=True)
-class Span:
+class Span(Struct, frozen=True):
     """A run of text in one style."""
 
     text: str
@@ -166,8 +166,7 @@ def beside(head: Span, aside: str, width: int | None) -> list[Line]:
     return [line(Span(row, span.style)) for span in (head, remark) for row in wrap(span.text, width)]
 
 
-@dataclass(frozen=True, slots=True)
-class Column:
+class Column(Struct, frozen=True):
     """A column of a table. The one that is `flexible` holds prose and gives way when room is short."""
 
     title: str
@@ -181,8 +180,7 @@ _PROSE = 24  # columns below which prose goes under its row instead of beside it
 _NAME = 8  # the least that a column of names is narrowed to
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
+class Table(Struct, frozen=True):
     """Rows of cells under titles; `lines` lays it out for a width."""
 
     columns: tuple[Column, ...]

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import IO
+
+from msgspec import Struct
 
 from judge.report.layout import Line, Style, printable
 
@@ -24,8 +25,7 @@ _LEAST_WIDTH = 20
 _USUAL_WIDTH = 80  # of a terminal that does not tell
 
 
-@dataclass(frozen=True, slots=True)
-class Screen:
+class Screen(Struct, frozen=True):
     """Where a person reads: a stream, whether it takes colour, and its width (None: nothing to wrap for)."""
 
     stream: IO[str]

@@ -6,9 +6,10 @@ as a group's points and how far off an answer was.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import Any
+
+from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.spec import Verdict
@@ -23,8 +24,7 @@ class Mode(Enum):
     PROGRAM = "program"  # it read stdin and wrote stdout
 
 
-@dataclass(frozen=True, slots=True)
-class GroupResult:
+class GroupResult(Struct, frozen=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth."""
 
     name: str
@@ -52,8 +52,7 @@ class GroupResult:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class Failure:
+class Failure(Struct, frozen=True):
     """The first failing case, or why nothing could be run (then only `message` is set).
 
     `case` counts from 1 within its group. `input` maps a parameter's name to its number or `[x, y]`.
@@ -83,8 +82,7 @@ class Failure:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class Ratio:
+class Ratio(Struct, frozen=True):
     """CPU time as a multiple of the reference solution's, over interleaved pairs of runs."""
 
     median: float
@@ -97,8 +95,7 @@ class Ratio:
         return {"median": self.median, "low": self.low, "high": self.high, "pairs": self.pairs}
 
 
-@dataclass(frozen=True, slots=True)
-class Timing:
+class Timing(Struct, frozen=True):
     """What a submission used in all its groups; `borderline` says the time limit was a close call."""
 
     cpu_seconds: float = 0.0
@@ -116,8 +113,7 @@ class Timing:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class Result:
+class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
     `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
+
+from msgspec import Struct
 
 from judge.data import ProblemData, load_data
 from judge.data.module import blaming, load_module
@@ -49,8 +50,7 @@ class Folder(Enum):
         return {"accepted": "AC", "wrong": "a rejection", "slow": "TLE"}[self.value]
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
+class Fault(Struct, frozen=True):
     """One broken promise: what, where and what to do."""
 
     what: str
@@ -61,8 +61,7 @@ class Fault:
         return f"{self.where}: {self.what}" + (f"; {self.remedy}" if self.remedy else "")
 
 
-@dataclass(frozen=True, slots=True)
-class SolutionReport:
+class SolutionReport(Struct, frozen=True):
     """One program's verdict; `name` is its docstring's first line and `failed` the groups it fails."""
 
     file: str  # as wrong/absolute-epsilon.py
@@ -77,8 +76,7 @@ class SolutionReport:
         return self.folder.allows(self.verdict)
 
 
-@dataclass(frozen=True, slots=True)
-class VerifyReport:
+class VerifyReport(Struct, frozen=True):
     """All that was checked; `pins` is "matching", "written", or "differing"."""
 
     problem: str
@@ -94,8 +92,7 @@ class VerifyReport:
         return not self.faults
 
 
-@dataclass(frozen=True, slots=True)
-class _Source:
+class _Source(Struct, frozen=True):
     """One file of the solutions."""
 
     path: Path

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import keyword
 import re
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
+
+from msgspec.structs import replace
 
 from judge.errors import ProblemError
 from judge.spec import schema

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
+
+from msgspec import Struct
 
 Number = int | float
 Point = tuple[Number, Number]
@@ -41,8 +42,7 @@ class ParameterType(Enum):
     INTEGER_POINT = "integer-point"  # a pair of ints
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
+class Parameter(Struct, frozen=True):
     """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
 
     name: str
@@ -52,8 +52,7 @@ class Parameter:
     about: str
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
+class Tolerance(Struct, frozen=True):
     """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
 
     `unit` belongs to the case and is given with its exact answer (the extent e for points, e/|D| for a ray's
@@ -66,8 +65,7 @@ class Tolerance:
     ulps: Fraction = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
+class Limits(Struct, frozen=True):
     """The bounds of one test group: all its calls together, or its one program."""
 
     cpu_seconds: float
@@ -76,8 +74,7 @@ class Limits:
     output_bytes: int
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(Struct, frozen=True):
     """A test group: `count` cases from one builder, named after what they probe."""
 
     name: str
@@ -91,8 +88,7 @@ class Group:
     kills: tuple[str, ...]  # the mistakes it is there for
 
 
-@dataclass(frozen=True, slots=True)
-class Example:
+class Example(Struct, frozen=True):
     """A worked example of the statement: the call and the answer it shows."""
 
     case: Case
@@ -100,8 +96,7 @@ class Example:
     line: int  # in statement.md, from 1
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
+class Problem(Struct, frozen=True):
     """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and hashes.json."""
 
     id: str
@@ -116,8 +111,8 @@ class Problem:
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
-    examples: tuple[Example, ...] = field(repr=False, default=())
-    statement: str = field(repr=False, default="")  # with its placeholders filled in
+    examples: tuple[Example, ...] = ()
+    statement: str = ""  # with its placeholders filled in
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
+from msgspec.structs import replace
 
 from judge.run import Mode
 from judge.spec import Verdict

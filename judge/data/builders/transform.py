@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from fractions import Fraction
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.builders import require
 from judge.data.builders.numbers import pythagorean
@@ -21,8 +23,7 @@ from judge.spec.model import Case, Number, Point
 NUMBER_TYPES = ("int", "float", "mixed")
 
 
-@dataclass(frozen=True, slots=True)
-class Figure:
+class Figure(Struct, frozen=True):
     """A circle, points, and free vectors (which a move leaves alone), before it becomes a case."""
 
     centre: Point
@@ -43,8 +44,7 @@ class Figure:
         return max(Fraction(self.radius), *spans)
 
 
-@dataclass(frozen=True, slots=True)
-class Turn:
+class Turn(Struct, frozen=True):
     """The rotation that takes (1, 0) to (cosine, sine) / norm: integers, cosine² + sine² = norm²."""
 
     cosine: int
