@@ -1,6 +1,6 @@
 """Judging one submission: executing, comparing, measuring."""
 
-from judge.run.execute import run_submission
+from judge.run.execute import Settings, run_submission
 from judge.run.result import (
     Failure,
     GroupResult,
@@ -18,6 +18,7 @@ __all__ = [
     "Mode",
     "Ratio",
     "Result",
+    "Settings",
     "Timing",
     "exit_code",
     "judge_fault",

@@ -1,27 +1,46 @@
-"""Judging one submission: which way it is run, all its groups, and what they come to."""
+"""Judging one submission: which way it is run, all its groups, what they come to and how long they take."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+import threading
+from collections.abc import Callable, Collection, Iterable, Sequence
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.run.function import judge_calls
+from judge.run.measure import measure, reference_source
+from judge.run.parallel import Turnstile, share
 from judge.run.program import judge_program
 from judge.run.result import Failure, Mode, Result, Timing
 from judge.run.tally import Tally
+from judge.run.timing import Decision
 from judge.sandbox import Box, Inspection, SourceFault, Usage, open_box
 from judge.spec import Problem, Verdict
 
 if TYPE_CHECKING:
-    from judge.data import ProblemData
+    from judge.data import GroupData, ProblemData
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 BoxFactory = Callable[[bytes, str], Box]
 
 MOST_TIMEOUTS = 2  # groups that may run out of time before the rest is not run: a person is waiting
+
+
+class Settings(Struct, frozen=True):
+    """How to judge, whatever is judged.
+
+    `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
+    `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone.
+    """
+
+    box_factory: BoxFactory = open_box
+    workers: int = 1
+    measured: bool = True
+    turnstile: Turnstile | None = None
 
 
 def run_submission(
@@ -32,7 +51,7 @@ def run_submission(
     *,
     groups: Collection[str] | None = None,
     on_progress: Progress | None = None,
-    box_factory: BoxFactory = open_box,
+    settings: Settings | None = None,
 ) -> Result:
     """Judge one submission on a problem's data.
 
@@ -41,63 +60,117 @@ def run_submission(
         name: the file's name, for tracebacks and the result.
         groups: the names of the groups to run; all where it is None.
         on_progress: called after each group.
-        box_factory: opens the containment.
+        settings: how.
 
     Raises:
         ProblemError: the reference fails on a case.
         JudgeError: nothing can be run on this machine.
     """
-    with box_factory(source, name) as box:
+    chosen = [group for group in data.groups if groups is None or group.group.name in groups]
+    settings = settings or Settings()
+    turnstile = settings.turnstile or Turnstile()
+    with settings.box_factory(source, name) as box:
         inspection = box.inspect()
         if inspection.fault:
+            failure = Failure(_fault_text(inspection.fault, source))
             return Result(
-                problem.id,
-                name,
-                Mode.FUNCTION,
-                Verdict.CE,
-                failure=Failure(_fault_text(inspection.fault, source)),
-                isolation=box.isolation,
+                problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
             )
         mode = Mode.FUNCTION if inspection.defines(problem.entry) else Mode.PROGRAM
-        tallies = _run_groups(box, mode, data, groups, on_progress)
+        judging = _Judging(data, mode, source, name, settings, on_progress)
+        with turnstile.judging():
+            tallies = judging.groups(box, chosen)
+        timing = Decision(None)
+        if settings.measured and all(tally.verdict is Verdict.AC for tally in tallies):
+            timing = _race(problem, mode, chosen, box, settings, turnstile)
+        if timing.too_slow and timing.ratio and problem.time:
+            slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
+            slowest.too_slow(
+                f"it takes {timing.ratio.median:.3g} times the CPU time of the reference solution; "
+                f"the limit is {problem.time.limit:g} times"
+            )
         isolation = box.isolation
     usage = sum((tally.usage for tally in tallies), Usage())
     failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
-    failure = failing.failure if failing else None
-    if failure and mode is Mode.PROGRAM:
-        failure = _noted(failure, inspection, problem.entry, source)
+    first = failing.failure if failing else None
+    if first and mode is Mode.PROGRAM:
+        first = _noted(first, inspection, problem.entry, source)
     return Result(
         problem.id,
         name,
         mode,
         failing.verdict if failing else Verdict.AC,
         tuple(tally.result() for tally in tallies),
-        failure,
-        Timing(usage.cpu_seconds, usage.wall_seconds),
+        first,
+        Timing(usage.cpu_seconds, usage.wall_seconds, timing.ratio, timing.borderline),
         usage.memory_bytes,
         isolation,
     )
 
 
-def _run_groups(
-    box: Box, mode: Mode, data: ProblemData, groups: Collection[str] | None, on_progress: Progress | None
-) -> list[Tally]:
-    chosen = [group for group in data.groups if groups is None or group.group.name in groups]
-    total = sum(len(group.cases) for group in chosen)
-    judge_group = judge_calls if mode is Mode.FUNCTION else judge_program
-    tallies: list[Tally] = []
-    done = 0
-    for group in chosen:
-        tally = Tally(data, group, mode)
-        if sum(earlier.verdict is Verdict.TLE for earlier in tallies) < MOST_TIMEOUTS:
-            judge_group(box, tally)
+def _race(
+    problem: Problem,
+    mode: Mode,
+    groups: Sequence[GroupData],
+    box: Box,
+    settings: Settings,
+    turnstile: Turnstile,
+) -> Decision:
+    reference = reference_source(problem, mode)
+    if reference is None:
+        return Decision(None)
+    with settings.box_factory(*reference) as other, turnstile.measuring():
+        return measure(problem, mode, groups, box, other)
+
+
+class _Judging:
+    """The groups of one submission, in one box or several at once."""
+
+    def __init__(
+        self,
+        data: ProblemData,
+        mode: Mode,
+        source: bytes,
+        name: str,
+        settings: Settings,
+        on_progress: Progress | None,
+    ) -> None:
+        self._data = data
+        self._mode = mode
+        self._source = source
+        self._name = name
+        self._settings = settings
+        self._on_progress = on_progress
+        self._lock = threading.Lock()
+        self._done = self._total = self._timeouts = 0
+
+    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
+        """Judge the groups; `box` is the first worker's, the others open their own."""
+        tallies = [Tally(self._data, group, self._mode) for group in groups]
+        self._total = sum(len(group.cases) for group in groups)
+        here = threading.current_thread()
+
+        def work(queue: Iterable[tuple[int, Tally]]) -> None:
+            with ExitStack() as stack:
+                mine = box
+                if threading.current_thread() is not here:
+                    mine = stack.enter_context(self._settings.box_factory(self._source, self._name))
+                for _, tally in queue:
+                    self._judge(mine, tally)
+
+        share(tallies, self._settings.workers, work)
+        return tallies
+
+    def _judge(self, box: Box, tally: Tally) -> None:
+        if self._timeouts < MOST_TIMEOUTS:
+            (judge_calls if self._mode is Mode.FUNCTION else judge_program)(box, tally)
         else:
             tally.failed(0, Verdict.TLE, f"not run: {MOST_TIMEOUTS} groups before it ran out of time")
-        tallies.append(tally)
-        done += len(group.cases)
-        if on_progress:
-            on_progress(done, total)
-    return tallies
+        with self._lock:
+            self._timeouts += tally.verdict is Verdict.TLE
+            self._done += len(tally.group.cases)
+            if self._on_progress:
+                self._on_progress(self._done, self._total)
 
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:

@@ -83,16 +83,27 @@ class Failure(Struct, frozen=True):
 
 
 class Ratio(Struct, frozen=True):
-    """CPU time as a multiple of the reference solution's, over interleaved pairs of runs."""
+    """CPU time as a multiple of the reference solution's, over interleaved pairs of runs.
+
+    `low` and `high` are the quartiles. `unreliable` says why the figure deserves no belief ("too short",
+    "too noisy"); it is empty, and not in the JSON, where it does.
+    """
 
     median: float
     low: float
     high: float
     pairs: int
+    unreliable: str = ""
 
     def as_json(self) -> dict[str, Any]:
         """The ratio's object in the published form."""
-        return {"median": self.median, "low": self.low, "high": self.high, "pairs": self.pairs}
+        figures: dict[str, Any] = {
+            "median": self.median,
+            "low": self.low,
+            "high": self.high,
+            "pairs": self.pairs,
+        }
+        return figures | ({"unreliable": self.unreliable} if self.unreliable else {})
 
 
 class Timing(Struct, frozen=True):

@@ -87,6 +87,11 @@ class Tally:
         """Record a case that ended otherwise than with an answer."""
         self.failed(index, VERDICTS[stop], detail)
 
+    def too_slow(self, message: str) -> None:
+        """Record that the submission as a whole takes too long, though its answers are right."""
+        self.verdict = Verdict.TLE
+        self.failure = Failure(message, self.group.group.name)
+
     def _wanted(self, index: int) -> str:
         from judge.compare.check import wanted_text
         from judge.compare.text import render_target

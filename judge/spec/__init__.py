@@ -13,6 +13,7 @@ from judge.spec.model import (
     Point,
     Problem,
     Tier,
+    TimeRule,
     Tolerance,
 )
 from judge.spec.verdict import Verdict
@@ -30,6 +31,7 @@ __all__ = [
     "Point",
     "Problem",
     "Tier",
+    "TimeRule",
     "Tolerance",
     "Verdict",
 ]

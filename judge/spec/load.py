@@ -18,7 +18,7 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.spec import schema
 from judge.spec.lines import KeyPath
-from judge.spec.model import AnswerKind, Group, Limits, Parameter, Problem, Tolerance
+from judge.spec.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
 from judge.spec.statement import EXAMPLES, read_statement
 from judge.spec.tomlfile import TomlFile
 
@@ -80,6 +80,7 @@ class _Reader:
             groups=self._groups(table),
             folder=self.folder,
             solutions=solutions,
+            time=self._time(table.time),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -122,6 +123,17 @@ class _Reader:
             memory_bytes=int(table.memory_mb * _MEGABYTE),
             output_bytes=int(table.output_mb * _MEGABYTE),
         )
+
+    def _time(self, table: schema.TimeTable | None) -> TimeRule | None:
+        if table is None:
+            return None
+        if self._exact(table.limit, ("time", "limit")) < 1:
+            self.fault(("time", "limit"), "the reference itself would be too slow", "give a multiple above 1")
+        for key, name in (("function", table.function), ("program", table.program)):
+            if name is not None and (not name.endswith(".py") or Path(name).name != name):
+                remedy = "name a file of the accepted solutions, such as quadratic.py"
+                self.fault(("time", key), f"{name!r} is no solution's file", remedy)
+        return TimeRule(float(table.limit), table.function, table.program)
 
     def _groups(self, table: schema.ProblemTable) -> tuple[Group, ...]:
         if not table.groups:

@@ -74,6 +74,17 @@ class Limits(Struct, frozen=True):
     output_bytes: int
 
 
+class TimeRule(Struct, frozen=True):
+    """The time limit: how many times the CPU time of a reference solution a submission may use.
+
+    The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs.
+    """
+
+    limit: float
+    function: str
+    program: str | None = None
+
+
 class Group(Struct, frozen=True):
     """A test group: `count` cases from one builder, named after what they probe."""
 
@@ -111,6 +122,7 @@ class Problem(Struct, frozen=True):
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
+    time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
 

@@ -31,6 +31,14 @@ class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     output_mb: Exact
 
 
+class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[time]`: the limit as a multiple of a reference solution's CPU time."""
+
+    limit: Exact
+    function: str
+    program: str | None = None
+
+
 class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """One `[[parameters]]`."""
 
@@ -68,11 +76,13 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     groups: list[GroupTable]
     tolerance: ToleranceTable | None = None
     bands: dict[str, Exact] = {}
+    time: TimeTable | None = None
 
 
 _TABLES: dict[str, type[msgspec.Struct]] = {
     "tolerance": ToleranceTable,
     "limits": LimitsTable,
+    "time": TimeTable,
     "parameters": ParameterTable,
     "groups": GroupTable,
 }

@@ -208,6 +208,16 @@ REFUSED = {
     "unknown-placeholder": ("statement.md:1", "unknown placeholder {{c.hihg}}", "did you mean {{c.high}}?"),
     "wrong-type": ("problem.toml:32", "groups.count is text", "give a whole number"),
     "zero-band": ("problem.toml:8", "the band 'snap' has no width", "give a number above 0"),
+    "time-limit-too-low": (
+        "problem.toml:14",
+        "the reference itself would be too slow",
+        "give a multiple above 1",
+    ),
+    "time-reference-not-a-file": (
+        "problem.toml:15",
+        "'../exact.py' is no solution's file",
+        "name a file of the accepted solutions",
+    ),
     "zero-limit": ("problem.toml:10", "memory_mb allows nothing", "give a number above 0"),
     "zero-tolerance": (
         "problem.toml:7",

@@ -1,0 +1,113 @@
+"""Time that can be trusted: CPU time as a multiple of a reference solution's, measured in the same run.
+
+A machine's speed drifts, and from one machine to another it is anybody's guess; the ratio of two programs
+that take turns is not. The first pair settles most submissions. One near the limit runs again, turn by turn,
+and fails only where both the least times and the median pair exceed the limit.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from msgspec import Struct
+
+from judge.run.result import Ratio
+
+CLEARLY_BELOW = 0.8  # of the limit, for a single pair
+CLEARLY_ABOVE = 1.35
+MOST_PAIRS = 9
+_LEAST_PAIRS = 3
+_PATIENCE_SECONDS = 0.15  # for the pairs of a submission that is nowhere near the limit
+_TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
+_TOO_WIDE = 0.5  # a spread of more than half the median says little
+
+Run = Callable[[], float | None]  # CPU seconds of one run, None where it did not end well
+
+
+class Decision(Struct, frozen=True):
+    """What the pairs came to; `ratio` is None where nothing could be paired."""
+
+    ratio: Ratio | None
+    too_slow: bool = False
+    borderline: bool = False
+
+
+class Pair(Struct, frozen=True):
+    """One turn each, in CPU seconds."""
+
+    submission: float
+    reference: float
+
+    @property
+    def ratio(self) -> float:
+        """How many times the reference's time the submission took."""
+        return self.submission / self.reference
+
+
+def race(submission: Run, reference: Run, limit: float) -> Decision:
+    """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
+
+    A submission near the limit gets nine pairs whatever they take; any other as many, three at least, as fit
+    a moment that a waiting person does not notice.
+    """
+    pairs: list[Pair] = []
+    start = time.monotonic()
+    while len(pairs) < MOST_PAIRS:
+        pair = _turn(submission, reference, swapped=len(pairs) % 2 == 1)
+        if pair is None:
+            break
+        pairs.append(pair)
+        if _is_near(pairs[0], limit):
+            continue
+        if pairs[0].ratio > CLEARLY_ABOVE * limit:
+            break
+        if len(pairs) >= _LEAST_PAIRS and time.monotonic() - start > _PATIENCE_SECONDS:
+            break
+    return decide(pairs, limit)
+
+
+def decide(pairs: list[Pair], limit: float) -> Decision:
+    """The ratio of the pairs, and whether it exceeds the limit."""
+    if not pairs:
+        return Decision(None)
+    ratio = summary(pairs)
+    if not _is_near(pairs[0], limit):
+        return Decision(ratio, too_slow=pairs[0].ratio > limit)
+    least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
+    return Decision(ratio, too_slow=least > limit and ratio.median > limit, borderline=True)
+
+
+def summary(pairs: list[Pair]) -> Ratio:
+    """The median paired ratio with its quartiles, and whether it deserves belief."""
+    ratios = sorted(pair.ratio for pair in pairs)
+    low, median, high = (_quantile(ratios, part) for part in (0.25, 0.5, 0.75))
+    unreliable = ""
+    if min(pair.reference for pair in pairs) < _TOO_SHORT_SECONDS:
+        unreliable = "too short"
+    elif high - low > _TOO_WIDE * median:
+        unreliable = "too noisy"
+    return Ratio(median, low, high, len(pairs), unreliable)
+
+
+def _quantile(ordered: list[float], part: float) -> float:
+    """The value below which `part` of the ordered values lie, linear between neighbours."""
+    place = part * (len(ordered) - 1)
+    below = int(place)
+    above = min(below + 1, len(ordered) - 1)
+    return ordered[below] + (place - below) * (ordered[above] - ordered[below])
+
+
+def _is_near(pair: Pair, limit: float) -> bool:
+    return CLEARLY_BELOW * limit < pair.ratio <= CLEARLY_ABOVE * limit
+
+
+def _turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
+    """One run each; who goes first changes, so that a drift favours nobody."""
+    if swapped:
+        theirs, mine = reference(), submission()
+    else:
+        mine, theirs = submission(), reference()
+    if mine is None or not theirs:
+        return None
+    return Pair(mine, theirs)
