@@ -178,6 +178,50 @@ def test_a_far_circle_is_tiny(where, counts):
     assert all(extent(case) > 7 * 10**5 * Fraction(case[2]) for case in cases)
 
 
+@pytest.mark.parametrize(("where", "wanted"), [("tangent", {0, 2}), ("short", {0, 1}), ("touching", {1, 2})])
+def test_one_end_is_far_away(where, wanted):
+    cases = made(endpoints.one_far_end, where=[where], size=500, ratio=[10**5, 5 * 10**5])
+    assert {exact_count(case) for case in cases} <= wanted
+    for case in cases:
+        (ax, ay), (bx, by), r = local(case)
+        near, far = sorted((max(abs(ax), abs(ay)), max(abs(bx), abs(by))))
+        assert near < 10 * r
+        assert far > 5 * 10**4 * r
+        if where == "tangent":
+            assert 9e-14 < gap(case) < 9.9e-13
+
+
+@pytest.mark.parametrize("where", ["tangent", "across", "short", "touching"])
+def test_a_short_segment_is_short_and_still_longer_than_the_band(where):
+    cases = made(endpoints.short, where=[where], size=500, scale=-30)
+    for case in cases:
+        a, _, _, _ = terms(case)
+        assert 1e-5 < float(a) ** 0.5 / float(extent(case)) < 3e-4
+    if where == "across":
+        assert {exact_count(case) for case in cases} == {1}
+    if where == "tangent":
+        assert all(9e-14 < gap(case) < 9.9e-13 for case in cases)
+
+
+@pytest.mark.parametrize(("within", "low", "high"), [(True, 9e-14, 9.9e-13), (False, 1.9e-7, 1e-5)])
+def test_a_point_is_just_off_the_circle(within, low, high):
+    cases = made(endpoints.point_near_circle, sides=["inside", "outside"], within=within, bits=4, size=1000)
+    for case in cases:
+        (ax, ay), _, r = local(case)
+        assert case[3] == case[4]
+        # | |A − C| − r | = | |A − C|² − r² | / (|A − C| + r)
+        assert low < float(abs(ax * ax + ay * ay - r * r) / (2 * r) / extent(case)) < high
+
+
+@pytest.mark.parametrize(
+    ("where", "wanted"), [("hit", 2), ("miss", 0), ("stop", 0), ("pass", 1), ("point", 0)]
+)
+def test_a_small_circle_far_away_is_nearly_met_exactly(where, wanted):
+    cases = made(endpoints.near_far_away, where=[where], distance=27)
+    assert {exact_count(case) for case in cases} == {wanted}
+    assert all(min(map(abs, case[:2])) >= 2**26 and case[2] <= 1 for case in cases)
+
+
 def test_the_grid_and_the_uniform_box_keep_their_size():
     cases = made(endpoints.grid, size=3, count=300)
     assert {value for case in cases for value in (*case[:2], *case[3], *case[4])} == set(range(-3, 4))

@@ -161,3 +161,10 @@ def test_the_grid_and_the_uniform_box_keep_their_size():
 def test_an_unknown_place_is_a_fault_of_the_problem():
     with pytest.raises(ProblemError, match="'nowhere' is a place"):
         rays.across(SeededDraw("x"), where=["nowhere"], size=9, poses=EXACT)
+
+
+@pytest.mark.parametrize(("where", "wanted"), [("miss", (0, 0)), ("past", (0, 0)), ("inside", (1, 0))])
+def test_a_small_circle_far_away_is_nearly_met_exactly(where, wanted):
+    cases = made(rays.near_far_away, where=[where], distance=27)
+    assert {roots_ahead(case) for case in cases} == {wanted}
+    assert all(min(map(abs, case[:2])) >= 2**26 and case[2] <= 1 for case in cases)

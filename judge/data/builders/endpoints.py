@@ -226,6 +226,89 @@ def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[i
     return posed(draw, level(radius, offset * draw.sign(), start, end), centre=0, **pose)
 
 
+def one_far_end(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Case:
+    """One end near a circle that is tiny beside the distance (`ratio` radii, bounds) of the other end.
+
+    The near end (short, touching) or the circle itself (tangent) is off by most of the band: a common point
+    by the whole case's extent, but by no length that leaves the far end out of account.
+    """
+    kind = draw.choice(where)
+    require(kind in ("tangent", "short", "touching"), f"{kind!r} is a place for the near end")
+    radius, offset, half = rational_chord(draw, size)
+    if 5 * abs(offset) > 4 * radius:
+        draw.reject()  # the chord shrinks by what the far end's band does to it
+    distance = radius * draw.integer(*ratio)
+    gap, divisor = hair(draw, distance, within=True, bits=1)
+    if kind == "tangent":
+        height, near = radius * divisor + gap * draw.sign(), radius * draw.integer(2, 9) * divisor
+    else:
+        height, near = offset * divisor, half * divisor + (gap if kind == "short" else -gap)
+    ends = (near, distance * divisor) if kind != "tangent" else (-near, distance * divisor)
+    figure = level(radius * divisor, height * draw.sign(), *(ends if draw.boolean() else ends[::-1]))
+    return posed(draw, figure, poses=("any",), divisor=divisor, centre=0, **pose)
+
+
+def short(draw: Draw, *, where: Sequence[str], size: int, **pose: Any) -> Case:
+    """A segment 1e-5 to 1e-4 radii long that touches (tangent) or crosses the circle, or ends at it.
+
+    A tangent, and the end in short and touching, is off the circle by most of the band, which is far more
+    than a hair of the segment's own length.
+    """
+    kind = draw.choice(where)
+    require(kind in ("tangent", "across", "short", "touching"), f"{kind!r} is a place for a short segment")
+    radius, offset, half = rational_chord(draw, size)
+    if 5 * abs(offset) > 4 * radius:
+        draw.reject()
+    gap, divisor = hair(draw, radius, within=True, bits=1)
+    back, ahead = (radius * draw.integer(10**3, 10**4) * (divisor // 10**8) for _ in range(2))
+    if kind == "tangent":
+        height = radius * divisor + gap * draw.sign()
+        figure = level(radius * divisor, height * draw.sign(), -back, ahead)
+    else:
+        root = half * divisor * draw.sign()
+        start = {"across": root - back, "short": root + gap, "touching": root - gap}[kind]
+        end = root + ahead
+        if draw.boolean():
+            start, end = end, start
+        figure = level(radius * divisor, offset * divisor, start, end)
+    return posed(draw, figure, poses=("any",), divisor=divisor, **pose)
+
+
+def point_near_circle(
+    draw: Draw, *, sides: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
+) -> Case:
+    """A segment that is one point, A == B, a `hair` inside or outside the circle."""
+    radius = draw.integer(max(1, size // 4), size)
+    side = draw.choice(sides)
+    require(side in ("inside", "outside"), f"{side!r} is a side of the circle")
+    gap, divisor = hair(draw, radius + 1, within=within, bits=bits)
+    place = radius * divisor + (gap if side == "outside" else -gap)
+    return posed(draw, level(radius * divisor, 0, place, place), poses=("any",), divisor=divisor, **pose)
+
+
+def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Case:
+    """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the segment nearly meets.
+
+    hit and miss are near tangents, stop and pass near ends, point is A == B; all of them are off by 4e-7 to
+    2e-6 of the extent.
+    """
+    steps = 24  # a radius in steps of 2**-24 and a place up to 2**28: what a double holds, and no more
+    require(distance <= 52 - steps, "the figure's steps are doubles at that distance")
+    radius = draw.integer(1 << (steps - 1), 1 << steps)
+    gap = draw.integer(radius // 10**6, radius * 2 // 10**6)
+    kind = draw.choice(where)
+    require(kind in ("hit", "miss", "stop", "pass", "point"), f"{kind!r} is a way to nearly meet a circle")
+    start = -radius - draw.integer(1, radius)
+    if kind in ("hit", "miss"):
+        height, end = (radius - gap if kind == "hit" else radius + gap), -start
+    else:
+        height, end = 0, -radius + (gap if kind == "pass" else -gap)
+        start = end if kind == "point" else start
+    ends = (start, end) if draw.boolean() else (end, start)
+    figure = level(radius, height * draw.sign(), *ends)
+    return posed(draw, figure, poses=("axis",), numbers="float", centre=0, scale=-steps, far=distance, **pose)
+
+
 def level(radius: int, offset: int, start: int, end: int) -> Figure:
     """The circle about the origin, and the segment at height `offset` from x = start to x = end."""
     return line((0, 0), radius, (start, offset), (end, offset))
@@ -255,4 +338,8 @@ SEGMENT_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "point-segment": point_segment,
     "point-circle": point_circle,
     "far-circle": far_circle,
+    "one-far-end": one_far_end,
+    "short": short,
+    "point-near-circle": point_near_circle,
+    "near-far-away": near_far_away,
 }

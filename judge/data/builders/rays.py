@@ -118,6 +118,37 @@ def origin_near_circle(
     return _posed(draw, radius * divisor, offset * divisor, start, divisor=divisor, poses=("any",), **pose)
 
 
+def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Case:
+    """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the ray nearly meets.
+
+    miss (a near tangent), past and inside (the origin, as in `origin_near_circle`): off by 4e-7 to 2e-6.
+    """
+    steps = 24  # a radius in steps of 2**-24 and a place up to 2**28: what a double holds, and no more
+    require(distance <= 52 - steps, "the figure's steps are doubles at that distance")
+    radius = draw.integer(1 << (steps - 1), 1 << steps)
+    gap = draw.integer(radius // 10**6, radius * 2 // 10**6)
+    kind = draw.choice(where)
+    places = {
+        "miss": ((radius + gap) * draw.sign(), -radius),
+        "past": (0, radius + gap),
+        "inside": (0, gap - radius),
+    }
+    require(kind in places, f"{kind!r} is a way to nearly meet a circle")
+    offset, start = places[kind]
+    return _posed(
+        draw,
+        radius,
+        offset,
+        start,
+        poses=("axis",),
+        numbers="float",
+        centre=0,
+        scale=-steps,
+        far=distance,
+        **pose,
+    )
+
+
 def null_direction(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
     """D = (0, 0), the origin on the circle, inside, outside, or (point) all of a circle of radius 0."""
     radius, offset, half = rational_chord(draw, size)
@@ -246,6 +277,7 @@ RAY_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "near-tangent": near_tangent,
     "origin-on-circle": origin_on_circle,
     "origin-near-circle": origin_near_circle,
+    "near-far-away": near_far_away,
     "null-direction": null_direction,
     "point-circle": point_circle,
     "far-circle": far_circle,
