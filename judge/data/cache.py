@@ -1,7 +1,7 @@
 """The cache of built data: one file a problem, read whole on a warm start.
 
     <cache folder>/data/<id>-<place>-<seed>-<key>.json
-        line 1     the sha256 of everything after it
+        line 1     the sha256 of the file's key and of everything after this line
         the rest   {"<group>": [[case, …], [target, …]], …}
 
 `place` stands for the problem's folder, `key` for the content of everything the data are made from. The cache
@@ -21,7 +21,7 @@ from judge.data.atomic import replace_file
 from judge.errors import ProblemError
 from judge.spec import Problem
 
-FORMAT = 1  # raise it when the form of the file changes
+FORMAT = 2  # raise it when the form of the file changes
 
 _VARIABLE = "JUDGE_CACHE"
 _PACKAGE = Path(__file__).resolve().parent.parent
@@ -44,7 +44,7 @@ class DataCache:
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
         checksum, _, body = content.partition(b"\n")
-        if checksum != hashlib.sha256(body).hexdigest().encode():
+        if checksum != self._checksum(body):
             return None
         try:
             return json.loads(body)
@@ -57,7 +57,7 @@ class DataCache:
         try:
             path = self._path()
             path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(path, hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
+            replace_file(path, self._checksum(body) + b"\n" + body)
             for old in path.parent.glob(f"{self._stem}*.json"):
                 if old != path:
                     old.unlink(missing_ok=True)
@@ -68,11 +68,16 @@ class DataCache:
             )
         return None
 
+    def _checksum(self, body: bytes) -> bytes:
+        """With the key in it, so that a sound file under another one's name is not taken for its data."""
+        return hashlib.sha256(self._key.encode() + body).hexdigest().encode()
+
     def _path(self) -> Path:
-        return _folder() / "data" / f"{self._stem}{self._key}.json"
+        return cache_folder() / "data" / f"{self._stem}{self._key}.json"
 
 
-def _folder() -> Path:
+def cache_folder() -> Path:
+    """Where built data are kept: $JUDGE_CACHE, or the user's own cache folder."""
     own = os.environ.get(_VARIABLE)
     if own:
         return Path(own)

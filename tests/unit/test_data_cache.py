@@ -101,35 +101,49 @@ def test_without_the_cache_nothing_is_read_or_kept(folder):
     assert not folder.exists()
 
 
-def with_checksum(body):
-    return hashlib.sha256(body).hexdigest().encode() + b"\n" + body
+def with_checksum(file, body):
+    """A file of this name as the cache would write it, its checksum right."""
+    key = file.stem.rpartition("-")[2]
+    return hashlib.sha256(key.encode() + body).hexdigest().encode() + b"\n" + body
 
 
 @pytest.mark.parametrize(
-    "content",
+    ("content", "checked"),
     [
-        b"",
-        b"\n",
-        b"\xff\x00" * 50,
-        with_checksum(b"not JSON"),
-        with_checksum(b"[]"),
-        with_checksum(b"null"),
-        with_checksum(b'{"examples": [[], []], "small": [[], []]}'),
-        with_checksum(b'{"examples": 3, "small": [[[1]], [1]]}'),
-        with_checksum(b'{"examples": [[[1], 2], [1, 1]], "small": [[[1],[1],[1],[1],[1]], [1,1,1,1,1]]}'),
-        with_checksum(b"[" * 100_000),
+        (b"", False),
+        (b"\n", False),
+        (b"\xff\x00" * 50, False),
+        (b"not JSON", True),
+        (b"[]", True),
+        (b"null", True),
+        (b'{"examples": [[], []], "small": [[], []]}', True),
+        (b'{"examples": 3, "small": [[[1]], [1]]}', True),
+        (b'{"examples": [[[1], 2], [1, 1]], "small": [[[1],[1],[1],[1],[1]], [1,1,1,1,1]]}', True),
+        (b"[" * 100_000, True),
     ],
 )
-def test_a_corrupt_file_is_built_anew(folder, content):
+def test_a_corrupt_file_is_built_anew(folder, content, checked):
     problem = load_problem(SOUND)
     sound = plain(built(problem)[0])
     (file,) = folder.iterdir()
-    file.write_bytes(content)
+    file.write_bytes(with_checksum(file, content) if checked else content)
     data, was_built = built(problem)
     assert was_built
     assert plain(data) == sound
     assert data.notes == ()
     assert not built(problem)[1]
+
+
+def test_the_data_of_another_seed_under_this_name_are_built_anew(folder):
+    problem = load_problem(SOUND)
+    sound = plain(built(problem)[0])
+    (own,) = folder.iterdir()
+    built(problem, seed=5)
+    (seeded,) = set(folder.iterdir()) - {own}
+    own.write_bytes(seeded.read_bytes())
+    data, was_built = built(problem)
+    assert was_built
+    assert plain(data) == sound
 
 
 @pytest.mark.parametrize("place", [0, 1, 70, -1])
@@ -224,6 +238,7 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
 def test_the_file_is_plain_json_below_its_checksum(folder):
     built(load_problem(SOUND))
     (file,) = folder.iterdir()
-    checksum, _, body = file.read_bytes().partition(b"\n")
-    assert hashlib.sha256(body).hexdigest().encode() == checksum
+    content = file.read_bytes()
+    _, _, body = content.partition(b"\n")
+    assert content == with_checksum(file, body)
     assert list(json.loads(body)) == ["examples", "small"]
