@@ -1,6 +1,7 @@
 """Judging one submission: executing, comparing, measuring."""
 
 from judge.run.execute import Settings, run_submission
+from judge.run.measure import Reference
 from judge.run.result import (
     Failure,
     GroupResult,
@@ -17,6 +18,7 @@ __all__ = [
     "GroupResult",
     "Mode",
     "Ratio",
+    "Reference",
     "Result",
     "Settings",
     "Timing",

@@ -12,20 +12,19 @@ from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.run.function import judge_calls
-from judge.run.measure import measure, reference_source
+from judge.run.measure import Reference, measure
 from judge.run.parallel import Turnstile, share
-from judge.run.program import judge_program
+from judge.run.program import judge_programs
 from judge.run.result import Failure, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.run.timing import Decision
-from judge.sandbox import Box, Inspection, SourceFault, Usage, open_box
+from judge.sandbox import Box, BoxFactory, Inspection, SourceFault, Usage, open_box
 from judge.spec import Problem, Verdict
 
 if TYPE_CHECKING:
     from judge.data import GroupData, ProblemData
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
-BoxFactory = Callable[[bytes, str], Box]
 
 MOST_TIMEOUTS = 2  # groups that may run out of time before the rest is not run: a person is waiting
 
@@ -34,13 +33,15 @@ class Settings(Struct, frozen=True):
     """How to judge, whatever is judged.
 
     `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
-    `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone.
+    `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone;
+    `reference` is there where several submissions share it.
     """
 
     box_factory: BoxFactory = open_box
     workers: int = 1
     measured: bool = True
     turnstile: Turnstile | None = None
+    reference: Reference | None = None
 
 
 def run_submission(
@@ -116,11 +117,11 @@ def _race(
     settings: Settings,
     turnstile: Turnstile,
 ) -> Decision:
-    reference = reference_source(problem, mode)
-    if reference is None:
-        return Decision(None)
-    with settings.box_factory(*reference) as other, turnstile.measuring():
-        return measure(problem, mode, groups, box, other)
+    with ExitStack() as stack:
+        shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
+        stack.enter_context(turnstile.measuring())
+        reference = shared.open(mode)
+        return measure(problem, mode, groups, box, reference) if reference else Decision(None)
 
 
 class _Judging:
@@ -142,35 +143,53 @@ class _Judging:
         self._settings = settings
         self._on_progress = on_progress
         self._lock = threading.Lock()
+        self._called: set[str] = set()
         self._done = self._total = self._timeouts = 0
 
     def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
         tallies = [Tally(self._data, group, self._mode) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
+        workers = self._settings.workers
         here = threading.current_thread()
 
-        def work(queue: Iterable[tuple[int, Tally]]) -> None:
+        def work(queue: Iterable[tuple[int, list[Tally]]]) -> None:
             with ExitStack() as stack:
                 mine = box
                 if threading.current_thread() is not here:
                     mine = stack.enter_context(self._settings.box_factory(self._source, self._name))
-                for _, tally in queue:
-                    self._judge(mine, tally)
+                for _, share_of in queue:
+                    self._judge(mine, share_of)
 
-        share(tallies, self._settings.workers, work)
+        share([tallies[first::workers] for first in range(min(workers, len(tallies)))], workers, work)
+        for tally in tallies:
+            if not tally.run:
+                tally.failed(0, Verdict.TLE, f"not run: {MOST_TIMEOUTS} groups ran out of time")
         return tallies
 
-    def _judge(self, box: Box, tally: Tally) -> None:
-        if self._timeouts < MOST_TIMEOUTS:
-            (judge_calls if self._mode is Mode.FUNCTION else judge_program)(box, tally)
-        else:
-            tally.failed(0, Verdict.TLE, f"not run: {MOST_TIMEOUTS} groups before it ran out of time")
+    def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
+        judge_groups = judge_calls if self._mode is Mode.FUNCTION else judge_programs
+        judge_groups(
+            box,
+            tallies,
+            stop=lambda: self._timeouts >= MOST_TIMEOUTS,
+            on_calls=self._after_calls,
+            on_group=self._after_group,
+        )
+
+    def _after_calls(self, tally: Tally) -> None:
+        with self._lock:
+            if tally.group.group.name not in self._called:
+                self._called.add(tally.group.group.name)
+                self._done += len(tally.group.cases)
+                if self._on_progress:
+                    self._on_progress(self._done, self._total)
+
+    def _after_group(self, tally: Tally) -> None:
+        tally.run = True
+        self._after_calls(tally)
         with self._lock:
             self._timeouts += tally.verdict is Verdict.TLE
-            self._done += len(tally.group.cases)
-            if self._on_progress:
-                self._on_progress(self._done, self._total)
 
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:
@@ -195,10 +214,13 @@ _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is m
 def _noted(failure: Failure, inspection: Inspection, entry: str, source: bytes) -> Failure:
     """A program's failure, told that it was taken for one only because the entry function is missing."""
     close = nearest(entry, (name for name, _ in inspection.names))
-    if close is None and any(word in source for word in _READS):
+    nested = f"def {entry}(".encode() in source
+    if close is None and not nested and any(word in source for word in _READS):
         return failure
     note = f"it was run as a program because it defines no {entry}"
-    if close:
+    if nested:
+        note += " at its top level: move it out of the class or function it stands in"
+    elif close:
         line = next(line for name, line in inspection.names if name == close)
         note += f"; is {close} (line {line}) meant to be it?"
     return replace(failure, message=f"{failure.message}; {note}")

@@ -6,7 +6,7 @@ cx cy r ax ay bx by    the parameters in order, floats as `repr`; T such lines
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from judge.run.tally import VERDICTS, Tally, group_limits
 from judge.sandbox import Box, ProgramResult, Stop
@@ -43,6 +43,23 @@ def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
     while lines and not lines[-1].strip(" \t"):
         lines.pop()
     return lines
+
+
+def judge_programs(
+    box: Box,
+    tallies: Sequence[Tally],
+    *,
+    stop: Callable[[], bool],
+    on_calls: Callable[[Tally], None],
+    on_group: Callable[[Tally], None],
+) -> None:
+    """Run the program once for each group; arguments as those of `judge_calls`."""
+    for tally in tallies:
+        if stop():
+            return
+        judge_program(box, tally)
+        on_calls(tally)
+        on_group(tally)
 
 
 def judge_program(box: Box, tally: Tally) -> None:

@@ -34,6 +34,7 @@ class Tally:
         self.problem: Problem = data.problem
         self.group = group
         self.usage = Usage()
+        self.run = False  # whether it was run to its end
         self.passed = 0
         self.verdict = Verdict.AC
         self.failure: Failure | None = None

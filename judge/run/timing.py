@@ -18,7 +18,7 @@ CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
-_PATIENCE_SECONDS = 0.15  # for the pairs of a submission that is nowhere near the limit
+_PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from judge.sandbox.boundary import (
+    LEVELS,
     Box,
+    BoxFactory,
     CallsResult,
     Inspection,
     Limits,
@@ -16,8 +19,15 @@ from judge.sandbox.boundary import (
     Usage,
 )
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from judge.sandbox.probe import Level
+
 __all__ = [
+    "LEVELS",
     "Box",
+    "BoxFactory",
     "CallsResult",
     "Inspection",
     "Limits",
@@ -26,18 +36,27 @@ __all__ = [
     "SourceFault",
     "Stop",
     "Usage",
+    "levels",
     "open_box",
 ]
 
 
-def open_box(source: bytes, name: str, *, python: str | None = None) -> Box:
-    """A box for one submission; use it in a `with` statement.
+def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()) -> Box:
+    """A box for one submission, at the best isolation level or at the one demanded; use it in a `with`.
 
     Args:
         source: the submission's bytes, as they are in its file.
         name: its file name, shown in tracebacks.
-        python: the interpreter that runs it; the judge's own where none is given.
+        level: "full", "strong" or "limits"; UsageError if that cannot be had here.
+        hide: more folders that must not be seen inside, if they lie among the interpreter's own.
     """
-    from judge.sandbox.process import ProcessBox  # only a run needs sockets and processes
+    from judge.sandbox import probe  # only a run needs sockets, processes and ctypes
 
-    return ProcessBox(source, name, python or sys.executable)
+    return probe.open_box(source, name, level=level, hide=hide)
+
+
+def levels() -> tuple[Level, ...]:
+    """What this machine gives, the best level first, by trying each."""
+    from judge.sandbox import probe
+
+    return probe.levels()

@@ -7,10 +7,13 @@ figures that were measured from outside. Nothing here knows what a problem is.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from enum import Enum
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
+
+BoxFactory = Callable[[bytes, str], "Box"]  # from a source and its file's name
+
+LEVELS = ("full", "strong", "limits")  # of isolation, the best first
 
 
 class Stop(Enum):
@@ -26,9 +29,8 @@ class Stop(Enum):
     TAMPERED = "tampered"  # it wrote on the judge's own channel
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """The bounds of one `call_many` or one `run_program`, all its calls together."""
+class Limits(NamedTuple):
+    """The bounds of one series of calls or one program; memory and output are those of the whole process."""
 
     cpu_seconds: float
     wall_seconds: float
@@ -36,15 +38,14 @@ class Limits:
     output_bytes: int
 
 
-@dataclass(frozen=True, slots=True)
-class Usage:
+class Usage(NamedTuple):
     """What the submission's processes have used, measured from outside, without start-up."""
 
     cpu_seconds: float = 0.0
     wall_seconds: float = 0.0
     memory_bytes: int = 0  # peak resident size
 
-    def __add__(self, other: Usage) -> Usage:
+    def __add__(self, other: Usage) -> Usage:  # type: ignore[override]
         return Usage(
             self.cpu_seconds + other.cpu_seconds,
             self.wall_seconds + other.wall_seconds,
@@ -52,8 +53,7 @@ class Usage:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class SourceFault:
+class SourceFault(NamedTuple):
     """Why a source cannot be run at all; `line` and `column` count from 1, 0 where there is none."""
 
     message: str
@@ -62,8 +62,7 @@ class SourceFault:
     text: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Inspection:
+class Inspection(NamedTuple):
     """What a source is, found inside the containment without running it."""
 
     fault: SourceFault | None
@@ -74,8 +73,7 @@ class Inspection:
         return any(bound == name for bound, _ in self.names)
 
 
-@dataclass(frozen=True, slots=True)
-class Reply:
+class Reply(NamedTuple):
     """One call's end; `answer` is the answer's JSON form (see encode.py) when `stop` is ANSWERED."""
 
     stop: Stop
@@ -83,20 +81,18 @@ class Reply:
     detail: str = ""  # for a person: the exception's last line with its line number, the signal's name
 
 
-@dataclass(frozen=True, slots=True)
-class CallsResult:
-    """The replies of one `call_many`, in order.
+class CallsResult(NamedTuple):
+    """The replies of one series of calls, in order.
 
-    A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the series:
-    it is the last reply, and the calls after it were not made.
+    A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the process:
+    it is the last reply, and the calls after it, those of later series too, were not made.
     """
 
     replies: tuple[Reply, ...]
     usage: Usage
 
 
-@dataclass(frozen=True, slots=True)
-class ProgramResult:
+class ProgramResult(NamedTuple):
     """One run of a whole program."""
 
     stop: Stop  # ANSWERED: it ended with status 0
@@ -118,16 +114,32 @@ class Box(Protocol):
 
     def __exit__(self, *exc: object) -> None: ...
 
+    def warm_up(self) -> None:
+        """Get ready for calls in the background, where the judge has something else to do first."""
+        ...
+
     def inspect(self) -> Inspection:
         """Parse and compile the source, without running it."""
         ...
 
-    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """Call the module's function `entry` once for each argument list, in order.
+    def call_series(
+        self,
+        entry: str,
+        series: Sequence[Sequence[Sequence[Any]]],
+        limits: Limits,
+        on_series: Callable[[], None] | None = None,
+    ) -> list[CallsResult]:
+        """Call the module's function `entry` once for each argument list, series by series, in order.
 
-        The module is imported once a process. Arguments are ints, floats and (nested) lists or tuples of
-        them; the submission receives inner sequences as tuples, fresh ones for each call.
+        The module is imported once for all series, each of which is measured by itself; `limits` holds for
+        each. Results end with the series that a call ended, so that there may be fewer than series.
+        Arguments are ints, floats and (nested) lists or tuples of them; the submission receives inner
+        sequences as tuples, fresh ones for each call. `on_series` is called after each series but the last.
         """
+        ...
+
+    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """The result of a single series."""
         ...
 
     def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:

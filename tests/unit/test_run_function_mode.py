@@ -7,6 +7,7 @@ from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
 from judge.run import Mode
+from judge.sandbox import levels
 from judge.spec import Verdict
 
 
@@ -20,10 +21,19 @@ def test_an_accepted_submission():
         ("two", 4, 4),
     ]
     assert progress == [(4, 8), (8, 8)]
-    assert result.isolation == "limits"
-    assert result.time.cpu_seconds > 0
+    assert result.isolation == next(level.name for level in levels() if level.available)
+    assert 0 <= result.time.cpu_seconds < 0.5  # next to nothing, and so is the start
+    assert result.time.wall_seconds > 0
     assert result.memory_bytes > 0
     assert result.groups[0].worst_ulps is None
+
+
+def test_the_time_of_all_calls_is_told():
+    body = "    until = time.thread_time() + 0.02\n    while time.thread_time() < until: pass\n    return int"
+    result = judged("import time\n" + GOOD.decode().replace("    return int", body), make_data("one", "two"))
+    assert result.verdict is Verdict.AC
+    assert [group.cpu_seconds > 0.07 for group in result.groups] == [True, True]
+    assert result.time.cpu_seconds == sum(group.cpu_seconds for group in result.groups)
 
 
 def test_a_wrong_answer_shows_the_first_failing_case():

@@ -89,6 +89,13 @@ def test_a_misspelt_entry_is_pointed_out():
     )
 
 
+def test_an_entry_inside_a_class_is_pointed_out():
+    message = judged("class Solution:\n    def answer(self, n, P):\n        return 1\n").failure.message
+    assert message.endswith(
+        "it defines no answer at its top level: move it out of the class or function it stands in"
+    )
+
+
 def test_a_file_that_reads_nothing_is_told_what_it_was_taken_for():
     message = judged("print(1)").failure.message
     assert message == (

@@ -1,48 +1,27 @@
-"""Function mode behind the boundary: replies, losses, limits, and what a hostile module can do to them."""
+"""Function mode behind the boundary: replies, losses and limits of a series of calls."""
 
 from __future__ import annotations
 
 import math
 import os
-import subprocess
+import signal
 import sys
-import time
-from pathlib import Path
 
 import pytest
-from sandboxed import LIMITS, call, limits, run
+from sandboxed import LIMITS, call, children, limits, lost_at_3
 
 from judge.compare.decode import number
-from judge.sandbox import Stop, measure, open_box
+from judge.errors import JudgeError
+from judge.sandbox import Stop, open_box
 
-ROOT = Path(__file__).parents[2]
 NUMBERS = [(n,) for n in range(5)]
+on_linux = pytest.mark.skipif(
+    sys.platform != "linux", reason="processes are told by /proc or die as on Linux"
+)
 
 
 def stops(result):
     return [reply.stop for reply in result.replies]
-
-
-def lost_at_3(body, within=LIMITS):
-    """The reply of call 3, whose body is given; the calls before it must have been answered."""
-    source = f"import os, sys, time\ndef f(n):\n    if n == 3:\n        {body}\n    return n\n"
-    result = call(source, NUMBERS, within)
-    assert [reply.answer for reply in result.replies[:3]] == [0, 1, 2]
-    assert len(result.replies) == 4
-    return result.replies[3]
-
-
-def gone(pid):
-    """Whether the process is dead within 10 s; whoever is init may still have to reap it."""
-    deadline = time.monotonic() + 10
-    while time.monotonic() < deadline:
-        try:
-            if Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z":
-                return True
-        except (FileNotFoundError, ProcessLookupError):
-            return True
-        time.sleep(0.01)
-    return False
 
 
 def test_answers_come_back_in_order_and_exactly():
@@ -66,6 +45,21 @@ def test_the_module_is_imported_once_for_a_series():
         box.inspect()
         assert box.call_many("f", NUMBERS, LIMITS).replies[-1].answer == 5
         assert box.call_many("f", [], LIMITS).replies == ()
+
+
+def test_nothing_is_kept_from_one_series_to_the_next():
+    source = b"""
+import math
+calls = []
+def f(n):
+    calls.append(n)
+    math.pi += 1
+    return len(calls), math.pi
+"""
+    with open_box(source, "my.py") as box:
+        first, second = (box.call_many("f", NUMBERS[:2], LIMITS) for _ in range(2))
+    assert [reply.answer for reply in first.replies] == [reply.answer for reply in second.replies]
+    assert second.replies[0].answer == [1, math.pi + 1]
 
 
 def test_an_exception_costs_only_its_own_call():
@@ -108,12 +102,20 @@ def test_an_exception_whose_text_raises_is_told_too():
         ("os._exit(7)", "exit status 7"),
         ("os.kill(os.getpid(), 11)", "killed by SIGSEGV (did it call itself too deeply?)"),
         ("os.kill(os.getpid(), 9)", "killed by SIGKILL"),
-        ("os.closerange(3, 100)", "exit status 1"),
     ],
 )
 def test_a_call_that_ends_its_process_costs_itself_and_ends_the_series(body, detail):
     reply = lost_at_3(body)
     assert (reply.stop, reply.detail) == (Stop.EXITED, detail)
+
+
+@pytest.mark.parametrize(
+    "body",
+    ["os.closerange(0, 100)", "sys.stdout.close(); sys.stderr.close()", "sys.stdout = sys.stderr = None"],
+)
+def test_a_call_that_closes_every_descriptor_loses_nothing(body):
+    result = call(f"import os, sys\ndef f(n):\n    if n == 1: {body}\n    return n", NUMBERS)
+    assert [reply.answer for reply in result.replies] == [0, 1, 2, 3, 4]
 
 
 def test_after_a_loss_the_next_series_runs_in_a_new_process():
@@ -167,60 +169,6 @@ def test_printing_does_not_reach_the_answers():
     assert [reply.answer for reply in call(source, NUMBERS).replies] == [0, 1, 2, 3, 4]
 
 
-@pytest.mark.parametrize("forgery", ["D\\x01\\0\\0\\0005", "x", "I\\0\\0\\0\\0", "D\\xff\\xff\\xff\\x7f"])
-def test_writing_on_the_judges_channel_is_tampering(forgery):
-    source = f"""
-import os
-def f(n):
-    if n == 3:
-        for fd in range(3, 40):
-            try: os.write(fd, b"{forgery}")
-            except OSError: pass
-    return n
-"""
-    with open_box(source.encode(), "my.py") as box:
-        result = box.call_many("f", NUMBERS, LIMITS)
-        assert result.replies[-1].stop is Stop.TAMPERED
-        assert box.call_many("f", NUMBERS[:1], LIMITS).replies[0].answer == 0
-
-
-@pytest.mark.parametrize("forgery", ["x", "D\\x01\\0\\0\\0005"])
-def test_more_on_the_channel_than_the_childs_own_frame_is_tampering(forgery):
-    source = f"""
-import os
-def f(n):
-    if n == 3:
-        os.write(int(open("/proc/self/cmdline").read().split(chr(0))[7]), b"{forgery}")
-    return n
-"""
-    assert call(source, NUMBERS).replies[-1].stop is Stop.TAMPERED
-
-
-def test_extra_answers_are_tampering():
-    source = """
-import os
-def f(n):
-    os.write(int(open("/proc/self/cmdline").read().split(chr(0))[8]), b"A1" + bytes([10]))
-    return n
-"""
-    result = call(source, NUMBERS)
-    assert len(result.replies) == 5
-    assert result.replies[-1].stop is Stop.TAMPERED
-
-
-@pytest.mark.parametrize("line", ["A[[[", "A" + "[" * 10**5, "ANaN", "Q1", "A\xff", "", "E1"])
-def test_a_line_in_another_form_is_tampering(line):
-    text = (line + "\n").encode("latin-1")
-    source = f"""
-import os
-def f(n):
-    os.write(int(open("/proc/self/cmdline").read().split(chr(0))[8]), {text!r})
-    return n
-"""
-    result = call(source, NUMBERS)
-    assert [reply.stop for reply in result.replies] == [Stop.TAMPERED]
-
-
 def test_a_module_that_fails_to_import_answers_every_call_with_the_reason():
     result = call("x = 1\n1 / 0\ndef f(n): return n", NUMBERS)
     assert set(stops(result)) == {Stop.EXCEPTION}
@@ -253,8 +201,11 @@ def test_modules_of_the_judges_own_side_are_not_importable():
 import sys
 def f(n):
     found = 0
-    for name in ("judge", "encode", "child", "boundary", "worker"):
-        if name in sys.modules: found += 1
+    for name in ("judge", "judge.sandbox", "judge.sandbox.inside.server", "encode", "child", "wire"):
+        found += name in sys.modules
+        try: __import__(name)
+        except ImportError: continue
+        found += 100
     return found
 """
     assert call(source, NUMBERS[:1]).replies[0].answer == 0
@@ -268,115 +219,75 @@ def test_a_submission_may_be_called_like_a_module_of_the_standard_library():
 
 def test_usage_is_measured_from_outside_and_without_start_up():
     quick = call("def f(n): return n", NUMBERS).usage
-    assert 0 < quick.cpu_seconds < 1
+    assert 0 <= quick.cpu_seconds < 0.1
     assert quick.memory_bytes > 1 << 20
-    source = "import time\ntime.process_time = lambda: 0.0\ndef f(n):\n    sum(range(10**6))"
+    source = """
+import time
+until, clock = time.process_time() + 0.2, time.process_time
+time.process_time = time.thread_time = lambda: 0.0
+def f(n):
+    while clock() < until: pass
+"""
     busy = call(source, NUMBERS).usage
-    assert busy.cpu_seconds > quick.cpu_seconds
+    assert 0.15 < busy.cpu_seconds <= busy.wall_seconds
 
 
-def test_what_a_call_leaves_behind_dies_with_the_box():
+@on_linux
+def test_what_a_call_leaves_behind_is_gone_when_it_is_answered():
     source = """
 import os, time
 def f(n):
-    pid = os.fork()
-    if pid == 0:
-        while True: time.sleep(1)
-    return pid
+    mine, theirs = os.pipe()
+    child = os.fork()
+    if child == 0:
+        grandchild = os.fork()
+        if grandchild: os.write(theirs, str(grandchild).encode())
+        else: os.setsid()
+        time.sleep(60)
+    return child, int(os.read(mine, 20))
 """
-    with open_box(source.encode(), "my.py") as box:
-        pid = box.call_many("f", [(1,)], LIMITS).replies[0].answer
-        os.kill(pid, 0)
-    assert gone(pid)
+    with open_box(source.encode(), "my.py", level="limits") as box:
+        for pid in box.call_many("f", [(1,)], LIMITS).replies[0].answer:
+            with pytest.raises(ProcessLookupError):
+                os.kill(pid, 0)
 
 
-def test_an_interrupt_leaves_nothing_behind(monkeypatch):
-    def watch(*args, **options):
+@on_linux
+def test_an_interrupt_leaves_nothing_behind():
+    def interrupt(*_):
         raise KeyboardInterrupt
 
-    workers = []
+    before = children()
+    handler = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        with open_box(b"import time\ndef f(n): time.sleep(n); return n", "my.py") as box:
+            box.call_many("f", [(0,)], LIMITS)
+            assert children() > before
+            signal.setitimer(signal.ITIMER_REAL, 0.1)
+            with pytest.raises(KeyboardInterrupt):
+                box.call_many("f", [(60,)], LIMITS)
+            assert children() == before
+            assert box.call_many("f", [(0,)], LIMITS).replies[0].answer == 0
+        assert children() == before
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, handler)
 
-    def interrupted():
-        with box:
-            box.inspect()
-            workers.append(box._worker)
-            monkeypatch.setattr(box._worker, "watch", watch)
+
+@on_linux
+def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
+    before = children()
+    with open_box(b"def f(n): return n", "my.py", level="limits") as box:
+        box.inspect()
+        for pid in children() - before:
+            os.kill(int(pid), signal.SIGKILL)
+        with pytest.raises(JudgeError, match="ended while it was made ready"):
             box.call_many("f", NUMBERS, LIMITS)
-
-    box = open_box(b"def f(n): return n", "my.py")
-    with pytest.raises(KeyboardInterrupt):
-        interrupted()
-    with pytest.raises(ProcessLookupError):
-        os.kill(workers[0].pid, 0)
-    assert not Path(box._folder).exists()
-
-
-KILLED_JUDGE = """
-import sys, threading, time
-from judge.sandbox import Limits, open_box
-source = b"import os, time\\ndef f():\\n    print(os.getpid(), flush=True)\\n    time.sleep(60)"
-with open_box(source, "my.py") as box:
-    box.inspect()
-    print(box._worker.pid, flush=True)
-    box.call_many("f", [()], Limits(60.0, 60.0, 1 << 28, 1 << 20))
-"""
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux kills a child with its parent")
-def test_a_killed_judge_takes_its_child_with_it(tmp_path):
-    command = [sys.executable, "-c", KILLED_JUDGE]
-    environment = {**os.environ, "TMPDIR": str(tmp_path)}
-    with subprocess.Popen(command, stdout=subprocess.PIPE, cwd=ROOT, env=environment) as judge:
-        pid = int(judge.stdout.readline())
-        judge.kill()
-    assert gone(pid)
+        assert stops(box.call_many("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
 
 
 def test_numpy_numbers_and_arrays_are_the_numbers_they_hold():
     pytest.importorskip("numpy")
     source = "import numpy as np\ndef f(n): return np.array([[n, 0.5]]), np.float64(n), np.int32(n)"
     reply = call(source, NUMBERS[:2]).replies[1]
-    if "No module named" in reply.detail:
-        pytest.skip("numpy is not where an isolated interpreter finds it")
     assert reply.answer == [[[1.0, 0.5]], 1.0, 1]
-
-
-@pytest.fixture
-def portable(monkeypatch):
-    """A system without other processes' clocks, pidfd and memfd."""
-    monkeypatch.setattr(measure, "HAS_CLOCK", False)
-    for name in ("pidfd_open", "memfd_create"):
-        monkeypatch.delattr(os, name, raising=False)
-
-
-@pytest.mark.usefixtures("portable")
-def test_without_linux_every_series_has_a_process_of_its_own():
-    with open_box(b"import os\ndef f(n): return os.getpid()", "my.py") as box:
-        assert box.inspect().defines("f")
-        pids = {box.call_many("f", NUMBERS, LIMITS).replies[-1].answer for _ in range(3)}
-    assert len(pids) == 3
-
-
-@pytest.mark.usefixtures("portable")
-@pytest.mark.parametrize(
-    ("body", "wall", "stop"),
-    [
-        ("while True: pass", 20.0, Stop.CPU),
-        ("time.sleep(60)", 0.5, Stop.WALL),
-        ("os._exit(0)", 20.0, Stop.EXITED),
-        ("bytes(1 << 40)", 20.0, Stop.MEMORY),
-        ("while True: print('x' * 999)", 20.0, Stop.OUTPUT),
-    ],
-)
-def test_without_linux_every_limit_holds(body, wall, stop):
-    assert lost_at_3(body, limits(cpu_seconds=0.2, wall_seconds=wall)).stop is stop
-
-
-@pytest.mark.usefixtures("portable")
-def test_without_linux_programs_run_too():
-    result = run("print(input())\nsum(range(10**6))", b"hello")
-    assert (result.stop, result.stdout) == (Stop.ANSWERED, b"hello\n")
-    assert result.usage.cpu_seconds > 0
-    assert run("while True: pass", within=limits(cpu_seconds=0.2)).stop is Stop.CPU
-    assert run("import time\ntime.sleep(60)", within=limits(wall_seconds=0.3)).stop is Stop.WALL
-    assert run("1 / 0").detail == "ZeroDivisionError: division by zero (line 1)"

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
-from sandboxed import LIMITS
+from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError
-from judge.sandbox import open_box
+from judge.sandbox import LEVELS, open_box
 
 
 def inspect(source):
@@ -69,23 +70,41 @@ def test_an_empty_source_compiles_and_binds_nothing():
     assert inspection.names == ()
 
 
-def test_nothing_is_left_when_a_box_closes():
-    before = len(list(Path("/dev/fd").iterdir()))
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are told by /proc")
+@pytest.mark.parametrize("level", LEVELS)
+def test_nothing_is_left_when_a_box_closes(level, tmp_path, monkeypatch):
+    require(level)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    descriptors, processes = len(list(Path("/dev/fd").iterdir())), children()
+    with open_box(b"def f(): return 1", "my.py", level=level) as box:
+        assert box.call_many("f", [()], LIMITS).replies[0].answer == 1
+        assert box.run_program(b"", LIMITS).detail == ""
+        assert children() > processes
+        assert not list(tmp_path.iterdir())
+    assert children() == processes
+    assert len(list(Path("/dev/fd").iterdir())) == descriptors
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_box_closes_twice_and_a_box_without_a_use_closes_too():
     with open_box(b"", "my.py") as box:
-        box.inspect()
-        folder = box._folder
-        pid = box._worker.pid
-        assert not list(Path(folder).iterdir())
-    assert not Path(folder).exists()
-    assert len(list(Path("/dev/fd").iterdir())) == before
-    with pytest.raises(ProcessLookupError):
-        os.kill(pid, 0)
+        box.__exit__(None, None, None)
+    assert box.isolation in LEVELS
 
 
 @pytest.mark.parametrize("python", ["/nowhere/python", "/bin/false"])
-def test_an_interpreter_that_does_not_start_is_one_clear_error(python):
-    with open_box(b"", "my.py", python=python) as box, pytest.raises(JudgeError, match=f"{python}: .*start"):
-        box.inspect()
+@pytest.mark.parametrize("level", [None, *LEVELS])
+def test_an_interpreter_that_does_not_start_is_one_clear_error(python, level, monkeypatch):
+    if level:
+        require(level)
+    before = children()
+    monkeypatch.setattr(sys, "executable", python)
+    with pytest.raises(JudgeError) as caught, open_box(b"", "my.py", level=level):
+        pass
+    what = f"isolation {level} cannot be had here: " if level else "no container can be started: "
+    assert caught.value.what.startswith(what)
+    assert "\n" not in caught.value.what
+    assert children() == before
 
 
 def test_the_child_sees_only_a_minimal_environment(monkeypatch):
@@ -95,5 +114,8 @@ def test_the_child_sees_only_a_minimal_environment(monkeypatch):
 
 
 def test_the_interpreter_is_the_judges_own():
-    with open_box(b"import sys\nprint(sys.executable)", "my.py") as box:
-        assert box.run_program(b"", LIMITS).stdout.decode().strip() == sys.executable
+    source = b"import sys\nprint(sys.executable)\nprint(sys.version)"
+    with open_box(source, "my.py") as box:
+        executable, *version = box.run_program(b"", LIMITS).stdout.decode().splitlines()
+    assert os.path.realpath(executable) == os.path.realpath(sys.executable)
+    assert version == sys.version.splitlines()

@@ -58,8 +58,8 @@ def test_an_uncaught_exception_has_its_line_and_only_the_submissions_frames():
     )
 
 
-def test_an_exception_text_of_several_lines_is_told_by_its_first():
-    assert run("raise ValueError('one\\ntwo')").detail == "ValueError: one (line 1)"
+def test_an_exception_text_of_several_lines_is_told_in_one():
+    assert run("raise ValueError('one\\n  two\\x1b[2J')").detail == "ValueError: one two [2J (line 1)"
 
 
 def test_reading_past_the_end_of_stdin_is_an_exception():

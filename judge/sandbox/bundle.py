@@ -1,0 +1,70 @@
+"""The fork server's own code as one file, so that no path of the package is needed inside the container.
+
+A descriptor carries marshal data: (modules, config, source). The interpreter inside, the same as the
+judge's, reads it, makes the modules under their own names and starts the server; the server forgets those
+names again before anything foreign runs.
+"""
+
+from __future__ import annotations
+
+import marshal
+import sys
+from functools import cache
+from importlib.util import find_spec
+from types import CodeType
+from typing import Any
+
+_ALWAYS = (
+    "judge.sandbox.encode",
+    "judge.sandbox.inside.wire",
+    "judge.sandbox.inside.source",
+    "judge.sandbox.inside.child",
+    "judge.sandbox.inside.confine",
+    "judge.sandbox.inside.server",
+)
+_ON_LINUX = (
+    "judge.sandbox.linux.kernel",
+    "judge.sandbox.linux.syscalls",
+    "judge.sandbox.linux.bpf",
+    "judge.sandbox.linux.landlock",
+    "judge.sandbox.linux.seccomp",
+)
+
+# argv: the bundle's descriptor, the channel's, the region's
+BOOTSTRAP = """\
+import marshal, sys
+from types import ModuleType
+bundle, channel, region = map(int, sys.argv[1:])
+with open(bundle, "rb") as file:
+    modules, config, source = marshal.load(file)
+for name in ("judge", "judge.sandbox", "judge.sandbox.inside", "judge.sandbox.linux"):
+    sys.modules[name] = ModuleType(name)
+    sys.modules[name].__path__ = []
+for name, code in modules:
+    module = sys.modules[name] = ModuleType(name)
+    package, _, own = name.rpartition(".")
+    setattr(sys.modules[package], own, module)
+    exec(code, module.__dict__)
+sys.modules["judge.sandbox.inside.server"].start(channel, region, config, source)
+"""
+
+
+def pack(config: dict[str, Any], source: bytes) -> bytes:
+    """The bundle's bytes. `config` holds plain values only."""
+    return marshal.dumps((_modules(), config, source))
+
+
+@cache
+def _modules() -> tuple[tuple[str, CodeType], ...]:
+    """The modules in the order in which they import one another."""
+    names = (*_ON_LINUX, *_ALWAYS) if sys.platform == "linux" else _ALWAYS
+    return tuple((name, _code_of(name)) for name in names)
+
+
+def _code_of(name: str) -> CodeType:
+    spec = find_spec(name)
+    loader: Any = spec.loader if spec else None
+    code = loader.get_code(name) if loader else None
+    if not isinstance(code, CodeType):
+        raise ImportError(f"no code for {name}", name=name)
+    return code

@@ -1,0 +1,219 @@
+"""One running fork server as the judge sees it: start it, ask it, be sure that it is gone.
+
+Every wait is bounded. A server that does not answer in time is killed with everything in it; the next
+request starts another.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from judge.errors import JudgeError
+from judge.sandbox import bundle, launch, shared
+from judge.sandbox.inside import wire
+from judge.sandbox.roots import Roots
+
+START_SECONDS = 20.0  # a loaded machine, a cold disk
+GRACE_SECONDS = 5.0  # beyond a request's own wall limit
+END_SECONDS = 1.0
+REASON_BYTES = 2000
+
+_PAIR = (
+    getattr(socket, "SOCK_SEQPACKET", socket.SOCK_STREAM) if sys.platform == "linux" else socket.SOCK_STREAM
+)
+
+
+class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
+    """A level cannot be had here; the text is the reason."""
+
+
+class Lost(Exception):  # noqa: N818 - it never reaches a person
+    """The fork server died or did not answer, the container is gone; `replies` is what its child left."""
+
+    def __init__(self, replies: bytes = b"") -> None:
+        super().__init__()
+        self.replies = replies
+
+
+class Done(NamedTuple):
+    """A child's end as the fork server measured it."""
+
+    status: int  # as wait4 gives it
+    reason: int  # wire.NOT_KILLED, FOR_CPU, FOR_WALL
+    cpu_ns: int
+    wall_ns: int
+    peak_bytes: int
+    started: int  # whether the child came as far as running foreign code
+    marks: tuple[tuple[int, int], ...] = ()  # (cpu ns, wall ns) of each series before the last
+
+
+OnSeries = Callable[[], None]  # told of each series that has ended but the last
+
+
+class Container:
+    """A fork server and its descriptors."""
+
+    def __init__(self, level: str, name: str, source: bytes, roots: Roots) -> None:
+        """Start it. Raises NotStarted where the command itself is missing."""
+        self.region: wire.Region
+        self._closing = contextlib.ExitStack()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._ready = False
+        try:
+            self._start(level, name, source, roots)
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self, level: str, name: str, source: bytes, roots: Roots) -> None:
+        ours, theirs = socket.socketpair(socket.AF_UNIX, _PAIR)
+        self._line = wire.Channel(ours)
+        self._closing.callback(ours.close)
+        descriptor, self.region = shared.region()
+        self._closing.callback(self.region.close)
+        self._complaints = self._closing.enter_context(tempfile.TemporaryFile())  # noqa: SIM115
+        with contextlib.ExitStack() as passed:
+            passed.callback(theirs.close)
+            passed.callback(os.close, descriptor)
+            code = shared.nameless()
+            passed.callback(os.close, code)
+            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor))
+            shared.write_whole(code, bundle.pack(plan.config, source))
+            os.lseek(code, 0, os.SEEK_SET)
+            try:
+                self._process = subprocess.Popen(
+                    plan.command,
+                    env=plan.environment,
+                    cwd="/",
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=self._complaints,
+                    pass_fds=(code, theirs.fileno(), descriptor),
+                    start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
+                )
+            except OSError as error:
+                raise NotStarted(f"{plan.command[0]} cannot be started: {error.strerror}") from error
+
+    def await_ready(self) -> None:
+        """Wait until it has confined itself. Raises NotStarted, the container then being closed."""
+        if self._ready:
+            return
+        frame = self._receive(START_SECONDS)
+        if not frame.startswith(wire.READY):
+            self._complaints.seek(0)
+            said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
+            reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
+            self.close()
+            raise NotStarted(reason)
+        self._ready = True
+
+    def _receive(self, seconds: float) -> bytes:
+        self._line.patience(seconds)
+        try:
+            return self._line.receive()[0]
+        except OSError:  # hung up, or not in time
+            return b""
+
+    def ask(
+        self,
+        kind: bytes,
+        stdio: Sequence[int],
+        payload: bytes,
+        *,
+        cpu_ns: int,
+        wall_ns: int,
+        memory: int,
+        output: int,
+        series: int = 1,
+        on_series: OnSeries | None = None,
+    ) -> Done:
+        """One request and its answer; the limits of time are each series' own. Raises Lost, NotStarted."""
+        if self._process is None:
+            raise Lost
+        self.await_ready()
+        start = wire.replies_at(len(payload))
+        stop = start + min(output, wire.REPLY_BYTES)
+        if stop > wire.REGION_BYTES:
+            raise JudgeError(
+                "more calls at once than the container's memory holds", remedy="make fewer at a time"
+            )
+        self.region.prepare(payload)
+        frame = wire.REQUEST.pack(kind, cpu_ns, wall_ns, memory, output, len(payload), stop, series)
+        try:
+            self._line.send(frame, stdio)
+        except OSError:
+            self.close()
+            raise Lost from None
+        marks: list[tuple[int, int]] = []
+        while True:
+            answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
+            if answer.startswith(wire.ENDED):
+                _, status, reason, cpu, wall, peak, started = wire.DONE.unpack_from(answer)
+                return Done(status, reason, cpu, wall, peak, started, tuple(marks))
+            if not answer.startswith(wire.MARKED) or len(marks) == series:
+                data = self.replies(payload, output)
+                self.close()
+                raise Lost(data)
+            marks.append(wire.MARK.unpack_from(answer)[1:])
+            if on_series:
+                on_series()
+
+    def replies(self, payload: bytes, output: int) -> bytes:
+        """What the last child appended; foreign data."""
+        start = wire.replies_at(len(payload))
+        return self.region.replies(start, start + min(output, wire.REPLY_BYTES))
+
+    def close(self) -> None:
+        """Hang up, which ends the server; kill it if that takes too long. Safe to call twice."""
+        process, self._process = self._process, None
+        try:
+            if process is not None:
+                self._line.close()
+                _await_end(process)
+        finally:
+            if process is not None:
+                _kill(process)
+            self._closing.close()
+
+
+def _await_end(process: subprocess.Popen[bytes]) -> None:
+    """Give it a moment; by its own descriptor where there is one, since Popen.wait looks only every 50 ms."""
+    descriptor = _descriptor_of(process.pid)
+    if descriptor is None:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(END_SECONDS)
+        return
+    try:
+        ended = select.poll()
+        ended.register(descriptor, select.POLLIN)
+        ended.poll(END_SECONDS * 1000)
+    finally:
+        os.close(descriptor)
+
+
+def _descriptor_of(pid: int) -> int | None:
+    """A descriptor that is readable once the child has ended; None where the system has no such thing."""
+    if sys.platform != "linux":
+        return None
+    try:
+        return os.pidfd_open(pid)
+    except OSError:  # before Linux 5.3, or refused by the filter of a container around the judge
+        return None
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    """Its session has no other members than its own; under bubblewrap its death is that of its namespace."""
+    if process.poll() is None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()

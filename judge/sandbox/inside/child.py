@@ -1,0 +1,249 @@
+"""What a child of the fork server does: look at the source, make calls, or be the program. It never returns.
+
+Up to the moment the baseline is written only trusted code has run in it; the submission's code comes after,
+in the same interpreter, and may do to everything here what it likes: it can only spoil its own replies.
+"""
+
+from __future__ import annotations
+
+import _signal as signal  # type: ignore[import-not-found]
+import builtins
+import errno
+import marshal
+import os
+import resource
+import sys
+from _json import encode_basestring_ascii as quoted
+from _json import make_encoder
+from types import CodeType, ModuleType
+
+from judge.sandbox.encode import encode
+from judge.sandbox.inside import source, wire
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from types import TracebackType
+    from typing import Any, NoReturn
+
+DETAIL_LENGTH = 500
+TALLY = 3  # the descriptor the baseline goes to
+
+ANSWERED, RAISED = 0, 1  # first item of a reply
+
+
+def take_descriptors(stdio: list[int], tally: int) -> None:
+    """Take on stdin, stdout, stderr and the baseline's pipe, and close everything else."""
+    kept = [os.dup(number) if number < wire.CHILD_DESCRIPTORS else number for number in (*stdio, tally)]
+    for place, number in enumerate(kept):
+        os.dup2(number, place, inheritable=True)
+    os.closerange(wire.CHILD_DESCRIPTORS, wire.MOST_DESCRIPTORS)
+
+
+def start_the_clock() -> None:
+    """Tell the fork server the CPU time used so far, as wait4 counts it; from here on it is foreign."""
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    spent = round((usage.ru_utime + usage.ru_stime) * 1e9)
+    os.write(TALLY, spent.to_bytes(8, "little"))
+    os.close(TALLY)
+
+
+def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
+    """Compile the source, and reply with what `source.inspect` finds."""
+    start_the_clock()
+    line = "".join(_json(source.inspect(text, name), 0)).encode() + b",\n"
+    start = region.words[wire.USED]
+    if start + len(line) <= stop:
+        region.memory[start : start + len(line)] = line
+        region.words[wire.USED] = start + len(line)
+    os._exit(0)
+
+
+def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
+    """Run the code as `__main__`, end as an interpreter would."""
+    module = _main_module("__main__", name)
+    start_the_clock()
+    status = 0
+    try:
+        exec(code, module.__dict__)
+    except SystemExit as left:
+        status = _status_of(left.code)
+    except MemoryError as error:
+        _note_memory(region, error, name)
+        status = 1
+    except BaseException as error:
+        region.write_note(wire.RAISED, _described(error, name))
+        _show(error, name)
+        status = 1
+    os._exit(_finish(status) & 0xFF)
+
+
+def make_calls(code: CodeType, name: str, region: wire.Region, payload: bytes, stop: int) -> NoReturn:
+    """Import the module, call its entry once for each argument list, append a reply for each.
+
+    Between two series it stops, so that each is measured apart.
+    """
+    entry, series = marshal.loads(payload)
+    count = sum(map(len, series))
+    me, pause = os.getpid(), os.kill
+    module = _main_module("submission", name)  # its own name may be that of a module it imports
+    start_the_clock()
+    replies = _Replies(region, stop)
+    try:
+        exec(code, module.__dict__)
+    except MemoryError as error:
+        _note_memory(region, error, name)
+        os._exit(1)
+    except BaseException as error:
+        replies.all_raised(f"{_described(error, name)}, while the module was imported", count)
+        os._exit(_flushed(0))
+    region.words[wire.IMPORTED] = 1
+    if entry in module.__dict__:
+        for place, calls in enumerate(series):
+            if place:
+                pause(me, signal.SIGSTOP)
+            replies.make(module.__dict__[entry], calls, name)
+    else:
+        replies.all_raised(f"the module has no {entry} once it is imported", count)
+    os._exit(_flushed(0))
+
+
+class _Replies:
+    """Appends to the region's replies; ends the process where they no longer fit."""
+
+    def __init__(self, region: wire.Region, stop: int) -> None:
+        self._region = region
+        self._at = region.words[wire.USED]
+        self._stop = stop
+
+    def make(self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str) -> None:
+        memory, words, used = self._region.memory, self._region.words, wire.USED
+        at, stop, as_json, form_of = self._at, self._stop, _json, encode
+        for arguments in calls:
+            try:
+                answer = form_of(function(*arguments))
+                kind = type(answer)
+                plain = kind is int or kind is float
+                line = (
+                    f"[0,{answer!r}],\n".encode()
+                    if plain
+                    else f"[0,{''.join(as_json(answer, 0))}],\n".encode()
+                )
+            except MemoryError as error:
+                _note_memory(self._region, error, name)
+                os._exit(1)
+            except BaseException as error:  # SystemExit too: the end of this call, not of the next
+                if isinstance(error, OSError) and error.errno == errno.EFBIG:
+                    self._too_much("")  # it printed more than it may
+                line = _raised(_described(error, name))
+            end = at + len(line)
+            if end > stop:
+                self._too_much()
+            memory[at:end] = line
+            words[used] = at = end
+        self._at = at
+
+    def all_raised(self, text: str, count: int) -> None:
+        lines = _raised(text) * count
+        end = self._at + len(lines)
+        if end > self._stop:
+            self._too_much()
+        self._region.memory[self._at : end] = lines
+        self._region.words[wire.USED] = end
+
+    def _too_much(self, text: str = "its answers together are longer than allowed") -> NoReturn:
+        self._region.write_note(wire.TOO_MUCH, text)
+        os._exit(1)
+
+
+def _refused(value: object) -> NoReturn:
+    raise TypeError(f"no JSON form for {type(value).__name__}")
+
+
+_json: Any = make_encoder(None, _refused, quoted, None, ":", ",", False, False, False)
+
+
+def _raised(text: str) -> bytes:
+    return f"[1,{quoted(text)}],\n".encode()
+
+
+def _main_module(module_name: str, file_name: str) -> ModuleType:
+    module = ModuleType(module_name)
+    module.__dict__.update(__builtins__=builtins, __file__=file_name)
+    sys.modules[module_name] = module
+    sys.argv[:] = [file_name]
+    return module
+
+
+def _status_of(code: object) -> int:
+    if code is None:
+        return 0
+    if isinstance(code, int):
+        return int(code)
+    try:
+        sys.stderr.write(f"{code}\n")
+    except BaseException:  # its own stream, and nothing to report it on
+        return 1
+    return 1
+
+
+def _show(error: BaseException, name: str) -> None:
+    """The traceback on its stderr, from its own first frame on."""
+    step = error.__traceback__
+    while step is not None and step.tb_frame.f_code.co_filename != name:
+        step = step.tb_next
+    error.__traceback__ = step or error.__traceback__
+    try:
+        sys.excepthook(type(error), error, error.__traceback__)
+    except BaseException:  # a hook of its own that fails
+        return
+
+
+def _finish(status: int) -> int:
+    """What an interpreter does at its end: wait for threads, run exit functions, flush."""
+    try:
+        if "threading" in sys.modules:
+            sys.modules["threading"]._shutdown()
+        if "atexit" in sys.modules:
+            sys.modules["atexit"]._run_exitfuncs()
+    except BaseException:
+        status = status or 1
+    return _flushed(status)
+
+
+def _flushed(status: int) -> int:
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except BaseException:  # closed, replaced, or past the limit: the judge sees what arrived
+            status = status or 120
+    return status
+
+
+def _note_memory(region: wire.Region, error: MemoryError, name: str) -> None:
+    """Say so first: describing the error needs memory too."""
+    region.write_note(wire.NO_MEMORY, "")
+    try:
+        region.write_note(wire.NO_MEMORY, _described(error, name))
+    except MemoryError:
+        return
+
+
+def _described(error: BaseException, name: str) -> str:
+    """One line for a person, whatever the exception's own text does."""
+    try:
+        text = " ".join(str(error)[: 4 * DETAIL_LENGTH].split())[:DETAIL_LENGTH]
+    except BaseException:
+        text = "(its text cannot be shown)"
+    what = f"{type(error).__name__}: {text}" if text else type(error).__name__
+    line = _own_line(error.__traceback__, name)
+    return f"{what} (line {line})" if line else what
+
+
+def _own_line(step: TracebackType | None, name: str) -> int:
+    line = 0
+    while step is not None:
+        if step.tb_frame.f_code.co_filename == name:
+            line = step.tb_lineno
+        step = step.tb_next
+    return line

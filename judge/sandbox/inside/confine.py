@@ -1,0 +1,120 @@
+"""Giving up rights, in the order in which the kernel allows it.
+
+    the fork server, once    other user (root only) → death with the parent → no new privileges
+                             → landlock → big filter
+    a child, each time       resource limits → small filter
+
+A credential change clears the death signal, so that comes after it. Landlock and seccomp are inherited.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import sys
+
+from judge.sandbox.inside import wire
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from judge.sandbox.linux.seccomp import ChildFilter
+
+LINUX = sys.platform == "linux"
+_SIGKILL = 9
+
+
+class Confinement:
+    """This process confined for good, and what each of its children still has to do."""
+
+    def __init__(self, config: dict[str, Any]) -> None:
+        """Give up everything the fork server does not need. Raises OSError where the kernel refuses."""
+        self._threads: int = config["threads"]
+        self._die_with_parent: Callable[[], None] = _nothing
+        self._small: ChildFilter | None = None
+        _once_only_limits()
+        if LINUX:
+            self._on_linux(config)
+
+    def _on_linux(self, config: dict[str, Any]) -> None:
+        from judge.sandbox.linux import kernel, landlock, seccomp, syscalls
+
+        machine = syscalls.machine()
+        if config["uid"] is not None:
+            _become(config["uid"], config["reads_all"], kernel, syscalls.number("capset", machine))
+        self._die_with_parent = lambda: kernel.prctl(kernel.PR_SET_PDEATHSIG, _SIGKILL)
+        self._die_with_parent()
+        if config["parent"] not in (None, os.getppid()):
+            os._exit(1)  # it died before its death could be noticed
+        kernel.prctl(kernel.PR_SET_DUMPABLE, 0)
+        kernel.prctl(kernel.PR_SET_NO_NEW_PRIVS, 1)
+        kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
+        if config["level"] == "limits":
+            return
+        if landlock.abi():
+            landlock.restrict(config["readable"], config["writable"])
+        self._small = seccomp.ChildFilter()
+        seccomp.Filter(seccomp.server_filter(machine)).load()
+
+    def confine_child(self, memory: int, output: int, cpu_seconds: int) -> None:
+        """Confine a fresh child before anything foreign runs in it. Raises OSError."""
+        _limit(resource.RLIMIT_AS, memory)
+        _limit(resource.RLIMIT_FSIZE, output + 1)  # one more, so that too much can be told from enough
+        if not LINUX:  # there, the limit would make the process's CPU clock move by whole timer ticks only
+            _limit(resource.RLIMIT_CPU, cpu_seconds)
+        if self._threads:
+            _limit(resource.RLIMIT_NPROC, self._threads)
+        self._die_with_parent()  # a fork does not inherit it
+        if self._small is None:
+            os.setpgid(0, 0)  # so that what it forks can be ended with it
+        else:
+            self._small.load_for(os.getpid())
+
+
+def _nothing() -> None:
+    """What death with the parent is where the system has no such thing; the hang-up has to do."""
+
+
+def _once_only_limits() -> None:
+    _limit(resource.RLIMIT_CORE, 0)
+    _limit(resource.RLIMIT_NOFILE, wire.MOST_DESCRIPTORS)
+    if LINUX:
+        for which in (
+            resource.RLIMIT_MEMLOCK,
+            resource.RLIMIT_MSGQUEUE,
+            resource.RLIMIT_NICE,
+            resource.RLIMIT_RTPRIO,
+        ):
+            _limit(which, 0)
+    # The stack grows to the hard limit only from here on: read at exec, it would be every thread's size.
+    hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
+    try:
+        resource.setrlimit(resource.RLIMIT_STACK, (hard, hard))
+    except (ValueError, OSError):
+        if LINUX:
+            raise
+
+
+def _limit(which: int, value: int) -> None:
+    hard = resource.getrlimit(which)[1]
+    if hard != resource.RLIM_INFINITY:
+        value = min(value, hard)
+    try:
+        resource.setrlimit(which, (value, value))
+    except (ValueError, OSError):
+        if LINUX:  # macOS knows some limits and refuses to set them
+            raise
+
+
+def _become(uid: int, reads_all: bool, kernel: Any, capset: int | None) -> None:
+    """Become a user that owns nothing here; `reads_all` keeps the right to pass folders closed to others.
+
+    That right is needed where the interpreter lies in a private home; landlock still says for which files.
+    """
+    os.setgroups([])
+    os.setresgid(uid, uid, uid)
+    kernel.prctl(kernel.PR_SET_KEEPCAPS, int(reads_all))
+    os.setresuid(uid, uid, uid)
+    kernel.keep_only(kernel.CAP_DAC_READ_SEARCH if reads_all else None, capset)

@@ -1,0 +1,323 @@
+"""The fork server: trusted code only, one per submission, alone in its container with its children.
+
+    start → confine → "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler
+                               │            down ever reaches the server's own
+                               ├─ PREPARE   the server compiles it too, imports the modules the judge allows,
+                               │            and measures what a child costs that does nothing
+                               └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
+
+The judge hanging up is the end of the server and so of everything in here.
+"""
+
+from __future__ import annotations
+
+import _signal as signal  # type: ignore[import-not-found]  # signal itself wraps every call in enums: slow
+import _sitebuiltins
+import _socket
+import builtins
+import gc
+import marshal
+import os
+import resource
+import select
+import sys
+import time
+
+from judge.sandbox.inside import child, wire
+from judge.sandbox.inside.confine import Confinement
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import CodeType
+    from typing import Any, NoReturn
+
+SHORTEST_WAIT_NS = 1_000_000
+SWEEP_SECONDS = 5.0
+IDLE_RUNS = 3
+IDLE = "def nothing():\n    return 0"
+_PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
+
+
+class Job:
+    """One request, unpacked."""
+
+    __slots__ = ("cpu_ns", "kind", "memory", "output", "payload", "series", "stdio", "stop", "wall_ns")
+
+    cpu_ns: int
+
+    def __init__(self, frame: bytes, stdio: list[int]) -> None:
+        fields = wire.REQUEST.unpack_from(frame)
+        self.kind, self.cpu_ns, self.wall_ns, self.memory, self.output, self.payload, self.stop = fields[:7]
+        self.series = fields[7]  # how many series of calls, each with the limits to itself
+        self.stdio = stdio
+
+
+def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
+    """Confine this process, say so, and serve until the judge hangs up."""
+    line = wire.Channel(_socket.socket(fileno=channel))
+    region = wire.Region(memory)
+    os.close(memory)
+    try:
+        sys.path[:] = config["path"]
+        _fill_finders()
+        confinement = Confinement(config)
+        builtins.exit = _sitebuiltins.Quitter("exit", "Ctrl-D")  # -S leaves them out
+        builtins.quit = _sitebuiltins.Quitter("quit", "Ctrl-D")
+        for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
+            del sys.modules[name]
+    except (OSError, ValueError, LookupError) as error:
+        region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+        line.send(wire.FAILED)
+        os._exit(1)
+    line.send(wire.READY)
+    Server(line, region, confinement, config, source).serve()
+
+
+def _fill_finders() -> None:
+    """Let imports list their folders while they may: landlock denies the list where an entry is hidden."""
+    try:
+        __import__("a_module_that_nobody_has")
+    except ImportError:
+        for finder in sys.path_importer_cache.values():
+            entries = getattr(finder, "_path_cache", None)
+            if isinstance(entries, set):
+                entries.discard("judge")  # where it lies among the modules that may be imported
+
+
+class Server:
+    """The state of one fork server: the compiled source and what an idle child costs."""
+
+    def __init__(
+        self,
+        line: wire.Channel,
+        region: wire.Region,
+        confinement: Confinement,
+        config: dict[str, Any],
+        source: bytes,
+    ) -> None:
+        self._line = line
+        self._region = region
+        self._confinement = confinement
+        self._source = source
+        self._name: str = config["name"]
+        self._cores: int = config["cores"]
+        self._code: CodeType | None = None
+        self._idle_ns: dict[bytes, int] = {}
+        self._tally, self._tally_end = os.pipe()
+        os.set_blocking(self._tally, False)
+        self._deaths = self._watch_for_deaths()
+        self._events = select.poll()
+        self._events.register(self._deaths, select.POLLIN)
+        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: it can only be a hang-up
+
+    def _watch_for_deaths(self) -> int:
+        wake, wake_end = os.pipe()
+        os.set_blocking(wake, False)
+        os.set_blocking(wake_end, False)
+        signal.set_wakeup_fd(wake_end, warn_on_full_buffer=False)
+        signal.signal(signal.SIGCHLD, lambda *_: None)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        return wake
+
+    def serve(self) -> NoReturn:
+        """One request after the other."""
+        while True:
+            try:
+                frame, stdio = self._line.receive(descriptors=3)
+                if not frame:
+                    os._exit(0)
+                job = Job(frame, stdio)
+                answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                for number in stdio:
+                    os.close(number)
+                self._line.send(answer)
+            except (BrokenPipeError, ConnectionError):
+                os._exit(0)
+
+    def _prepare(self, job: Job) -> bytes:
+        """Compile, import ahead, and measure what a child of the wanted kind costs that does nothing."""
+        modules, kind = marshal.loads(self._region.payload(job.payload))
+        if self._code is None:
+            for module in modules:
+                try:
+                    __import__(module)
+                except Exception:
+                    continue
+            self._code = compile(self._source, self._name, "exec", dont_inherit=True)
+            gc.collect()
+            gc.freeze()
+        payload = marshal.dumps(("nothing", [[()]]))
+        job.kind, job.payload = kind, len(payload)
+        costs = []
+        for _ in range(IDLE_RUNS):
+            self._region.prepare(payload)
+            costs.append(wire.DONE.unpack(self._run(job, compile(IDLE, self._name, "exec")))[3])
+        self._idle_ns[kind] = sorted(costs)[IDLE_RUNS // 2]
+        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 0)
+
+    def _run(self, job: Job, code: CodeType | None) -> bytes:
+        began = time.perf_counter_ns()
+        pid = os.fork()
+        if pid == 0:
+            self._be_child(job, code)
+        watch = _Watch(job, began, self._idle_ns.get(job.kind, 0))
+        reason, status, usage = self._watch(pid, job, watch)
+        baseline = watch.baseline
+        wall = time.perf_counter_ns() - watch.began
+        cpu = _cpu_of(usage)
+        more = self._sweep(pid)
+        if baseline is None:
+            baseline = self._baseline()
+        started = baseline is not None
+        if baseline is None:
+            baseline = cpu  # it died before its clock started, of our own fault
+        spent = max(0, cpu + more - baseline - watch.idle - watch.before)
+        peak = usage.ru_maxrss * _PEAK_UNIT
+        return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, started)
+
+    def _be_child(self, job: Job, code: CodeType | None) -> NoReturn:
+        region, name = self._region, self._name
+        try:
+            signal.set_wakeup_fd(-1)
+            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+            child.take_descriptors(job.stdio, self._tally_end)
+            self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
+            if job.kind == wire.INSPECT:
+                child.look_at(self._source, name, region, job.stop)
+            assert code is not None, "PREPARE comes before this"
+            if job.kind == wire.PROGRAM:
+                child.be_program(code, name, region)
+            child.make_calls(code, name, region, region.payload(job.payload), job.stop)
+        except BaseException as error:
+            region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            os._exit(99)
+
+    def _watch(self, pid: int, job: Job, watch: _Watch) -> tuple[int, int, resource.struct_rusage]:
+        """Wait until the child is dead, or kill it at a limit; pass it on from series to series.
+
+        Gives the reason it was killed for, its wait status and its usage.
+        """
+        reason, marks = wire.NOT_KILLED, job.series - 1
+        while True:
+            gone, status, usage = os.wait4(pid, 0 if reason else os.WNOHANG | os.WUNTRACED)
+            stopped = gone and os.WIFSTOPPED(status)
+            if gone and not stopped:
+                return reason, status, usage
+            if watch.baseline is None:
+                watch.baseline = self._baseline()
+            left = watch.cpu_left(_cpu_clock(pid))
+            passed = time.perf_counter_ns() - watch.began
+            if left <= 0 or passed >= job.wall_ns:
+                os.kill(pid, signal.SIGKILL)
+                reason = wire.FOR_CPU if left <= 0 else wire.FOR_WALL
+            elif stopped and marks and os.WSTOPSIG(status) == signal.SIGSTOP:
+                marks -= 1
+                self._line.send(watch.next_series(_cpu_clock(pid)))
+                os.kill(pid, signal.SIGCONT)
+            else:
+                self._wait(pid, min(max(left // self._cores, SHORTEST_WAIT_NS), job.wall_ns - passed))
+
+    def _wait(self, pid: int, nanoseconds: int) -> None:
+        """Until something dies or the time is over; the judge's hang-up ends everything at once."""
+        for number, event in self._events.poll(nanoseconds / 1e6):
+            if number == self._deaths:
+                _drain(self._deaths)
+            elif event:
+                os.kill(pid, signal.SIGKILL)
+                self._sweep(pid)
+                os._exit(0)
+
+    def _baseline(self) -> int | None:
+        try:
+            return int.from_bytes(os.read(self._tally, 8), "little")
+        except BlockingIOError:
+            return None
+
+    def _sweep(self, pid: int) -> int:
+        """End whatever the child left behind; gives the CPU time of that."""
+        spent = 0
+        until = time.monotonic() + SWEEP_SECONDS
+        while time.monotonic() < until:
+            try:
+                gone, _, usage = os.wait4(-1, os.WNOHANG)
+            except ChildProcessError:
+                break
+            if gone:
+                spent += _cpu_of(usage)
+            else:
+                _kill_all(pid)
+        return spent
+
+
+class _Watch:
+    """The clocks of one child: what it had used before the series that it is in."""
+
+    __slots__ = ("baseline", "before", "began", "cpu_ns", "idle")
+
+    def __init__(self, job: Job, began: int, idle: int) -> None:
+        self.began = began  # of the series, wall time
+        self.idle = idle
+        self.baseline: int | None = None  # CPU time before foreign code ran, once the child has told it
+        self.before = 0  # CPU time of the series that have ended
+        self.cpu_ns: int = job.cpu_ns
+
+    def cpu_left(self, clock: int) -> int:
+        """What the series may still use."""
+        return self.cpu_ns + self.before + self.idle + (self.baseline or 0) - clock
+
+    def next_series(self, clock: int) -> bytes:
+        """The frame that says what the series used; the next one begins."""
+        now = time.perf_counter_ns()
+        used = max(0, clock - self.idle - (self.baseline or 0) - self.before)
+        frame = wire.MARK.pack(wire.MARKED, used, now - self.began)
+        self.before += used
+        self.began = now
+        return frame
+
+
+def _cpu_clock(pid: int) -> int:
+    """The CPU time of another process, all its threads, from the kernel; 0 where there is no such clock."""
+    try:
+        return time.clock_gettime_ns((~pid << 3) | 2)
+    except (OSError, OverflowError):
+        return 0
+
+
+def _cpu_of(usage: resource.struct_rusage) -> int:
+    return round((usage.ru_utime + usage.ru_stime) * 1e9)
+
+
+def _drain(number: int) -> None:
+    try:
+        os.read(number, 4096)
+    except BlockingIOError:
+        return
+
+
+def _kill_all(group: int) -> None:
+    """Kill what is left of a child's group and every process that has become ours."""
+    me = os.getpid()
+    targets = [-1] if me == 1 else [-group, *_children_of(me)]
+    for target in targets:
+        try:
+            os.kill(target, signal.SIGKILL)
+        except (ProcessLookupError, PermissionError):
+            continue
+
+
+def _children_of(parent: int) -> list[int]:
+    """The processes whose parent this is, as /proc tells; none where it does not."""
+    try:
+        pids = [int(name) for name in os.listdir("/proc") if name.isdecimal()]  # noqa: PTH208
+    except OSError:
+        return []
+    return [pid for pid in pids if _parent_of(pid) == parent]
+
+
+def _parent_of(pid: int) -> int:
+    try:
+        with open(f"/proc/{pid}/stat", "rb") as file:  # noqa: PTH123 - pathlib takes longer to import
+            return int(file.read().rpartition(b")")[2].split()[1])
+    except (OSError, ValueError, IndexError):
+        return 0

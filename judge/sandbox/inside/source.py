@@ -1,0 +1,85 @@
+"""Reading a source without running it: its fault, the names it binds, the modules it asks for.
+
+Works on the compiler's own tree; the `ast` module takes longer to import than the tree to walk.
+"""
+
+from __future__ import annotations
+
+import _ast
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+MOST_NAMES = 10_000
+TEXT_LENGTH = 500
+
+_OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
+
+
+def inspect(source: bytes, name: str) -> dict[str, Any]:
+    """What is wrong with the source, what it binds, what it imports, JSON-able.
+
+    {"fault": [message, line, column, text] | None, "names": [[name, line], …], "modules": [module, …]}
+    """
+    try:
+        tree: Any = compile(source, name, "exec", _ast.PyCF_ONLY_AST, dont_inherit=True)
+        compile(source, name, "exec", dont_inherit=True)
+    except SyntaxError as error:
+        text = (error.text or "").strip("\n")[:TEXT_LENGTH]
+        return _fault(f"{type(error).__name__}: {error.msg}", error.lineno or 0, error.offset or 0, text)
+    except (ValueError, OverflowError) as error:
+        return _fault(f"{type(error).__name__}: {error}", 0, 0, "")
+    except (RecursionError, MemoryError):
+        return _fault("too deeply nested or too large for the compiler", 0, 0, "")
+    names = list(_bound(tree.body).items())[:MOST_NAMES]
+    return {"fault": None, "names": names, "modules": sorted(_imported(tree))[:MOST_NAMES]}
+
+
+def _fault(message: str, line: int, column: int, text: str) -> dict[str, Any]:
+    return {"fault": [message, line, column, text], "names": [], "modules": []}
+
+
+def _bound(body: list[Any]) -> dict[str, int]:
+    """What the module's own statements bind, each name with the line of its first binding."""
+    names: dict[str, int] = {}
+    waiting = body[::-1]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, (_ast.FunctionDef, _ast.AsyncFunctionDef, _ast.ClassDef)):
+            names.setdefault(node.name, node.lineno)
+        elif isinstance(node, (_ast.Import, _ast.ImportFrom)):
+            for alias in node.names:
+                names.setdefault(alias.asname or alias.name.partition(".")[0], node.lineno)
+        elif isinstance(node, _ast.Name) and isinstance(node.ctx, _ast.Store):
+            names.setdefault(node.id, node.lineno)
+        elif not isinstance(node, _OWN_SCOPE):
+            waiting += _children(node)[::-1]
+    return names
+
+
+def _imported(tree: Any) -> set[str]:
+    """Every module named by an import statement, wherever it stands."""
+    modules: set[str] = set()
+    waiting = [tree]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, _ast.Import):
+            modules.update(alias.name for alias in node.names)
+        elif isinstance(node, _ast.ImportFrom):
+            if node.module and not node.level:
+                modules.add(node.module)
+        else:
+            waiting += _children(node)
+    return modules
+
+
+def _children(node: Any) -> list[Any]:
+    found: list[Any] = []
+    for field in node._fields:
+        value = getattr(node, field, None)
+        if isinstance(value, list):
+            found += [item for item in value if isinstance(item, _ast.AST)]
+        elif isinstance(value, _ast.AST):
+            found.append(value)
+    return found

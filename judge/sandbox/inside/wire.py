@@ -1,0 +1,149 @@
+"""What the judge and its fork server say to each other, and the memory they share.
+
+    judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
+    server → judge   a 64-byte frame MARK after each series of calls but the last,
+                     then one 64-byte frame DONE, after the child is dead and reaped
+
+A child ends a series by stopping itself; the server reads its CPU clock and lets it go on.
+
+One request is outstanding at a time. Frames have one size, so that a stream socket (macOS) does as well as
+a packet socket. A child never sees this socket.
+
+Everything longer goes through the region, memory shared by the judge, the server and its children:
+
+    0      64       4096                       start                                  stop
+    ├ words ┼ note ──┼ payload (judge → child) ──┼ replies, one JSON text per line ─────┤
+      USED NOTE_KIND NOTE_SIZE IMPORTED
+
+The child appends a reply and then moves USED; nothing needs flushing, so what was answered survives the
+death of the process that answered, whatever kills it, and the call it died in is the one after the last
+reply. The child holds no descriptor of the region. All of it is foreign data to the judge: bounded, parsed
+as JSON, never believed.
+"""
+
+from __future__ import annotations
+
+import _socket
+import array
+import mmap
+import struct
+
+TYPE_CHECKING = False  # not typing's: that import would cost every container a millisecond
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+FRAME = 64
+REQUEST = struct.Struct("=cqqqqqqq")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
+MARK = struct.Struct("=4sqq")  # MARKED, cpu ns and wall ns of a series
+DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
+MARKED, ENDED = b"mark", b"done"
+READY = b"ready"
+FAILED = b"failed"  # the reason is in the region's note
+
+INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
+
+MOST_DESCRIPTORS = 64
+CHILD_DESCRIPTORS = 4  # 0 to 2, and 3 until its clock starts
+
+NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
+
+REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
+WORDS = 64
+PAYLOAD_AT = 4096
+USED, NOTE_KIND, NOTE_SIZE, IMPORTED = range(4)  # places of the region's words
+NOTE_BYTES = PAYLOAD_AT - WORDS
+
+REPLY_BYTES = 8 << 20  # of all replies together, whatever the output limit: the judge has to parse them
+
+NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
+
+
+class Channel:
+    """Frames and descriptors over one end of a socket pair."""
+
+    def __init__(self, end: _socket.socket) -> None:
+        self._end = end
+
+    def fileno(self) -> int:
+        """The socket's descriptor."""
+        return self._end.fileno()
+
+    def close(self) -> None:
+        """Hang up."""
+        self._end.close()
+
+    def patience(self, seconds: float | None) -> None:
+        """How long a receive may wait; it raises TimeoutError after that."""
+        self._end.settimeout(seconds)
+
+    def send(self, message: bytes, descriptors: Sequence[int] = ()) -> None:
+        """Send one frame with copies of the descriptors. Raises OSError when the other side is gone."""
+        carried = array.array("i", descriptors)
+        ancillary = [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, carried)] if descriptors else []
+        self._end.sendmsg([message.ljust(FRAME, b"\0")], ancillary)
+
+    def receive(self, descriptors: int = 0) -> tuple[bytes, list[int]]:
+        """One frame and the descriptors that came with it; an empty frame at the end. Raises OSError."""
+        room = _socket.CMSG_SPACE(descriptors * 4) if descriptors else 0
+        message, ancillary, _, _ = self._end.recvmsg(FRAME, room)
+        found = array.array("i")
+        for level, kind, data in ancillary:
+            if level == _socket.SOL_SOCKET and kind == _socket.SCM_RIGHTS:
+                found.frombytes(data[: len(data) - len(data) % 4])
+        while message and len(message) < FRAME:
+            more = self._end.recv(FRAME - len(message))
+            if not more:
+                return b"", list(found)
+            message += more
+        return message, list(found)
+
+
+class Region:
+    """The shared memory of one container."""
+
+    def __init__(self, descriptor: int) -> None:
+        self.memory = mmap.mmap(descriptor, REGION_BYTES, mmap.MAP_SHARED)
+        self.words = memoryview(self.memory)[:WORDS].cast("Q")
+
+    def prepare(self, payload: bytes) -> None:
+        """Lay down a request's payload and forget the last replies."""
+        for place in range(len(self.words)):
+            self.words[place] = 0
+        self.memory[PAYLOAD_AT : PAYLOAD_AT + len(payload)] = payload
+        self.words[USED] = replies_at(len(payload))
+
+    def payload(self, length: int) -> bytes:
+        """The request's payload."""
+        return self.memory[PAYLOAD_AT : PAYLOAD_AT + length]
+
+    def replies(self, start: int, stop: int) -> bytes:
+        """What was appended between `start` and `stop`, as far as USED says and no further."""
+        return self.memory[start : min(max(self.words[USED], start), stop)]
+
+    def note(self) -> tuple[int, str]:
+        """The note on the child's end: its kind and its text, one printable line."""
+        size = min(self.words[NOTE_SIZE], NOTE_BYTES)
+        text = self.memory[WORDS : WORDS + size].decode(errors="replace")
+        return self.words[NOTE_KIND], printable(text)
+
+    def write_note(self, kind: int, text: str) -> None:
+        """Say how the child ends."""
+        data = text.encode(errors="replace")[:NOTE_BYTES]
+        self.memory[WORDS : WORDS + len(data)] = data
+        self.words[NOTE_SIZE] = len(data)
+        self.words[NOTE_KIND] = kind
+
+    def close(self) -> None:
+        """Unmap it."""
+        self.words.release()
+        self.memory.close()
+
+
+def replies_at(payload: int) -> int:
+    """Where the replies start after a payload of that many bytes."""
+    return (PAYLOAD_AT + payload + 7) & ~7
+
+
+def printable(text: str) -> str:
+    """Foreign text as one line that cannot move a terminal's cursor."""
+    return "".join(c if c.isprintable() else " " for c in text).strip()

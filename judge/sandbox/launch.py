@@ -1,0 +1,154 @@
+"""Starting a fork server at a level: the command line, the environment, the user it becomes.
+
+    full     bubblewrap → fork server as pid 1 of its own namespaces, landlock and seccomp inside
+    strong   the fork server alone, landlock and seccomp
+    limits   the fork server alone, resource limits only
+
+Each needs less of the machine than the one above it.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from judge.sandbox.bundle import BOOTSTRAP
+from judge.sandbox.roots import Roots
+
+_ENVIRONMENT = {
+    "PATH": "/usr/bin:/bin",
+    "LANG": "C.UTF-8",
+    "TZ": "UTC",
+    "PYTHONHASHSEED": "0",  # a verdict must not depend on the order of a set
+    "OPENBLAS_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": "1",
+    "MKL_NUM_THREADS": "1",
+    "NUMEXPR_NUM_THREADS": "1",
+    "VECLIB_MAXIMUM_THREADS": "1",
+    "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
+}
+_THREADS = 128  # that one submission may have at once
+_UIDS = 0x7000_0000  # where no real user lives
+_INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
+
+
+class Plan(NamedTuple):
+    """How to start one fork server; `config` is what it is told besides its source."""
+
+    command: tuple[str, ...]
+    environment: dict[str, str]
+    config: dict[str, Any]
+
+
+def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int]) -> Plan:
+    """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's."""
+    uid = _spare_uid()
+    python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
+    config: dict[str, Any] = {
+        "level": level,
+        "name": name,
+        "uid": uid,
+        "reads_all": uid is not None and not roots.outsiders_may_read(below=level == "full"),
+        "parent": None if level == "full" else os.getpid(),
+        "path": list(roots.imports),
+        "readable": [*roots.folders, *roots.files, "/dev/urandom"] if level == "full" else roots.readable(),
+        "writable": ["/dev/null"],
+        "threads": _threads(level, uid),
+        "cores": os.cpu_count() or 1,
+    }
+    if level != "full":
+        return Plan(tuple(python), dict(_ENVIRONMENT), config)
+    command = [*_bubblewrap(roots, uid, config["reads_all"]), "--", *python]
+    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+
+
+def bubblewrap_path() -> str | None:
+    """Where bubblewrap is installed."""
+    return shutil.which("bwrap")
+
+
+def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
+    arguments = [
+        bubblewrap_path() or "bwrap",
+        "--die-with-parent",
+        "--new-session",
+        "--as-pid-1",
+        "--clearenv",
+    ]
+    arguments += ["--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try"]
+    arguments += ["--hostname", "box", "--cap-drop", "ALL"]
+    if uid is None:
+        arguments += ["--unshare-user", "--uid", "65534", "--gid", "65534"]
+    else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
+        kept = ["CAP_SETUID", "CAP_SETGID", *(["CAP_DAC_READ_SEARCH"] if reads_all else [])]
+        arguments += [part for capability in kept for part in ("--cap-add", capability)]
+    for key, value in _ENVIRONMENT.items():
+        arguments += ["--setenv", key, value]
+    made: set[str] = set()
+    for path in (*roots.folders, *roots.files):
+        arguments += _parents(path, made)
+        if Path(path).is_symlink() and Path(path).parent == Path("/"):
+            arguments += ["--symlink", str(Path(path).readlink()), path]
+        else:
+            arguments += ["--ro-bind", path, path]
+    for path in roots.hidden:
+        arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
+    arguments += _parents("/dev/null", made)
+    for device in ("/dev/null", "/dev/urandom"):
+        arguments += ["--dev-bind", device, device]
+    return [*arguments, "--chdir", "/", "--remount-ro", "/"]
+
+
+def _parents(path: str, made: set[str]) -> list[str]:
+    """Make the folders above a mount readable for everybody, also below a private home."""
+    arguments: list[str] = []
+    for parent in reversed(Path(path).parents):
+        if str(parent) != "/" and str(parent) not in made:
+            made.add(str(parent))
+            arguments += ["--perms", "0755", "--dir", str(parent)]
+    return arguments
+
+
+def _spare_uid() -> int | None:
+    """A user nobody is, another each time, for root to become; None for who may not change their user."""
+    if sys.platform != "linux" or os.geteuid() != 0 or not _may_change_user():
+        return None
+    wanted = _UIDS + int.from_bytes(os.urandom(3), "little")
+    top = 0
+    for line in Path("/proc/self/uid_map").read_text(encoding="ascii").splitlines():
+        first, _, length = map(int, line.split())
+        if first <= wanted < first + length:
+            return wanted
+        top = max(top, first + length - 1)
+    return top if top > 1000 else None
+
+
+def _may_change_user() -> bool:
+    """Whether this root has CAP_SETGID and CAP_SETUID, which some containers take away."""
+    status = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
+    effective = next(line.split()[1] for line in status.splitlines() if line.startswith("CapEff"))
+    return int(effective, 16) >> 6 & 0b11 == 0b11
+
+
+def _threads(level: str, uid: int | None) -> int:
+    """RLIMIT_NPROC that leaves a submission its threads; the kernel counts those of the whole user."""
+    if sys.platform != "linux":
+        return 0
+    if uid is not None or level == "full":
+        return _THREADS + 2
+    return _THREADS + 128 + _tasks_of_mine()
+
+
+def _tasks_of_mine() -> int:
+    count, me = 0, os.geteuid()
+    for entry in os.scandir("/proc"):
+        if entry.name.isdecimal():
+            try:
+                if entry.stat().st_uid == me:
+                    count += max(1, os.stat(f"/proc/{entry.name}/task").st_nlink - 2)  # noqa: PTH116 - hot
+            except OSError:
+                continue  # it has just ended
+    return count

@@ -1,0 +1,43 @@
+"""The few calls into the kernel that Python has no function for: prctl, capabilities, raw system calls."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import struct
+
+_LIBC = ctypes.CDLL(None, use_errno=True)
+
+PR_SET_PDEATHSIG = 1
+PR_SET_DUMPABLE = 4
+PR_SET_KEEPCAPS = 8
+PR_SET_CHILD_SUBREAPER = 36
+PR_SET_NO_NEW_PRIVS = 38
+
+CAP_DAC_READ_SEARCH = 2
+_CAPABILITY_VERSION_3 = 0x20080522
+
+
+def prctl(option: int, argument: int) -> None:
+    """One prctl(2) with one argument. Raises OSError."""
+    zero = ctypes.c_ulong(0)
+    if _LIBC.prctl(ctypes.c_int(option), ctypes.c_ulong(argument), zero, zero, zero) != 0:
+        code = ctypes.get_errno()
+        raise OSError(code, f"prctl {option}: {os.strerror(code)}")
+
+
+def syscall(number: int, *arguments: object) -> int:
+    """One raw system call; the arguments are ctypes values, bytes or None. Raises OSError."""
+    _LIBC.syscall.restype = ctypes.c_long
+    result = int(_LIBC.syscall(ctypes.c_long(number), *arguments))
+    if result < 0:
+        code = ctypes.get_errno()
+        raise OSError(code, f"system call {number}: {os.strerror(code)}")
+    return result
+
+
+def keep_only(capability: int | None, number: int) -> None:
+    """Drop every capability but this one, with None every one; `number` is capset's. Raises OSError."""
+    word = 0 if capability is None else 1 << capability
+    header = struct.pack("=Ii", _CAPABILITY_VERSION_3, 0)
+    syscall(number, header, struct.pack("=6I", word, word, 0, 0, 0, 0))

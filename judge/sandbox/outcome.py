@@ -1,0 +1,139 @@
+"""From what was measured and what the child said to how it ended, in an order that a submission cannot bend.
+
+What the fork server and the kernel measured comes first: limits, then memory, then output. What the child
+itself says (a note, replies, an exit status) only decides between ends that are equally its own fault.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from collections.abc import Sequence
+from typing import Any
+
+from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
+from judge.sandbox.container import Done
+from judge.sandbox.inside import wire
+
+DETAIL_LENGTH = 1000
+
+
+def usage_of(done: Done) -> Usage:
+    """The boundary's figures."""
+    return Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
+
+
+def usages_of(done: Done) -> list[Usage]:
+    """The figures of each series that was begun; the peak is that of all."""
+    clocks = [*done.marks, (done.cpu_ns, done.wall_ns)]
+    return [Usage(cpu / 1e9, wall / 1e9, done.peak_bytes) for cpu, wall in clocks]
+
+
+def by_series(
+    replies: list[Reply], series: Sequence[Sequence[Any]], usages: Sequence[Usage]
+) -> list[CallsResult]:
+    """The replies shared out to the series they answer; one that nothing was measured of has used nothing."""
+    results: list[CallsResult] = []
+    start = 0
+    for place, calls in enumerate(series):
+        if start >= len(replies) and calls:
+            break
+        usage = usages[place] if place < len(usages) else Usage()
+        results.append(CallsResult(tuple(replies[start : start + len(calls)]), usage))
+        start += len(calls)
+    return results
+
+
+def overrun(done: Done, limits: Limits, printed: int, note: tuple[int, str]) -> tuple[Stop, str] | None:
+    """The limit that was passed, if one was; `printed` is the longer of stdout and stderr."""
+    signalled = os.WTERMSIG(done.status) if os.WIFSIGNALED(done.status) else 0
+    kind, text = note
+    if done.peak_bytes > limits.memory_bytes:  # before the clock: filling memory takes time too
+        seen = f"used more than {_size(limits.memory_bytes)}, {_size(done.peak_bytes)} seen"
+        return Stop.MEMORY, seen
+    over_time = done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 > limits.cpu_seconds
+    if over_time or signalled == signal.SIGXCPU:
+        return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time"
+    if done.reason == wire.FOR_WALL:
+        return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting most of it"
+    if kind == wire.NO_MEMORY:
+        return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
+    if printed > limits.output_bytes or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
+        return Stop.OUTPUT, text or f"wrote more than {_size(limits.output_bytes)}"
+    return None
+
+
+def end_of(done: Done, note: tuple[int, str]) -> tuple[Stop, str]:
+    """How a child that kept its limits ended."""
+    kind, text = note
+    if os.WIFSIGNALED(done.status):
+        return Stop.EXITED, f"killed by {_signal_name(os.WTERMSIG(done.status))}"
+    code = os.waitstatus_to_exitcode(done.status)
+    if kind == wire.RAISED:
+        return Stop.EXCEPTION, text
+    return Stop.EXITED if code else Stop.ANSWERED, f"exit status {code}"
+
+
+def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
+    """The replies in a child's own words, and whether it kept to the form: `most` JSON texts or fewer."""
+    try:
+        rows = json.loads(b"[" + data[:-2] + b"]", parse_constant=_refuse)
+    except (ValueError, RecursionError):
+        return _one_by_one(data, most)
+    replies = _replies(rows)
+    kept_form = len(replies) == len(rows) == data.count(b"\n") <= most
+    return (replies, True) if kept_form else _one_by_one(data, most)
+
+
+def _replies(rows: list[Any]) -> list[Reply]:
+    """The rows as replies, up to the first that is none."""
+    replies: list[Reply] = []
+    for row in rows:
+        if type(row) is not list or len(row) != 2:
+            break
+        kind, value = row
+        if kind == 0:
+            replies.append(Reply(Stop.ANSWERED, value))
+        elif kind == 1 and type(value) is str:
+            replies.append(Reply(Stop.EXCEPTION, None, wire.printable(value[:DETAIL_LENGTH])))
+        else:
+            break
+    return replies
+
+
+def parse_inspection(data: bytes) -> dict[str, Any]:
+    """What `inside.source.inspect` replied, in a child where no foreign code ran."""
+    found: dict[str, Any] = json.loads(data.removesuffix(b",\n"))
+    return found
+
+
+def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:
+    """The replies up to the first that is none."""
+    replies: list[Reply] = []
+    *lines, rest = data.split(b"\n", most + 1)
+    for line in lines:
+        try:
+            found = _replies([json.loads(line.removesuffix(b","), parse_constant=_refuse)])
+        except (ValueError, RecursionError):
+            return replies, False
+        if len(replies) == most or not found:
+            return replies, False
+        replies += found
+    return replies, not rest
+
+
+def _refuse(name: str) -> Any:
+    raise ValueError(f"{name} is not JSON")
+
+
+def _signal_name(number: int) -> str:
+    try:
+        name = signal.Signals(number).name
+    except ValueError:
+        name = f"signal {number}"
+    return f"{name} (did it call itself too deeply?)" if number == signal.SIGSEGV else name
+
+
+def _size(count: int) -> str:
+    return f"{count >> 20} MB" if count >= 1 << 20 else f"{count} bytes"

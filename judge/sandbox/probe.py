@@ -1,0 +1,127 @@
+"""Which isolation levels this machine gives, why not a better one, and the command that would raise it."""
+
+from __future__ import annotations
+
+import platform
+import sys
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from judge.errors import JudgeError, UsageError, nearest
+from judge.sandbox import launch
+from judge.sandbox.boundary import LEVELS
+from judge.sandbox.box import ForkServerBox
+from judge.sandbox.roots import find_roots
+
+MEANING = {
+    "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",
+    "strong": "landlock, a system call filter and resource limits; only the existence of files shows",
+    "limits": "resource limits only: a submission can read what you can read",
+}
+_USER_NAMESPACES = {
+    "/proc/sys/kernel/unprivileged_userns_clone": ("0", "sudo sysctl kernel.unprivileged_userns_clone=1"),
+    "/proc/sys/kernel/apparmor_restrict_unprivileged_userns": (
+        "1",
+        "sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0",
+    ),
+    "/proc/sys/user/max_user_namespaces": ("0", "sudo sysctl user.max_user_namespaces=15000"),
+}
+_INSTALL = {
+    "apt-get": "apt-get install bubblewrap",
+    "dnf": "dnf install bubblewrap",
+    "apk": "apk add bubblewrap",
+    "pacman": "pacman -S bubblewrap",
+    "zypper": "zypper install bubblewrap",
+}
+
+
+class Level(NamedTuple):
+    """What is known of one level on this machine."""
+
+    name: str
+    available: bool
+    meaning: str
+    why_not: str = ""
+    remedy: str = ""  # a command, or what else would have to change
+
+
+def open_box(
+    source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()
+) -> ForkServerBox:
+    """A box for this source at the best level there is, or at the one demanded; use it in a `with`.
+
+    `name` is the submission's file name in tracebacks. `hide` are folders that must not be seen inside even
+    if they lie among the interpreter's own (problems of a pack, a cache). Raises UsageError for a level that
+    cannot be had, at once or on entering the box.
+    """
+    if level is not None and level not in LEVELS:
+        near = nearest(level, LEVELS)
+        remedy = f"did you mean {near}?" if near else f"levels are {', '.join(LEVELS)}"
+        raise UsageError(f"there is no isolation level {level}", remedy=remedy)
+
+    def refuse(reason: object) -> JudgeError:
+        if level is None:
+            return JudgeError(f"no container can be started: {reason}")
+        remedy = _remedy(level, str(reason))
+        return UsageError(f"isolation {level} cannot be had here: {reason}", remedy=remedy)
+
+    wanted = [level] if level else LEVELS
+    possible = [candidate for candidate in wanted if not _missing(candidate)]
+    if not possible:
+        raise refuse(_missing(wanted[0]))
+    return ForkServerBox(source, name, possible, find_roots(hide), refuse)
+
+
+def levels() -> tuple[Level, ...]:
+    """Try each level with an empty submission, the best first."""
+    return tuple(_try(name) for name in LEVELS)
+
+
+def _try(name: str) -> Level:
+    try:
+        with open_box(b"", "empty.py", level=name) as box:
+            box.inspect()
+    except JudgeError as error:
+        return Level(name, False, MEANING[name], error.what, error.remedy or "")
+    return Level(name, True, MEANING[name])
+
+
+@cache
+def _missing(level: str) -> str:
+    """What this machine lacks for a level, as far as that can be told without trying; "" if nothing."""
+    if level == "limits":
+        return ""
+    if sys.platform != "linux":
+        return f"{platform.system()} has no sandbox that the judge knows"
+    if level == "full" and not launch.bubblewrap_path():
+        return "bubblewrap is not installed"
+    if level == "full":
+        return ""  # the rest shows when it starts: looking here would cost every run some milliseconds
+    from judge.sandbox.linux import landlock, seccomp, syscalls
+
+    if not syscalls.supported(syscalls.machine()):
+        return f"there is no table of system calls for {syscalls.machine()}"
+    if not seccomp.available():
+        return "the kernel does not filter system calls (seccomp)"
+    return "" if landlock.abi() else "the kernel has no landlock (Linux 5.13 or newer with lsm=landlock)"
+
+
+def _remedy(level: str, refusal: str) -> str:
+    """The command that would raise the level, as well as it can be told."""
+    if sys.platform != "linux":
+        return "run the judge on Linux"
+    if level == "full" and "not installed" in refusal:
+        from shutil import which
+
+        manager = next((name for name in _INSTALL if which(name)), None)
+        return f"sudo {_INSTALL[manager]}" if manager else "install bubblewrap"
+    if level == "full":
+        for path, (bad, command) in _USER_NAMESPACES.items():
+            if Path(path).exists() and Path(path).read_text(encoding="ascii").strip() == bad:
+                return command
+        return "in a Docker container: docker run --cap-add SYS_ADMIN --security-opt seccomp=unconfined"
+    if "landlock" in refusal:
+        return "boot Linux 5.13 or newer with landlock in its lsm= list"
+    return ""

@@ -1,0 +1,85 @@
+"""Files without a name to pass to a container: memory on Linux, unlinked temporary files elsewhere."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import sys
+import tempfile
+from collections.abc import Iterator
+
+from judge.sandbox.inside import wire
+
+
+def nameless(data: bytes = b"") -> int:
+    """A descriptor of a new nameless file holding `data`, positioned at its start."""
+    descriptor = _create(0)
+    write_whole(descriptor, data)
+    if data:
+        os.lseek(descriptor, 0, os.SEEK_SET)
+    return descriptor
+
+
+def region() -> tuple[int, wire.Region]:
+    """A new region and its descriptor; on Linux its size is sealed, so that no user can pull it away."""
+    descriptor = _create(os.MFD_ALLOW_SEALING if sys.platform == "linux" else 0)
+    os.ftruncate(descriptor, wire.REGION_BYTES)
+    if sys.platform == "linux":
+        fcntl.fcntl(
+            descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
+        )
+    return descriptor, wire.Region(descriptor)
+
+
+@contextlib.contextmanager
+def stdio(stdin: bytes) -> Iterator[tuple[int, int, int]]:
+    """Descriptors of a stdin with that content and of an empty stdout and stderr, closed at the end."""
+    opened: list[int] = []
+    try:
+        for data in (stdin, b"", b""):
+            opened.append(nameless(data))
+        yield opened[0], opened[1], opened[2]
+    finally:
+        for descriptor in opened:
+            os.close(descriptor)
+
+
+def write_whole(descriptor: int, data: bytes) -> None:
+    """Write all of it."""
+    rest = memoryview(data)
+    while rest:
+        rest = rest[os.write(descriptor, rest) :]
+
+
+def head(descriptor: int, most: int) -> bytes:
+    """The first `most` bytes of a file, fewer if it is shorter."""
+    length = min(most, size(descriptor))
+    parts: list[bytes] = []
+    place = 0
+    while place < length and (part := os.pread(descriptor, length - place, place)):
+        parts.append(part)
+        place += len(part)
+    return b"".join(parts)
+
+
+def size(descriptor: int) -> int:
+    """A file's length in bytes."""
+    return os.fstat(descriptor).st_size
+
+
+def tail(descriptor: int, most: int) -> bytes:
+    """The last `most` bytes of a file, fewer if it is shorter."""
+    return os.pread(descriptor, most, max(0, size(descriptor) - most))
+
+
+def _create(flags: int) -> int:
+    if sys.platform != "linux":
+        return _unlinked()
+    return os.memfd_create("judge", os.MFD_CLOEXEC | flags)
+
+
+def _unlinked() -> int:
+    descriptor, path = tempfile.mkstemp(prefix="judge-")
+    os.unlink(path)  # noqa: PTH108 - nothing to see before it is gone
+    return descriptor

@@ -1,0 +1,5 @@
+"""Fill memory with a list."""
+
+rows = []
+while True:
+    rows.append([0] * 100_000)

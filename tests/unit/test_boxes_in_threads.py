@@ -1,0 +1,100 @@
+"""Several boxes at once, each in its own thread: none needs the main thread or shares with another."""
+
+from __future__ import annotations
+
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+from judging import judged, make_data
+from sandboxed import LIMITS, children, limits, require
+
+from judge.run import Settings
+from judge.sandbox import LEVELS, Stop, open_box
+from judge.spec import Verdict
+
+THREADS = 4
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_four_threads_each_judge_in_their_own_box(level):
+    require(level)
+    before = children()
+    together = threading.Barrier(THREADS, timeout=60)
+
+    def judge(place):
+        source = f"""
+import os
+def f(n):
+    if n == 1: os._exit(3)
+    if n == 3:
+        while True: pass
+    return [{place}, n]
+print({place}, input())
+"""
+        together.wait()
+        with open_box(source.encode(), f"{place}.py", level=level) as box:
+            together.wait()  # all are open now
+            assert box.inspect().defines("f")
+            printed = box.run_program(b"%d" % place, LIMITS)
+            assert (printed.stop, printed.stdout) == (Stop.ANSWERED, f"{place} {place}\n".encode())
+        with open_box(source.partition("print")[0].encode(), f"{place}.py", level=level) as box:
+            replies = []
+            while len(replies) < 5:
+                rest = [(n,) for n in range(len(replies), 5)]
+                replies += box.call_many("f", rest, limits(cpu_seconds=0.1)).replies
+            assert box.isolation == level
+        return [(reply.stop, reply.answer) for reply in replies]
+
+    with ThreadPoolExecutor(THREADS) as pool:
+        for place, replies in enumerate(pool.map(judge, range(THREADS))):
+            assert replies == [
+                (Stop.ANSWERED, [place, 0]),
+                (Stop.EXITED, None),
+                (Stop.ANSWERED, [place, 2]),
+                (Stop.CPU, None),
+                (Stop.ANSWERED, [place, 4]),
+            ]
+    assert children() == before
+
+
+class Watched:
+    """A box that notes which thread does what with it."""
+
+    def __init__(self, source, name, seen):
+        self._box = open_box(source, name)
+        self._seen = seen
+        self._note()
+
+    def _note(self):
+        self._seen.append(threading.current_thread())
+
+    def __enter__(self):
+        self._note()
+        return self
+
+    def __exit__(self, *exc):
+        self._note()
+        self._box.__exit__(*exc)
+
+    def __getattr__(self, name):
+        self._note()
+        return getattr(self._box, name)
+
+
+def test_a_submission_judged_by_four_threads_uses_each_box_in_the_thread_that_opened_it():
+    boxes = []
+
+    def factory(source, name):
+        boxes.append([])
+        return Watched(source, name, boxes[-1])
+
+    data = make_data(*(f"group-{place}" for place in range(8)), step=1)
+    source = "import time\ndef answer(n, P):\n    time.sleep(0.02)\n    return int(n + P[0] + P[1])\n"
+    before = children()
+    result = judged(source, data, settings=Settings(box_factory=factory, workers=THREADS))
+    assert (result.verdict, [group.passed for group in result.groups]) == (Verdict.AC, [4] * 8)
+    assert len(boxes) == THREADS
+    assert [len(set(seen)) for seen in boxes] == [1] * THREADS
+    assert len({seen[0] for seen in boxes}) == THREADS
+    assert children() == before

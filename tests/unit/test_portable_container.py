@@ -1,0 +1,87 @@
+"""What other systems than Linux do without: packet sockets, memory files, the clock of another process."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from sandboxed import limits, lost_at_3, run
+
+from judge.sandbox import bundle, container, open_box, shared
+from judge.sandbox.boundary import Limits, Stop
+
+LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
+ELSEWHERE = {
+    "judge.sandbox.inside.server": ("(~pid << 3) | 2", "10**30"),  # no such clock
+    "judge.sandbox.inside.confine": ('LINUX = sys.platform == "linux"', "LINUX = False"),
+}
+
+
+@pytest.fixture
+def plain_system(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setattr(container, "_PAIR", socket.SOCK_STREAM)
+    monkeypatch.setattr(container, "_descriptor_of", lambda _pid: None)
+    monkeypatch.setattr(shared, "_create", lambda _flags: shared._unlinked())
+    monkeypatch.setattr(container.shared, "region", _unsealed_region)
+    as_here = bundle._code_of
+
+    def as_elsewhere(name: str) -> object:
+        if name not in ELSEWHERE:
+            return as_here(name)
+        here, elsewhere = ELSEWHERE[name]
+        source = Path(str(bundle.find_spec(name).origin)).read_text()
+        assert here in source
+        return compile(source.replace(here, elsewhere), name, "exec")
+
+    monkeypatch.setattr(bundle, "_code_of", as_elsewhere)
+    bundle._modules.cache_clear()
+    yield
+    bundle._modules.cache_clear()
+
+
+def _unsealed_region() -> tuple[int, object]:
+    descriptor = shared._unlinked()
+    shared.os.ftruncate(descriptor, container.wire.REGION_BYTES)
+    return descriptor, container.wire.Region(descriptor)
+
+
+@pytest.mark.usefixtures("plain_system")
+def test_a_stream_socket_and_temporary_files_do() -> None:
+    source = b"import sys\ndef f(x):\n    return x + 1\nif __name__ == '__main__':\n    print(input())\n"
+    with open_box(source, "f.py", level="limits") as box:
+        assert box.inspect().defines("f")
+        assert [reply.answer for reply in box.call_many("f", [[1], [2.5]], LIMITS).replies] == [2, 3.5]
+        assert box.run_program(b"in\n", LIMITS).stdout == b"in\n"
+
+
+@pytest.mark.usefixtures("plain_system")
+def test_without_a_clock_a_limit_is_noticed_afterwards() -> None:
+    source = b"import time\nwhile time.process_time() < 0.3: pass\n"
+    with open_box(source, "f.py", level="limits") as box:
+        assert box.run_program(b"", Limits(0.1, 6.0, 256 << 20, 1 << 20)).stop is Stop.CPU
+
+
+@pytest.mark.usefixtures("plain_system")
+@pytest.mark.parametrize(
+    ("body", "wall", "stop"),
+    [
+        ("while True: pass", 20.0, Stop.CPU),
+        ("time.sleep(60)", 0.3, Stop.WALL),
+        ("os.kill(os.getpid(), signal.SIGSTOP)", 0.3, Stop.WALL),
+        ("os._exit(0)", 20.0, Stop.EXITED),
+        ("bytes(1 << 40)", 20.0, Stop.MEMORY),
+        ("while True: print('x' * 999)", 20.0, Stop.OUTPUT),
+    ],
+)
+def test_every_limit_holds_and_costs_one_call(body: str, wall: float, stop: Stop) -> None:
+    assert lost_at_3(body, limits(cpu_seconds=0.2, wall_seconds=wall), level="limits").stop is stop
+
+
+@pytest.mark.usefixtures("plain_system")
+def test_a_program_is_measured() -> None:
+    result = run("import time\nwhile time.process_time() < 0.2: pass\n1 / 0", level="limits")
+    assert (result.stop, result.detail) == (Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 3)")
+    assert 0.1 < result.usage.cpu_seconds <= result.usage.wall_seconds
+    assert result.usage.memory_bytes > 1 << 20

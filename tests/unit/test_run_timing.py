@@ -1,0 +1,90 @@
+"""The time limit as a multiple of the reference: when it is clear, when it is near, when it means little."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pair, decide, race, summary
+
+LIMIT = 10.0
+
+
+def runs(*values):
+    """A run that takes each of these times in turn, then the last again."""
+    left = list(values)
+    return lambda: left.pop(0) if len(left) > 1 else left[0]
+
+
+def test_one_pair_settles_a_submission_far_above_the_limit():
+    decision = race(runs(0.2), runs(0.01), LIMIT)
+    assert (decision.too_slow, decision.borderline, decision.ratio.pairs) == (True, False, 1)
+    assert decision.ratio.median == pytest.approx(20)
+
+
+def test_a_submission_far_below_passes_with_a_few_pairs():
+    decision = race(runs(0.02), runs(0.01), LIMIT)
+    assert (decision.too_slow, decision.borderline) == (False, False)
+    assert 3 <= decision.ratio.pairs <= MOST_PAIRS
+
+
+@pytest.mark.parametrize(("factor", "too_slow"), [(0.81, False), (0.95, False), (1.05, True), (1.34, True)])
+def test_near_the_limit_nine_pairs_decide(factor, too_slow):
+    decision = race(runs(0.01 * LIMIT * factor), runs(0.01), LIMIT)
+    assert (decision.too_slow, decision.borderline, decision.ratio.pairs) == (too_slow, True, MOST_PAIRS)
+
+
+def test_near_the_limit_both_the_least_times_and_the_median_must_exceed_it():
+    slow_median = [Pair(0.099, 0.01), *[Pair(0.12, 0.01)] * 8]
+    assert not decide(slow_median, LIMIT).too_slow  # one quick run shows that it can
+    slow_least = [*[Pair(0.098, 0.01)] * 8, Pair(0.2, 0.0097)]
+    assert not decide(slow_least, LIMIT).too_slow  # the median pair is within
+    assert decide([Pair(0.105, 0.01)] * 9, LIMIT).too_slow
+
+
+def test_the_two_take_turns_at_going_first():
+    order = []
+
+    def named(name):
+        def run():
+            order.append(name)
+            return 0.01
+
+        return run
+
+    race(named("mine"), named("theirs"), 1.0)
+    assert order[:6] == ["mine", "theirs", "theirs", "mine", "mine", "theirs"]
+
+
+def test_a_run_that_does_not_end_well_leaves_no_ratio():
+    assert race(lambda: None, runs(0.01), LIMIT).ratio is None
+    assert race(runs(0.01), lambda: None, LIMIT).ratio is None
+    assert race(runs(0.01), lambda: 0.0, LIMIT).ratio is None
+
+
+def test_what_makes_a_ratio_unreliable():
+    assert summary([Pair(0.02, 0.01)] * 3).unreliable == ""
+    assert summary([Pair(0.0002, 0.0001)] * 3).unreliable == "too short"
+    wide = [Pair(0.01 * factor, 0.01) for factor in (1, 1, 2, 3, 3)]
+    assert summary(wide).unreliable == "too noisy"
+
+
+def test_the_summary_is_the_median_with_quartiles():
+    ratio = summary([Pair(0.01 * factor, 0.01) for factor in (3.0, 2.8, 3.2, 2.9, 3.1)])
+    assert (ratio.low, ratio.median, ratio.high) == pytest.approx((2.9, 3, 3.1))
+    assert ratio.as_json() == {"median": ratio.median, "low": ratio.low, "high": ratio.high, "pairs": 5}
+    short = summary([Pair(0.0001, 0.0001)])
+    assert short.as_json()["unreliable"] == "too short"
+
+
+def test_noise_of_ten_per_cent_seldom_turns_a_verdict():
+    dice = random.Random(7)
+
+    def noisy(seconds):
+        return lambda: seconds * (1 + abs(dice.gauss(0, 0.1)))
+
+    for factor, slow in ((0.7, False), (0.9, False), (1.15, True), (1.5, True)):
+        verdicts = [race(noisy(0.01 * factor * LIMIT), noisy(0.01), LIMIT).too_slow for _ in range(100)]
+        assert sum(verdict != slow for verdict in verdicts) <= 10
+    assert CLEARLY_ABOVE > 1

@@ -1,0 +1,102 @@
+"""Several series of calls in one process: each measured by itself, one lost call costs only itself."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+from judge.sandbox import Limits, Stop, open_box
+
+LIMITS = Limits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+SERIES = [[(1,), (2,)], [(3,)], [(4,), (5,), (6,)]]
+
+
+def run(body, series=SERIES, limits=LIMITS, on_series=None):
+    with open_box(body.encode(), "my.py") as box:
+        return box.call_series("f", series, limits, on_series)
+
+
+def answers(results):
+    return [[reply.answer for reply in result.replies] for result in results]
+
+
+def test_the_answers_come_series_by_series():
+    assert answers(run("def f(n): return n * n")) == [[1, 4], [9], [16, 25, 36]]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a process a series elsewhere")
+def test_one_process_serves_them_all():
+    body = "count = 0\ndef f(n):\n    global count\n    count += 1\n    return count"
+    assert answers(run(body)) == [[1, 2], [3], [4, 5, 6]]
+
+
+def test_each_series_is_measured_by_itself():
+    body = "def f(n):\n    for _ in range(2_000_000 if n == 3 else 10): pass\n    return n"
+    first, second, third = run(body)
+    assert second.usage.cpu_seconds > 0.005
+    assert first.usage.cpu_seconds < second.usage.cpu_seconds / 2
+    assert third.usage.cpu_seconds < second.usage.cpu_seconds / 2
+    assert second.usage.wall_seconds >= second.usage.cpu_seconds / 2
+
+
+def test_the_time_limit_is_each_series_own():
+    body = "from time import process_time as t\ndef f(n):\n    end = t() + 0.2\n    while t() < end: pass\n"
+    limits = Limits(0.35, 10.0, 256 << 20, 1 << 20)
+    results = run(body, [[(1,)], [(2,)], [(3,)], [(4,)]], limits)
+    assert [result.replies[-1].stop for result in results] == [Stop.ANSWERED] * 4
+    results = run(body, [[(1,)], [(2,), (3,), (4,)], [(5,)]], limits)
+    assert [result.replies[-1].stop for result in results] == [Stop.ANSWERED, Stop.CPU]
+
+
+def test_work_left_for_later_is_charged_to_the_series_it_is_done_in():
+    body = """
+import threading, time
+def spin():
+    end = time.thread_time() + 0.15
+    while time.thread_time() < end: pass
+def f(n):
+    if n == 1:
+        threading.Thread(target=spin).start()
+    time.sleep(0.1)
+    return n
+"""
+    results = run(body, [[(1,)], [(2,)], [(3,)]])
+    assert sum(result.usage.cpu_seconds for result in results) > 0.14
+
+
+@pytest.mark.parametrize("deed", ["os._exit(0)", "os.kill(os.getpid(), 9)"])
+def test_a_call_that_ends_the_process_ends_the_results(deed):
+    results = run(f"import os\ndef f(n):\n    if n == 3: {deed}\n    return n")
+    assert answers(results)[0] == [1, 2]
+    assert [result.replies[-1].stop for result in results] == [Stop.ANSWERED, Stop.EXITED]
+
+
+def test_an_exception_costs_its_own_call_alone():
+    results = run("def f(n):\n    if n == 3: exit(3)\n    return n")
+    stops = [result.replies[0].stop for result in results]
+    assert stops == [Stop.ANSWERED, Stop.EXCEPTION, Stop.ANSWERED]
+
+
+def test_a_submission_that_stops_itself_gains_nothing():
+    body = "import os, signal\ndef f(n):\n    os.kill(os.getpid(), signal.SIGSTOP)\n    return n"
+    limits = Limits(2.0, 0.5, 256 << 20, 1 << 20)
+    results = run(body, limits=limits)
+    assert results[-1].replies[-1].stop is Stop.WALL
+    assert sum(len(result.replies) for result in results) < 6
+    assert run("def f(n): return n")[2].replies[-1].stop is Stop.ANSWERED
+
+
+def test_a_submission_that_forges_the_boundary_only_shifts_its_own_figures():
+    body = "import os\nos.kill = lambda *_: None\ndef f(n): return n"
+    assert answers(run(body)) == [[1, 2], [3], [4, 5, 6]]
+
+
+def test_each_series_but_the_last_is_told_of():
+    told = []
+    run("def f(n): return n", on_series=lambda: told.append(len(told)))
+    assert told == [0, 1]
+
+
+def test_empty_series_are_answered_with_nothing():
+    assert answers(run("def f(n): return n", [[], [(1,)], []])) == [[], [1], []]
