@@ -11,6 +11,7 @@ Starting is kept short on purpose: `judge --help` imports click and nothing else
 from __future__ import annotations
 
 import gc
+import os
 import sys
 from typing import NoReturn
 
@@ -19,11 +20,30 @@ _INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
 
 def main() -> NoReturn:
     """The console script."""
+    _open_standard_streams()
     try:
-        gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
+        gc.disable()  # as in app.py
         from judge.cli.app import app  # in here, so that an early Ctrl-C is as quiet as a late one
 
         gc.enable()
         app.main()
     except KeyboardInterrupt:
         sys.exit(_INTERRUPTED)
+
+
+def _open_standard_streams() -> None:
+    """Give a closed standard stream (`<&-`, some daemons) the null device.
+
+    Otherwise the next file takes its number: a contained process would have its channel replaced by its own
+    standard input, and an accepted submission would be called a forger. Standard output is opened for
+    reading only, so that what is written there still fails: nobody got the result.
+    """
+    for number, (name, mode) in enumerate((("stdin", "r"), ("stdout", "w"), ("stderr", "w"))):
+        try:
+            os.fstat(number)
+        except OSError:
+            # The least number that is free: this one.
+            os.open(os.devnull, os.O_RDONLY if name == "stdout" else os.O_RDWR)
+        if getattr(sys, name) is None:
+            stream = open(number, mode, encoding="utf-8", closefd=False)  # noqa: SIM115 - as long as we run
+            setattr(sys, name, stream)

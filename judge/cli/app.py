@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import gc
 import importlib
 import os
 import sys
@@ -20,9 +22,11 @@ COMMANDS = {
     "show": "Show a problem: its statement, parameters and test groups.",
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",
+    "doctor": "Say how well submissions are contained on this machine.",
 }
 
 _DEBUG = "--debug"
+_UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
 
@@ -41,7 +45,9 @@ class Commands(click.Group):
         """The command of that name, its module imported now."""
         if cmd_name not in COMMANDS:
             return None
+        gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
         command = importlib.import_module(f"judge.cli.{cmd_name}").command
+        gc.enable()
         assert isinstance(command, click.Command)
         return command
 
@@ -87,6 +93,8 @@ class Commands(click.Group):
                 _show_traceback(fault)
             message, status = explain(fault)
             _complain(message)
+            if isinstance(fault, OSError):
+                _hush()
         sys.exit(int(status or 0))
 
 
@@ -101,6 +109,8 @@ def explain(fault: Exception) -> tuple[str, int]:
         return message, ExitCode.USAGE
     if isinstance(fault, click.ClickException):
         return fault.format_message(), ExitCode.USAGE
+    if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
+        return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
     what = " ".join(str(fault).split())
     kind = type(fault).__name__
     return (

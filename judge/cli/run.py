@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 
 import click
 from msgspec import Struct
 
+from judge.cli.containment import Containment, isolation_option, jobs_option
 from judge.cli.options import (
     chosen_groups,
     group_option,
@@ -18,12 +21,13 @@ from judge.cli.options import (
 )
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
-from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
+from judge.errors import ExitCode, JudgeError, UsageError
 from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
 from judge.report.results import result_lines, summary_lines, verdict_lines
 from judge.report.screen import err, out
-from judge.run import Result, exit_code, judge_fault, run_submission
+from judge.run import Result, Settings, exit_code, judge_fault, run_submission
+from judge.run.parallel import in_order
 from judge.spec import Problem
 from judge.spec.find import find_problem
 
@@ -35,6 +39,8 @@ from judge.spec.find import find_problem
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
+@jobs_option
+@isolation_option
 @problems_option
 def command(
     name: str,
@@ -43,6 +49,8 @@ def command(
     quiet: bool,
     groups: tuple[str, ...],
     seed: int | None,
+    jobs: int,
+    level: str | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Judge submissions on a problem.
@@ -52,25 +60,29 @@ def command(
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
+    show = _Json() if as_json else _Screen(brief=quiet)
     try:
         problem = _problem(name, folders)
         submissions = read_submissions(files)
         chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
-        data = _data(problem, seed)
-    except ProblemError as fault:
-        if as_json:
-            for submission in read_submissions(files):
-                write_json(judge_fault(name, submission.name, str(fault)).as_json())
+        with Containment(problem, level) as containment:
+            containment.boot(submissions[0].source, submissions[0].name)
+            data = _data(problem, seed)
+            settings = containment.settings(jobs=jobs, submissions=len(submissions))
+            judge = partial(_judge, problem, data, groups=chosen, settings=settings, bar=jobs == 1)
+            for result in in_order(submissions, jobs, judge):
+                containment.warn_of(result.isolation)
+                show.result(result, several=len(submissions) > 1)
+    except Exception as fault:
+        if as_json and not isinstance(fault, UsageError | OSError):
+            for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
+                write_json(judge_fault(name, submission.name, _told(fault)).as_json())
         raise
-    show = _Json() if as_json else _Screen(brief=quiet, several=len(submissions) > 1)
-    for submission in submissions:
-        try:
-            show.result(_judge(problem, data, submission, chosen))
-        except Exception as fault:  # ours: a script gets its object all the same
-            if as_json:
-                write_json(judge_fault(problem.id, submission.name, f"internal fault: {fault!r}").as_json())
-            raise
     return show.close()
+
+
+def _told(fault: Exception) -> str:
+    return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
 
 
 def _problem(name: str, folders: Sequence[Path]) -> Problem:
@@ -93,14 +105,25 @@ def _data(problem: Problem, seed: int | None) -> ProblemData:
     return data
 
 
-def _judge(problem: Problem, data: ProblemData, submission: Submission, groups: set[str] | None) -> Result:
+def _judge(
+    problem: Problem,
+    data: ProblemData,
+    submission: Submission,
+    *,
+    groups: set[str] | None,
+    settings: Settings,
+    bar: bool,
+) -> Result:
+    source, name = submission.source, submission.name
     try:
-        with progress(submission.name) as advance:
+        with progress(name) if bar else nullcontext() as advance:
             return run_submission(
-                problem, data, submission.source, submission.name, groups=groups, on_progress=advance
+                problem, data, source, name, groups=groups, on_progress=advance, settings=settings
             )
+    except UsageError:  # a level of isolation that cannot be had
+        raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
-        return judge_fault(problem.id, submission.name, str(fault))
+        return judge_fault(problem.id, name, str(fault))
 
 
 class _Json(Struct):
@@ -108,7 +131,7 @@ class _Json(Struct):
 
     results: list[Result] = []
 
-    def result(self, result: Result) -> None:
+    def result(self, result: Result, *, several: bool) -> None:  # noqa: ARG002 - a screen asks for it
         """One more result."""
         self.results.append(result)
         write_json(result.as_json())
@@ -122,21 +145,20 @@ class _Screen(Struct):
     """Results for a person: the verdict, or the table of them, last."""
 
     brief: bool
-    several: bool
     results: list[Result] = []
 
-    def result(self, result: Result) -> None:
-        """One more result."""
+    def result(self, result: Result, *, several: bool) -> None:
+        """One more result, of one or several."""
         self.results.append(result)
         screen = out()
         if not self.brief:
-            screen.show([*result_lines(result, screen.width), *([line()] if self.several else [])])
-        elif not self.several:
+            screen.show([*result_lines(result, screen.width), *([line()] if several else [])])
+        elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))
 
     def close(self) -> ExitCode:
         """The table of several, and what they come to."""
-        if self.several:
+        if len(self.results) > 1:
             screen = out()
             screen.show(summary_lines(self.results, screen.width))
         return exit_code(self.results)

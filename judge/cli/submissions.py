@@ -73,6 +73,8 @@ def _unreadable(name: str, fault: OSError) -> UsageError:
 
 def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
+    if path.is_symlink():
+        return "it is a link to a file that is not there"
     try:
         beside = [entry.name for entry in path.parent.iterdir()]
     except OSError:

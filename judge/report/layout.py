@@ -37,10 +37,6 @@ class Span(Struct, frozen=True):
 
 Line = tuple[Span, ...]
 
-# Escape sequences, other control characters and the marks that reorder text: a submission's name, message or
-# answer must not steer the terminal it is shown on.
-_UNSAFE = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff]")
-
 _GAP = 2  # columns between what stands side by side
 _SEAM = re.compile(r"[-_/](?=[^\W\d])")
 
@@ -51,8 +47,17 @@ def line(*parts: str | Span) -> Line:
 
 
 def printable(text: str) -> str:
-    r"""`text` with everything a terminal would obey written out, such as `\x1b`."""
-    return _UNSAFE.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
+    r"""`text` with everything a terminal would obey, or hide, written out, such as `\x1b`.
+
+    A submission's name, message or answer must not steer the terminal it is shown on: no escape sequences,
+    no other control characters, no marks that reorder text.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
+    )
 
 
 def cells(text: str) -> int:

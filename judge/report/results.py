@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import arguments, counted, seconds, size
-from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.run.result import Failure, GroupResult, Mode, Ratio, Result
 from judge.spec.verdict import Verdict
 
 _STYLES = {
@@ -94,8 +94,18 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         passed, cases = _cases(result)
         parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
         parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
+        if result.time.ratio:
+            parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
     label = verdict_span(result.verdict)
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
+
+
+def _ratio_text(ratio: Ratio, *, borderline: bool) -> str:
+    """`1.3 × the reference (1.2 to 1.4, 9 pairs)`, with what stands against believing it."""
+    spread = f"{ratio.low:.2g} to {ratio.high:.2g}, {counted(ratio.pairs, 'pair')}"
+    doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
+    doubts += ["near the limit"] if borderline else []
+    return f"{ratio.median:.2g} × the reference ({'; '.join([spread, *doubts])})"
 
 
 def _share(passed: int, cases: int) -> str:

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from cli_support import BROKEN, MEAN, ROOT
+from cli_support import BROKEN, MEAN, PACK, ROOT
 
 from judge.cli import list as list_module
 from judge.cli import run as run_module
@@ -139,6 +139,29 @@ def test_standard_output_that_is_closed_or_full(process):
             timeout=60,
             cwd=ROOT,
         )
-        assert ended.returncode != 0, target
-        assert "Traceback" not in ended.stderr
+        assert ended.returncode == 3, target
+        assert ended.stderr.startswith("judge: cannot write (")
         assert ended.stderr.count("\n") == 1
+
+
+CLOSED = ["<&-", "2>&-", "<&- 2>&-"]
+
+
+@pytest.mark.parametrize("closed", CLOSED)
+@pytest.mark.parametrize(("source", "status"), [(MEAN, 0), ("def middle(a, b):\n    return 0\n", 1)])
+def test_closed_standard_streams_change_no_status(closed, source, status, tmp_path):
+    (tmp_path / "own.py").write_text(source)
+    settings = {"PYTHONPATH": str(ROOT), "JUDGE_CACHE": str(tmp_path / "cache")}
+    ended = subprocess.run(
+        [
+            "sh",
+            "-c",
+            f'"{sys.executable}" -m judge run -q middle own.py --problems "{PACK}/problems" {closed}',
+        ],
+        cwd=tmp_path,
+        env={**os.environ, **settings},
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
+    assert ended.returncode == status

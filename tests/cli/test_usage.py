@@ -87,3 +87,11 @@ def test_an_unreadable_file(judge, submit):
     name = submit(MEAN)
     Path(name).chmod(0)
     refused(judge("run", "middle", name), "cannot be read (permission denied)", "check its permissions")
+
+
+def test_a_link_that_leads_nowhere_is_called_one(judge, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "link.py").symlink_to("nowhere.py")
+    ended = judge("run", "middle", "link.py")
+    assert ended.status == 2
+    assert ended.err == "judge: link.py: no such file; it is a link to a file that is not there\n"

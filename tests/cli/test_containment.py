@@ -1,0 +1,97 @@
+"""`judge doctor`, `--isolation` and `-j`, through the command line."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from cli_support import ROOT
+
+from judge.sandbox import LEVELS, levels
+
+ACCEPTED = ROOT / "solutions" / "count" / "accepted"
+OFFERED = [level.name for level in levels() if level.available]
+
+
+def test_doctor_names_every_level_and_the_one_in_use_last(judge):
+    ended = judge("doctor")
+    assert ended.status == 0
+    assert all(f"\n{level} " in ended.out for level in LEVELS)
+    assert ended.out.splitlines()[-1] == f"isolation is {OFFERED[0]}"
+
+
+def test_doctor_in_json(judge):
+    found = json.loads(judge("doctor", "--json").out)
+    assert found["isolation"] == OFFERED[0]
+    assert [level["name"] for level in found["levels"]] == list(LEVELS)
+    for level in found["levels"]:
+        assert level["available"] == (level["why_not"] is None)
+
+
+@pytest.mark.parametrize("level", OFFERED)
+def test_a_demanded_level_is_named_in_the_result(judge, level):
+    ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", level, "--json")
+    result = json.loads(ended.out)
+    assert (ended.status, result["verdict"], result["isolation"]) == (0, "AC", level)
+    assert ended.err == ""  # who asks for less gets no warning
+
+
+def test_a_level_that_does_not_exist_is_refused(judge):
+    ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "ful")
+    assert (ended.status, ended.out) == (2, "")
+    assert "'ful' is not one of 'full', 'strong', 'limits'" in ended.err
+
+
+def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
+    monkeypatch.setattr("judge.sandbox.probe._missing", lambda _: "bubblewrap is not installed")
+    ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")
+    assert (ended.status, ended.out) == (2, "")
+    assert "isolation full cannot be had here: bubblewrap is not installed" in ended.err
+
+
+def test_weak_containment_is_warned_of_once(judge, monkeypatch):
+    monkeypatch.setattr("judge.sandbox.probe._missing", lambda level: "" if level == "limits" else "no")
+    ended = judge("run", "count", str(ACCEPTED), "-q")
+    assert ended.status == 0
+    assert ended.err.count("isolation is 'limits'") == 1
+
+
+@pytest.mark.parametrize("jobs", ["1", "2", "4"])
+def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs):
+    wrong = ROOT / "solutions" / "count" / "wrong"
+    files = [
+        ACCEPTED / "exact.py",
+        wrong / "loose-epsilon.py",
+        ACCEPTED / "program.py",
+        wrong / "tangent-twice.py",
+    ]
+    ended = judge("run", "count", *map(str, files), "--json", "-j", jobs)
+    results = [json.loads(row) for row in ended.out.splitlines()]
+    assert [result["submission"] for result in results] == list(map(str, files))
+    assert [result["verdict"] for result in results] == ["AC", "WA", "AC", "WA"]
+    assert results[1]["failure"]["group"] == "near-hit"
+
+
+def test_the_groups_of_one_are_shared_out(judge):
+    file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
+    alone, shared = (
+        json.loads(judge("run", "count", str(file), "--json", "-j", jobs).out) for jobs in ("1", "3")
+    )
+    shape = [(group["name"], group["verdict"], group["passed"]) for group in alone["groups"]]
+    assert shape == [(group["name"], group["verdict"], group["passed"]) for group in shared["groups"]]
+    assert alone["failure"] == shared["failure"]
+
+
+def test_an_accepted_submission_has_a_ratio(judge):
+    result = json.loads(judge("run", "count", str(ACCEPTED / "exact.py"), "--json").out)
+    ratio = result["time"]["ratio"]
+    assert ratio["low"] <= ratio["median"] <= ratio["high"]
+    assert ratio["pairs"] >= 3
+    assert ratio["median"] > 2  # fractions against doubles: some ten times
+    shown = judge("run", "count", str(ACCEPTED / "exact.py")).out
+    assert "× the reference (" in shown.splitlines()[-1] + shown.splitlines()[-2]
+
+
+def test_a_rejected_submission_has_none(judge):
+    file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
+    assert json.loads(judge("run", "count", str(file), "--json").out)["time"]["ratio"] is None
