@@ -69,7 +69,8 @@ def find_roots(hide: Iterable[Path] = ()) -> Roots:
         executable=executable,
         folders=tuple(folders),
         files=tuple(files),
-        hidden=tuple(path for path in hidden if _within(path, folders)),
+        # What lies in a hidden folder is hidden with it; an empty one could not be laid over it once more.
+        hidden=tuple(_outermost(path for path in hidden if _within(path, folders))),
         imports=tuple(dict.fromkeys([*own, *sites])),
     )
 

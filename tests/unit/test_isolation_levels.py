@@ -63,6 +63,21 @@ def test_a_bubblewrap_that_fails_says_why(monkeypatch: pytest.MonkeyPatch, tmp_p
         assert box.isolation != "full"
 
 
+def test_a_level_that_fails_in_the_background_leaves_the_next_one_whole(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    broken = tmp_path / "bwrap"
+    broken.write_text("#!/bin/sh\nsleep 0.2\necho 'bwrap: no' >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setattr(launch, "bubblewrap_path", lambda: str(broken))
+    box = open_box(b"def f(n): return n", "f.py")
+    box.warm_up()
+    with box:
+        assert box.isolation != "full"
+        for _ in range(2):
+            assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+
+
 def test_paths_are_given_around_what_is_hidden(tmp_path: Path) -> None:
     for name in ("site/judge/problems", "site/numpy", "site/other"):
         (tmp_path / name).mkdir(parents=True)
@@ -116,6 +131,18 @@ with open_box({source.encode()!r}, "f.py", level={level!r}) as box:
         check=False,
     )
     assert done.stdout.split() == ["42", "held", "held", "held", "held"], done.stdout + done.stderr
+
+
+def test_what_lies_in_a_hidden_folder_is_hidden_with_it() -> None:
+    outer = Path(pytest.__file__).resolve().parent
+    inner = next(path for path in outer.parent.joinpath("_pytest").iterdir() if path.is_dir())
+    hide = [inner, inner.parent, outer, outer]
+    found = roots.find_roots(hide)
+    assert str(inner) not in found.hidden
+    assert [found.hidden.count(str(path)) for path in (inner.parent, outer)] == [1, 1]
+    with open_box(b"def f(n): return n", "f.py", hide=hide) as box:
+        assert box.isolation == next(level.name for level in levels() if level.available)
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
 
 
 def test_a_hidden_folder_is_hidden(tmp_path: Path) -> None:
