@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
-from judge.report.values import arguments, counted, seconds, size
+from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Mode, Ratio, Result
 from judge.spec.verdict import Verdict
 
@@ -102,10 +102,10 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
 
 def _ratio_text(ratio: Ratio, *, borderline: bool) -> str:
     """`1.3 × the reference (1.2 to 1.4, 9 pairs)`, with what stands against believing it."""
-    spread = f"{ratio.low:.2g} to {ratio.high:.2g}, {counted(ratio.pairs, 'pair')}"
+    spread = f"{times(ratio.low)} to {times(ratio.high)}, {counted(ratio.pairs, 'pair')}"
     doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
     doubts += ["near the limit"] if borderline else []
-    return f"{ratio.median:.2g} × the reference ({'; '.join([spread, *doubts])})"
+    return f"{times(ratio.median)} × the reference ({'; '.join([spread, *doubts])})"
 
 
 def _share(passed: int, cases: int) -> str:
@@ -126,6 +126,7 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
         Column("verdict"),
         Column("points", right=True),
         Column("CPU", right=True),
+        Column("× reference", right=True),
         Column("first failure", flexible=True),
     ]
     shown = len(columns) - all_right
@@ -142,6 +143,7 @@ def _summary_row(result: Result) -> list[Cell]:
         verdict_span(result.verdict),
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),
+        Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
         _place(result.failure),
     ]
 

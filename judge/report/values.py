@@ -33,6 +33,13 @@ def seconds(duration: float) -> str:
     return f"{duration * 1e3:.0f} ms" if duration < 0.9995 else f"{duration:.2f} s"
 
 
+def times(factor: float) -> str:
+    """A multiple with as many digits as it deserves: `0.97`, `1.3`, `12`, `1,117`."""
+    if factor >= 9.95:
+        return f"{factor:,.0f}"
+    return f"{factor:.1f}" if factor >= 0.995 else f"{factor:.2f}"
+
+
 def size(amount: int) -> str:
     """A number of bytes in megabytes (of 2**20), as limits are given."""
     return f"{amount / 2**20:,.0f} MB"

@@ -87,7 +87,7 @@ def run_submission(
         if timing.too_slow and timing.ratio and problem.time:
             slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
             slowest.too_slow(
-                f"it takes {timing.ratio.median:.3g} times the CPU time of the reference solution; "
+                f"it takes {timing.ratio.median:,.0f} times the CPU time of the reference solution; "
                 f"the limit is {problem.time.limit:g} times"
             )
         isolation = box.isolation
