@@ -78,6 +78,9 @@ class ForkServerBox:
 
     def __exit__(self, *exc: object) -> None:
         self._closed = True  # a warm-up still under way must not start another container
+        if self._warm_up is not None and self._container is not None:
+            self._container.kill()  # and need not be waited for: nothing will answer it any more
+        self._warmed_up()
         self._drop()
 
     def warm_up(self) -> None:

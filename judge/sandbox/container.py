@@ -172,6 +172,12 @@ class Container:
         start = wire.replies_at(len(payload))
         return self.region.replies(start, start + min(output, wire.REPLY_BYTES))
 
+    def kill(self) -> None:
+        """End what runs in it at once; whoever waits for its answer finds it lost."""
+        process = self._process
+        if process is not None:
+            _kill(process)
+
     def close(self) -> None:
         """Hang up, which ends the server; kill it if that takes too long. Safe to call twice."""
         process, self._process = self._process, None

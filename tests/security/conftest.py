@@ -62,7 +62,7 @@ def _plain(home: Path) -> Iterator[Attacker]:
     try:
         uid = pwd.getpwnam(PLAIN_USER).pw_uid
     except KeyError:
-        command = shutil.which("useradd")
+        command = _administrators("useradd")
         if command is None:
             pytest.skip("there is no useradd to make a plain user with")
         subprocess.run(
@@ -73,7 +73,14 @@ def _plain(home: Path) -> Iterator[Attacker]:
         yield Attacker("plain", _python_for(uid), home, uid)
     finally:
         if made:
-            subprocess.run(["userdel", PLAIN_USER], check=True, timeout=20, capture_output=True)
+            subprocess.run(
+                [_administrators("userdel"), PLAIN_USER], check=True, timeout=20, capture_output=True
+            )
+
+
+def _administrators(name: str) -> str | None:
+    """A command that may lie where only an administrator's PATH looks."""
+    return shutil.which(name, path=os.pathsep.join([os.environ.get("PATH", ""), "/usr/sbin", "/sbin"]))
 
 
 def _python_for(uid: int) -> str:

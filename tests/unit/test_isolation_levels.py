@@ -5,6 +5,8 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -76,6 +78,16 @@ def test_a_level_that_fails_in_the_background_leaves_the_next_one_whole(
         assert box.isolation != "full"
         for _ in range(2):
             assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+
+
+@pytest.mark.parametrize("seconds", [0, 0.01, 0.03, 0.06])
+def test_a_box_may_be_closed_while_it_warms_up(seconds: float) -> None:
+    for _ in range(5):
+        box = open_box(b"def f(n): return n", "f.py")
+        box.warm_up()
+        time.sleep(seconds)
+        box.__exit__(None, None, None)
+    assert threading.active_count() == 1
 
 
 def test_paths_are_given_around_what_is_hidden(tmp_path: Path) -> None:
