@@ -21,7 +21,7 @@ MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are mor
 class Reference:
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
-    Open it in the thread that outlives all races; a context manager, its boxes end with it.
+    A context manager, its boxes end with it; one race at a time may use them.
     """
 
     def __init__(self, problem: Problem, box_factory: BoxFactory) -> None:

@@ -46,8 +46,7 @@ class ForkServerBox:
     boots. Where the first of `levels` cannot be had the next is tried; where none can, entering raises what
     `refuse` makes of the reason.
 
-    It belongs to the thread that opened it, or to one that ends earlier: on Linux what it runs ends with the
-    thread that started it.
+    One thread at a time may use it, whichever opened it.
     """
 
     def __init__(self, source: bytes, name: str, levels: Sequence[str], roots: Roots, refuse: Refuse) -> None:

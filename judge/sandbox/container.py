@@ -14,8 +14,10 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from queue import SimpleQueue
+from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
 from judge.sandbox import bundle, launch, shared
@@ -59,6 +61,66 @@ class Done(NamedTuple):
 OnSeries = Callable[[], None]  # told of each series that has ended but the last
 
 
+class _Order:
+    """A process to be started, and what came of it."""
+
+    def __init__(self, command: Sequence[str], settings: dict[str, Any]) -> None:
+        self.done = threading.Event()
+        self.process: subprocess.Popen[bytes] | None = None
+        self.fault: BaseException | None = None
+        self._command = command
+        self._settings = settings
+
+    def carry_out(self) -> None:
+        try:
+            self.process = subprocess.Popen(self._command, **self._settings)
+        except BaseException as fault:
+            self.fault = fault
+        self.done.set()
+
+
+class _Starter:
+    """The one thread that starts every fork server.
+
+    On Linux a fork server dies with the thread that started it; this one lives as long as the judge, so that
+    a box may be handed from thread to thread.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self._orders: SimpleQueue[_Order] = SimpleQueue()
+
+    def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
+        """As `subprocess.Popen`."""
+        order = _Order(command, settings)
+        with self._lock:
+            if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
+                self._orders = SimpleQueue()
+                self._thread = threading.Thread(target=self._serve, args=(self._orders,), daemon=True)
+                self._thread.start()
+            self._orders.put(order)
+        try:
+            order.done.wait()
+        except BaseException:  # Ctrl-C: it takes only a moment more, and nobody else would end it
+            order.done.wait()
+            if order.process is not None:
+                _kill(order.process)
+            raise
+        if order.fault is not None:
+            raise order.fault
+        assert order.process is not None
+        return order.process
+
+    @staticmethod
+    def _serve(orders: SimpleQueue[_Order]) -> None:
+        while True:
+            orders.get().carry_out()
+
+
+_STARTER = _Starter()
+
+
 class Container:
     """A fork server and its descriptors."""
 
@@ -90,7 +152,7 @@ class Container:
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             try:
-                self._process = subprocess.Popen(
+                self._process = _STARTER.start(
                     plan.command,
                     env=plan.environment,
                     cwd="/",

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 
 import pytest
 from judging import judged, make_data
@@ -98,3 +101,35 @@ def test_a_submission_judged_by_four_threads_uses_each_box_in_the_thread_that_op
     assert [len(set(seen)) for seen in boxes] == [1] * THREADS
     assert len({seen[0] for seen in boxes}) == THREADS
     assert children() == before
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_box_outlives_the_thread_that_opened_it(level):
+    require(level)
+    opened = []
+
+    def judge():
+        opened.append(stack.enter_context(open_box(b"print(input())", "my.py", level=level)))
+        assert opened[0].run_program(b"1", LIMITS).stdout == b"1\n"
+
+    with ExitStack() as stack:
+        thread = threading.Thread(target=judge)
+        thread.start()
+        thread.join()
+        time.sleep(0.1)  # for what would end with the thread
+        assert opened[0].run_program(b"2", LIMITS).stdout == b"2\n"
+
+
+def test_a_box_that_falls_to_a_lower_level_while_it_warms_up_still_makes_its_calls(tmp_path, monkeypatch):
+    require("strong")
+    broken = tmp_path / "bwrap"
+    broken.write_text("#!/bin/sh\necho No permissions to create a new namespace >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    box = open_box(b"def f(n):\n    return n\n", "my.py")
+    box.warm_up()
+    time.sleep(0.5)  # until it is warm, and the thread that warmed it has ended
+    with box:
+        replies = box.call_many("f", [(1,), (2,)], LIMITS).replies
+        assert box.isolation == "strong"
+    assert [(reply.stop, reply.answer) for reply in replies] == [(Stop.ANSWERED, 1), (Stop.ANSWERED, 2)]
