@@ -83,7 +83,7 @@ def run_submission(
             tallies = judging.groups(box, chosen)
         timing = Decision(None)
         if settings.measured and all(tally.verdict is Verdict.AC for tally in tallies):
-            timing = _race(problem, mode, chosen, box, settings, turnstile)
+            timing = _race(problem, mode, tallies, box, settings, turnstile)
         if timing.too_slow and timing.ratio and problem.time:
             slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
             slowest.too_slow(
@@ -112,7 +112,7 @@ def run_submission(
 def _race(
     problem: Problem,
     mode: Mode,
-    groups: Sequence[GroupData],
+    tallies: Sequence[Tally],
     box: Box,
     settings: Settings,
     turnstile: Turnstile,
@@ -121,7 +121,7 @@ def _race(
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
         reference = shared.open(mode)
-        return measure(problem, mode, groups, box, reference) if reference else Decision(None)
+        return measure(problem, mode, tallies, box, reference) if reference else Decision(None)
 
 
 class _Judging:

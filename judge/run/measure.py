@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from itertools import takewhile
+from typing import Any, NamedTuple
 
-from judge.run.program import render_group
+from judge.errors import JudgeError
+from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
-from judge.run.timing import Decision, Run, race
-from judge.sandbox import Box, BoxFactory, Limits, Stop
-from judge.spec import Case, Problem
-
-if TYPE_CHECKING:
-    from judge.data import GroupData
-
+from judge.run.tally import VERDICTS, Tally
+from judge.run.timing import Decision, race
+from judge.sandbox import Box, BoxFactory, Limits, Stop, Usage
+from judge.spec import Case, Problem, Verdict
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
+_MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
+_MORE_WALL_SECONDS = 2.0
+_AGAIN = "when it was run again to be timed"
 
 
 class Reference:
@@ -57,32 +59,92 @@ class Reference:
 
 
 def measure(
-    problem: Problem, mode: Mode, groups: Sequence[GroupData], submission: Box, reference: Box
+    problem: Problem, mode: Mode, tallies: Sequence[Tally], submission: Box, reference: Box
 ) -> Decision:
-    """Race the two on the groups' cases, in one series of calls or one program a turn."""
+    """Race the two on the cases of accepted groups, in one series of calls or one program a turn.
+
+    The submission's answers are compared in every turn: one that answers otherwise than before, or not to
+    the end, is no longer accepted, its tally says why, and there is no more racing.
+
+    Raises:
+        JudgeError: the reference does not come to the end of the cases.
+    """
     assert problem.time is not None
-    cases = [case for group in groups for case in group.cases]
-    cases = cases[:: 1 + (len(cases) - 1) // MOST_CASES]
-    limits = _limits(problem, len(groups))
+    places = [(tally, index) for tally in tallies for index in range(len(tally.group.cases))]
+    places = places[:: 1 + (len(places) - 1) // MOST_CASES]
+    cases = [tally.group.cases[index] for tally, index in places]
+    limits = _limits(problem, len(tallies))
+    used = sum((tally.usage for tally in tallies), Usage())
+    tighter = limits._replace(
+        cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
+        wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
+    )
     stdin = render_group(cases) if mode is Mode.PROGRAM else b""
 
-    def turn_of(box: Box) -> Run:
+    def turn(box: Box, within: Limits) -> _Turn:
         if mode is Mode.PROGRAM:
-            return lambda: _program_seconds(box, stdin, limits)
-        return lambda: _calls_seconds(box, problem.entry, cases, limits)
+            return _program_turn(box, stdin, within)
+        return _calls_turn(box, problem.entry, cases, within)
 
-    return race(turn_of(submission), turn_of(reference), problem.time.limit)
+    def mine() -> float | None:
+        done = turn(submission, tighter)
+        return done.cpu_seconds if _as_before(done, mode, places) else None
+
+    def theirs() -> float | None:
+        done = turn(reference, limits)
+        if done.stop is not Stop.ANSWERED:
+            raise JudgeError(f"the reference solution cannot be timed: {done.detail}")
+        return done.cpu_seconds
+
+    decision = race(mine, theirs, problem.time.limit)
+    if any(tally.verdict is not Verdict.AC for tally in tallies):
+        return Decision(decision.ratio)
+    return decision
 
 
-def _calls_seconds(box: Box, entry: str, cases: Sequence[Case], limits: Limits) -> float | None:
-    result = box.call_many(entry, cases, limits)
-    whole = len(result.replies) == len(cases) and result.replies[-1].stop is Stop.ANSWERED
-    return result.usage.cpu_seconds if whole else None
+class _Turn(NamedTuple):
+    """One run over all cases: its answers, or lines, as far as it came, and how it ended."""
+
+    answers: Sequence[Any]
+    stop: Stop
+    detail: str
+    cpu_seconds: float
 
 
-def _program_seconds(box: Box, stdin: bytes, limits: Limits) -> float | None:
+def _calls_turn(box: Box, entry: str, cases: Sequence[Case], limits: Limits) -> _Turn:
+    replies, usage = box.call_many(entry, cases, limits)
+    answers = [reply.answer for reply in takewhile(lambda reply: reply.stop is Stop.ANSWERED, replies)]
+    stop, _, detail = replies[min(len(answers), len(replies) - 1)]
+    return _Turn(answers, stop, detail, usage.cpu_seconds)
+
+
+def _program_turn(box: Box, stdin: bytes, limits: Limits) -> _Turn:
     result = box.run_program(stdin, limits)
-    return result.usage.cpu_seconds if result.stop is Stop.ANSWERED else None
+    lines = answer_lines(result.stdout, complete=result.stop is Stop.ANSWERED)
+    return _Turn(lines, result.stop, result.detail, result.usage.cpu_seconds)
+
+
+def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[Tally, int]]) -> bool:
+    """Whether all answers are accepted as when they were judged; the first that is not is recorded."""
+    from judge.compare.check import Accepted, check
+    from judge.compare.text import check_line
+
+    compare: Callable[..., Any] = check_line if mode is Mode.PROGRAM else check
+    for (tally, index), answer in zip(places, turn.answers, strict=False):
+        kind, target = tally.problem.answer, tally.group.targets[index]
+        outcome = compare(kind, answer, target, tally.exact(index))
+        if not isinstance(outcome, Accepted):
+            tally.unsteady(index, Verdict.WA, f"{outcome.message}, {_AGAIN}", outcome.got)
+            return False
+    if turn.stop is Stop.ANSWERED and len(turn.answers) == len(places):
+        return True
+    tally, index = places[min(len(turn.answers), len(places) - 1)]
+    if turn.stop is Stop.ANSWERED:
+        message = f"{len(turn.answers)} lines printed, {len(places)} wanted"
+        tally.unsteady(index, Verdict.WA, f"{message}, {_AGAIN}")
+    else:
+        tally.unsteady(index, VERDICTS[turn.stop], f"{turn.detail}, {_AGAIN}")
+    return False
 
 
 def _limits(problem: Problem, groups: int) -> Limits:

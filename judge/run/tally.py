@@ -88,6 +88,11 @@ class Tally:
         """Record a case that ended otherwise than with an answer."""
         self.failed(index, VERDICTS[stop], detail)
 
+    def unsteady(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+        """Record a case that passed, but did not when it was run again."""
+        self.passed -= 1
+        self.failed(index, verdict, message, got)
+
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
         self.verdict = Verdict.TLE

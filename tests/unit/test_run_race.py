@@ -1,0 +1,92 @@
+"""The race against the reference: a submission must answer there as it did when it was judged."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from judging import GOOD, judged, make_data
+from msgspec.structs import replace
+
+from judge.data import ProblemData
+from judge.errors import JudgeError
+from judge.spec import TimeRule, Verdict
+
+PROGRAM = """
+import sys
+rows = [tuple(map(float, line.split())) for line in sys.stdin.read().splitlines()[1:]]
+again = len(rows) > 4  # the race runs both groups at once
+{deed}
+for n, x, y in rows: print(int(n + x + y))
+"""
+CALLS = """
+import os, sys, time
+def raced():
+    frame = sys._getframe()
+    while "series" not in frame.f_locals:
+        frame = frame.f_back
+    return len(frame.f_locals["series"]) == 1
+def answer(n, P):
+    if raced():
+        {deed}
+    return int(n + P[0] + P[1])
+"""
+
+
+REFERENCE = b"def answer(n, P):\n    for _ in range(20_000): pass\n    return int(n + P[0] + P[1])\n"
+
+
+@pytest.fixture
+def timed(tmp_path):
+    """Judge on two groups of four cases with a time limit that nothing here comes near."""
+
+    def judge(source, reference=REFERENCE):
+        folder = tmp_path / "accepted"
+        folder.mkdir()
+        (folder / "calls.py").write_bytes(reference)
+        (folder / "program.py").write_text(PROGRAM.format(deed="for _ in range(200_000): pass"))
+        data = make_data("one", "two", step=1)
+        rule = TimeRule(1e6, "calls.py", "program.py")
+        problem = replace(data.problem, solutions=tmp_path, time=rule)
+        return judged(source, ProblemData(problem, data.groups))
+
+    return judge
+
+
+@pytest.mark.parametrize("source", [GOOD, CALLS.format(deed="pass"), PROGRAM.format(deed="")])
+def test_who_answers_alike_has_a_ratio(timed, source):
+    result = timed(source)
+    assert (result.verdict, result.failure) == (Verdict.AC, None)
+    assert result.time.ratio.pairs >= 3
+
+
+@pytest.mark.parametrize(
+    ("source", "deed", "verdict", "message"),
+    [
+        (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
+        (CALLS, "return None", Verdict.WA, "None given"),
+        (CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
+        (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
+        (CALLS, "while True: pass", Verdict.TLE, "CPU time"),
+        (CALLS, "time.sleep(30)", Verdict.TLE, "waiting most of it"),
+        (PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
+        (PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
+        (PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),
+        (PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
+        (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
+    ],
+)
+def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, verdict, message):
+    began = time.monotonic()
+    result = timed(source.format(deed=deed))
+    assert time.monotonic() - began < 15
+    assert result.verdict is verdict
+    assert message in result.failure.message
+    assert "when it was run again to be timed" in result.failure.message
+    assert sum(group.passed for group in result.groups) == 7
+    assert result.score < 100
+
+
+def test_a_reference_that_fails_is_no_fault_of_the_submission(timed):
+    with pytest.raises(JudgeError, match="the reference solution cannot be timed: exit status 0"):
+        timed(GOOD, reference=b"import os\ndef answer(n, P): os._exit(0)\n")
