@@ -100,3 +100,24 @@ def test_each_series_but_the_last_is_told_of():
 
 def test_empty_series_are_answered_with_nothing():
     assert answers(run("def f(n): return n", [[], [(1,)], []])) == [[], [1], []]
+
+
+def test_a_process_finds_nothing_of_the_one_before_it():
+    body = """
+import sys
+def f(n):
+    frame = sys._getframe()
+    while "region" not in frame.f_locals:
+        frame = frame.f_back
+    memory = frame.f_locals["region"].memory
+    found = memory.find(b"left by " + b"the last")
+    if n == 1:
+        memory[64 << 20 : (64 << 20) + 16] = b"left by " + b"the last"
+    return found
+"""
+    with open_box(body.encode(), "my.py") as box:
+        first, second, third = (
+            box.call_many("f", calls, LIMITS).replies for calls in ([(0,), (1,), (0,)], [(0,)], [(0,)])
+        )
+    assert [reply.answer for reply in first] == [-1, -1, 64 << 20]
+    assert [reply.answer for reply in (*second, *third)] == [-1, -1]
