@@ -153,18 +153,22 @@ class ForkServerBox:
         except Lost as lost:
             kept = outcome.parse_replies(lost.replies, count)[0][: count - 1]
             return outcome.by_series([*kept, Reply(Stop.TAMPERED, detail=_LOST)], series, [])
-        replies = self._ended(done, payload, limits, printed, count)
+        replies = self._ended(done, payload, limits, printed, series)
         return outcome.by_series(replies, series, outcome.usages_of(done))
 
-    def _ended(self, done: Done, payload: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
+    def _ended(
+        self, done: Done, payload: bytes, limits: Limits, printed: int, series: Sequence[Sequence[Any]]
+    ) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
+        count = sum(len(calls) for calls in series)
         replies, kept_form = outcome.parse_replies(self._here().replies(payload, limits.output_bytes), count)
         over = outcome.overrun(done, limits, printed, note)
         if over is None and kept_form and len(replies) == count:
             return replies
         if over:
             stop, detail = over
+            count = sum(len(calls) for calls in series[: outcome.blamed(done, stop, limits) + 1])
             if len(replies) >= count:
                 detail += ", in this call or one before it"
         elif not kept_form:
@@ -174,8 +178,8 @@ class ForkServerBox:
             stop = Stop.EXITED  # in mid-call, whatever its status
             if not self._here().region.words[wire.IMPORTED]:
                 detail += ", while the module was imported"
-        # of a limit that all calls passed together, the last call hears
-        return [*replies[: count - 1], Reply(stop, detail=detail)]
+        # of a limit that the calls of a series passed together, its last call hears
+        return [*replies[: max(0, count - 1)], Reply(stop, detail=detail)]
 
     def _one_at_a_time(
         self,

@@ -55,7 +55,9 @@ class Done(NamedTuple):
     wall_ns: int
     peak_bytes: int
     started: int  # whether the child came as far as running foreign code
-    marks: tuple[tuple[int, int], ...] = ()  # (cpu ns, wall ns) of each series before the last
+    marks: tuple[
+        tuple[int, int, int], ...
+    ] = ()  # (cpu ns, wall ns, peak bytes) at the end of each series before
 
 
 OnSeries = Callable[[], None]  # told of each series that has ended but the last
@@ -215,7 +217,7 @@ class Container:
         except OSError:
             self.close()
             raise Lost from None
-        marks: list[tuple[int, int]] = []
+        marks: list[tuple[int, int, int]] = []
         while True:
             answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
             if answer.startswith(wire.ENDED):

@@ -25,9 +25,16 @@ def usage_of(done: Done) -> Usage:
 
 
 def usages_of(done: Done) -> list[Usage]:
-    """The figures of each series that was begun; the peak is that of all."""
-    clocks = [*done.marks, (done.cpu_ns, done.wall_ns)]
-    return [Usage(cpu / 1e9, wall / 1e9, done.peak_bytes) for cpu, wall in clocks]
+    """The figures of each series that was begun; the peak is that of the process up to its end."""
+    figures = [*done.marks, (done.cpu_ns, done.wall_ns, done.peak_bytes)]
+    return [Usage(cpu / 1e9, wall / 1e9, peak) for cpu, wall, peak in figures]
+
+
+def blamed(done: Done, stop: Stop, limits: Limits) -> int:
+    """The place of the series in which a limit was passed: of those begun the last, unless memory tells."""
+    peaks = [peak for _, _, peak in done.marks] if stop is Stop.MEMORY else []
+    over = (place for place, peak in enumerate(peaks) if peak > limits.memory_bytes)
+    return next(over, len(done.marks))
 
 
 def by_series(

@@ -121,3 +121,29 @@ def f(n):
         )
     assert [reply.answer for reply in first] == [-1, -1, 64 << 20]
     assert [reply.answer for reply in (*second, *third)] == [-1, -1]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a process a series elsewhere")
+@pytest.mark.parametrize("deed", ["bytes(300 << 20)", "kept.append(bytes(300 << 20))"])
+def test_the_series_that_takes_the_memory_is_blamed_for_it(deed):
+    body = f"kept = []\ndef f(n):\n    if n == 3: {deed.replace('bytes(', 'bytearray(b1) * (')}\n    return n"
+    results = run(body.replace("b1", "b'1'"))
+    assert answers(results) == [[1, 2], [None]]
+    assert results[1].replies[0].stop is Stop.MEMORY
+    assert results[0].usage.memory_bytes < 100 << 20
+    assert results[1].usage.memory_bytes > 300 << 20
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a process a series elsewhere")
+def test_a_series_that_has_answered_all_and_is_too_slow_is_blamed_itself():
+    body = "import time\ndef f(n):\n    if n == 3:\n        import os, threading\n"
+    body += "        threading.Thread(target=lambda: [0 for _ in iter(int, 1)], daemon=True).start()\n"
+    body += "        time.sleep(0.2)\n    return n"
+    results = run(body, limits=LIMITS._replace(cpu_seconds=0.1))
+    assert [result.replies[-1].stop for result in results] == [Stop.ANSWERED, Stop.CPU]
+
+
+def test_memory_is_told_at_the_end_of_each_series():
+    body = "kept = []\ndef f(n):\n    kept.append(bytearray(b'1') * (20 << 20))\n    return n"
+    first, second, third = (result.usage.memory_bytes >> 20 for result in run(body))
+    assert 40 <= first < second < third < 160

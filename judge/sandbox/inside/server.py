@@ -213,7 +213,7 @@ class Server:
                 reason = wire.FOR_CPU if left <= 0 else wire.FOR_WALL
             elif stopped and marks and os.WSTOPSIG(status) == signal.SIGSTOP:
                 marks -= 1
-                self._line.send(watch.next_series(_cpu_clock(pid)))
+                self._line.send(watch.next_series(_cpu_clock(pid), usage.ru_maxrss * _PEAK_UNIT))
                 os.kill(pid, signal.SIGCONT)
             else:
                 self._wait(pid, min(max(left // self._cores, SHORTEST_WAIT_NS), job.wall_ns - passed))
@@ -266,11 +266,11 @@ class _Watch:
         """What the series may still use."""
         return self.cpu_ns + self.before + self.idle + (self.baseline or 0) - clock
 
-    def next_series(self, clock: int) -> bytes:
+    def next_series(self, clock: int, peak: int) -> bytes:
         """The frame that says what the series used; the next one begins."""
         now = time.perf_counter_ns()
         used = max(0, clock - self.idle - (self.baseline or 0) - self.before)
-        frame = wire.MARK.pack(wire.MARKED, used, now - self.began)
+        frame = wire.MARK.pack(wire.MARKED, used, now - self.began, peak)
         self.before += used
         self.began = now
         return frame

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 FRAME = 64
 REQUEST = struct.Struct("=cqqqqqqq")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
-MARK = struct.Struct("=4sqq")  # MARKED, cpu ns and wall ns of a series
+MARK = struct.Struct("=4sqqq")  # MARKED, cpu ns and wall ns of a series, the peak of memory so far
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
 MARKED, ENDED = b"mark", b"done"
 READY = b"ready"
