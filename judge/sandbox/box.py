@@ -35,10 +35,6 @@ _SEQUENCES = frozenset({list, tuple})
 _LOST = "it stopped the process that watches it"
 
 
-class _NotHere(Exception):  # noqa: N818 - a signal between this box's threads
-    """The warm-up met what only the box's own thread may do."""
-
-
 class ForkServerBox:
     """A submission behind a fork server; a context manager that ends it all.
 
@@ -62,7 +58,6 @@ class ForkServerBox:
         self._container: Container | None = None
         self._warm_up: threading.Thread | None = None
         self._closed = False
-        self._refusal: NotStarted | None = None  # why the level just tried cannot be had
         self._launch()
 
     @property
@@ -86,7 +81,7 @@ class ForkServerBox:
         """Get ready for calls in the background: they wait for it, whatever fails shows when they come."""
 
         def prepare() -> None:
-            with contextlib.suppress(_NotHere, JudgeError, Lost, OSError):
+            with contextlib.suppress(JudgeError, Lost, OSError):
                 self._prepare(wire.CALLS)
 
         self._warm_up = threading.Thread(target=prepare, daemon=True)
@@ -285,25 +280,16 @@ class ForkServerBox:
         while True:
             if self._closed:
                 raise Lost
-            if self._refusal:
-                self._only_in_front()
-                refusal, self._refusal = self._refusal, None
-                self._give_up(refusal)
             if self._container is None:
-                self._only_in_front()
                 self._launch()
             assert self._container is not None
             try:
                 self._container.await_ready()
             except NotStarted as refusal:
-                self._container, self._refusal = None, refusal
+                self._container = None
+                self._give_up(refusal)
             else:
                 return self._container
-
-    def _only_in_front(self) -> None:
-        """Leave what starts a container to the box's own thread: on Linux it would end with the warm-up's."""
-        if threading.current_thread() is self._warm_up:
-            raise _NotHere
 
     def _note(self) -> tuple[int, str]:
         return self._here().region.note()
