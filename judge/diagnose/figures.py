@@ -20,7 +20,7 @@ Level = tuple[Decimal, Decimal, Decimal, Decimal]  # radius, height, start, end 
 
 
 def levelled(case: Case) -> Iterator[Case]:
-    """The case laid level about the origin, at its own size or blown up to integers; all kinds of rounding."""
+    """The case laid level about the origin, at its own size or blown up to integers, and rounded."""
     figure = _shape(case)
     if figure is None:
         return

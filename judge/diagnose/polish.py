@@ -48,7 +48,7 @@ def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) ->
 
 
 def steps(case: Case) -> Iterator[Case]:
-    """The case with one thing changed: a number wherever it stands, two that differ little, or all numbers."""
+    """The case with one thing changed: a number wherever it stands, two by as much, or all numbers."""
     numbers = list(numbers_of(case))
     yield from _all_changed(case, numbers)
     for places in _alike(numbers):
@@ -74,15 +74,17 @@ def _alike(numbers: list[Number]) -> list[list[int]]:
     return list(places.values())
 
 
-def _smaller(value: Number) -> Iterator[Number]:
-    """Simpler magnitudes than that of `value`."""
-    value = abs(value)
+def _smaller(signed: Number) -> Iterator[Number]:
+    """Simpler magnitudes than that of a number."""
+    value: int | float = abs(signed)
     yield from (0, 1, 2, 3)
     if isinstance(value, float):
         if value.is_integer() and value < 1e17:
             yield int(value)
         yield from (float(f"{value:.{kept}e}") for kept in range(16))
         yield from (1.0, 2.0, value / 2)
+        if value < 1:  # nearer to 1 is simpler
+            yield from (float(f"{value * factor:.0e}") for factor in (2, 10, 10**3, 10**6))
         return
     yield from _fewer_digits(value)
 

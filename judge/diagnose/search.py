@@ -38,7 +38,7 @@ def shrunk(
     best: list[Shrunk] = []
 
     def fails(built: Built) -> bool:
-        if trial.budget.spent or not trial.valid(built.case):
+        if trial.budget.spent or not trial.valid(built.case, group):
             return False
         finding = trial.alone(built.case, group)
         if finding is None:

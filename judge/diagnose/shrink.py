@@ -24,7 +24,7 @@ from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import measure
-from judge.diagnose.trial import Budget, Clock, Finding, Trial
+from judge.diagnose.trial import LIMITED, Budget, Clock, Finding, Trial
 from judge.run.result import Failure, Mode
 from judge.run.tally import named_input
 from judge.sandbox import Box
@@ -63,7 +63,8 @@ def shrink(
     trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
-    if first is None or trial.again(case, group_data.group) is None:
+    steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
+    if first is None or not steady:
         if verdict is not Verdict.WA:
             return None
         return _original(problem, group_data.group, case, failure, budget.calls)

@@ -32,7 +32,7 @@ def digits(number: Number) -> int:
         # Very large ones need not be written to be known as large.
         bits = number.bit_length()
         return len(str(abs(number))) if bits < 2000 else bits * 3 // 10
-    return len(repr(abs(number)).removesuffix(".0"))
+    return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
 def measure(case: Case) -> Measure:
@@ -50,7 +50,9 @@ def measure(case: Case) -> Measure:
 
 
 def _magnitude(number: Number) -> float:
+    """The distance from 1 as a factor, either way; 0 is the simplest."""
     try:
-        return abs(float(number))
-    except OverflowError:
+        size = abs(float(number))
+        return size if size >= 1 or size == 0 else 1 / size
+    except (OverflowError, ZeroDivisionError):
         return float("inf")

@@ -19,6 +19,7 @@ from judge.compare.text import check_line, render_target
 from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import Measure, measure
+from judge.errors import ProblemError
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
 from judge.run.tally import VERDICTS
@@ -30,7 +31,7 @@ Clock = Callable[[], float]
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
 SHORT_SECONDS = 0.2  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.02  # wall time a case is worth when nothing points to slowness
-_LIMITS = (Verdict.TLE, Verdict.MLE, Verdict.OLE)
+LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
 
 class Finding(Struct, frozen=True):
@@ -88,16 +89,26 @@ class Trial:
         self._validator = Validator(problem, module.promise)
         self._judge_box = judge_box
         self._known: dict[tuple[str, str], Finding | None] = {}
+        self._targets: dict[tuple[str, str], AnyTarget] = {}
         self._kind: tuple[str, ...] | None = None
 
     def look_for(self, finding: Finding) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing."""
         self._kind = finding.kind
 
-    def valid(self, case: Case) -> bool:
-        """Whether the case keeps the bounds and the promise."""
-        with blaming(self.problem, "the promise fails on a case"):
-            return self._validator.fault(case) is None
+    def valid(self, case: Case, group: Group) -> bool:
+        """Whether the case keeps the bounds and the promise, and has an answer.
+
+        One on which the problem's own code fails is passed over: no group would hold it.
+        """
+        try:
+            with blaming(self.problem, "the promise fails on a case"):
+                if self._validator.fault(case) is not None:
+                    return False
+            self._target(case, group)
+        except ProblemError:
+            return False
+        return True
 
     def alone(self, case: Case, group: Group) -> Finding | None:
         """How the case fails when it is called by itself, within short limits; remembered."""
@@ -116,8 +127,9 @@ class Trial:
         Where `fair` is asked for, the problem's own reference solution must get it right: these cases were
         not built by a recipe that minds how well its answer is conditioned.
         """
-        fresh = {repr(case): case for case in cases if self.valid(case)}
-        found = sorted(self._try(list(fresh.values()), group), key=lambda finding: finding.measure)
+        fresh = {repr(case): case for case in cases if self.valid(case, group)}
+        ordered = sorted(fresh.values(), key=measure)
+        found = sorted(self._try(ordered, group), key=lambda finding: finding.measure)
         for finding in found[:MOST_LOSSES]:
             if fair and not self._fair(finding):
                 continue
@@ -139,7 +151,8 @@ class Trial:
         targets = [self._target(case, group) for case in cases]
         failing: list[Finding] = []
         done = losses = 0
-        while done < len(cases) and losses < MOST_LOSSES and (whole or not self.budget.spent):
+        most = 1 if self.verdict in LIMITED else MOST_LOSSES  # such a call costs much of the time there is
+        while done < len(cases) and losses < most and (whole or not self.budget.spent):
             limits = self._limits(len(cases) - done, whole=whole)
             # A whole program that crashes does not tell where, so that its cases are tried one by one.
             one_by_one = self._verdict_of_a_run
@@ -147,7 +160,7 @@ class Trial:
             ended = self._asked(self._box, batch, targets[done:], group, limits)
             failing += [each for each in ended if each is not None and self._counts(each)]
             done += max(1, len(ended))
-            losses += len(ended) < len(batch) or bool(ended and ended[-1] and ended[-1].verdict in _LIMITS)
+            losses += len(ended) < len(batch) or bool(ended and ended[-1] and ended[-1].verdict in LIMITED)
             self.budget.calls += max(1, len(ended))
         return failing
 
@@ -159,8 +172,11 @@ class Trial:
         return self._mode is Mode.PROGRAM and self.verdict is not Verdict.WA
 
     def _target(self, case: Case, group: Group) -> AnyTarget:
-        with blaming(self.problem, "the reference fails on a case"):
-            return compile_answer(self.module.reference(*case), group.tolerance)
+        key = (group.name, repr(case))
+        if key not in self._targets:
+            with blaming(self.problem, "the reference fails on a case"):
+                self._targets[key] = compile_answer(self.module.reference(*case), group.tolerance)
+        return self._targets[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use; no more of a person's time than is left, unless `whole`."""
@@ -200,10 +216,14 @@ class Trial:
             wanted, verdict = render_target(targets[0]), VERDICTS[result.stop]
             return [self._stopped(case, group, verdict, wanted, result.detail) for case in cases[:1]]
         lines = answer_lines(result.stdout, complete=True)
-        if len(lines) != len(cases) and len(cases) > 1:
+        if len(cases) == 1:
+            lines = [
+                " ".join(lines)
+            ]  # too many lines, or none, are read as one that says too much or nothing
+        if len(lines) != len(cases):
             return []  # which case is to blame is not known
         ended: list[Finding | None] = []
-        for case, target, line in zip(cases, targets, [*lines[:-1], "\n".join(lines[-1:])], strict=False):
+        for case, target, line in zip(cases, targets, lines, strict=False):
             outcome = check_line(self.problem.answer, line, target, self._exact(case, group))
             ended.append(self._rejected(case, group, outcome) if isinstance(outcome, Rejection) else None)
         return ended
