@@ -18,6 +18,7 @@ from judge.errors import ExitCode, JudgeError, UsageError, nearest
 # name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
 COMMANDS = {
     "run": "Judge submissions on a problem.",
+    "replay": "Judge a submission on one case, by its replay id.",
     "list": "List the problems.",
     "show": "Show a problem: its statement, parameters and test groups.",
     "data": "Write a problem's test data and exact answers as files.",

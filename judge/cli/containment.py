@@ -38,15 +38,16 @@ jobs_option: Callable[[F], F] = click.option(
 class Containment:
     """The boxes of one command; a context manager that ends those that were never used.
 
-    The first submission's box and the reference's boot while the judge still reads its data.
+    The first submission's box and the reference's boot while the judge still reads its data. `open_box` opens
+    another one at the same level.
     """
 
     def __init__(self, problem: Problem, level: str | None) -> None:
         hidden = (problem.folder.parent, problem.solutions.parent, cache_folder())
-        self._open: BoxFactory = partial(open_box, level=level, hide=hidden)
+        self.open_box: BoxFactory = partial(open_box, level=level, hide=hidden)
         self._level = level
         self._ahead: dict[tuple[bytes, str], Box] = {}
-        self._reference = Reference(problem, self._open)
+        self._reference = Reference(problem, self.open_box)
         self._warned = False
 
     def __enter__(self) -> Containment:
@@ -59,7 +60,7 @@ class Containment:
 
     def boot(self, source: bytes, name: str) -> None:
         """Start the box of a submission that will be judged soon, and that of the reference."""
-        box = self._ahead[source, name] = self._open(source, name)
+        box = self._ahead[source, name] = self.open_box(source, name)
         box.warm_up()
         reference = self._reference.open(Mode.FUNCTION)
         if reference is not None:
@@ -85,4 +86,4 @@ class Containment:
         err().show([line(Span("judge:", Style.WARNING), text)])
 
     def _take(self, source: bytes, name: str) -> Box:
-        return self._ahead.pop((source, name), None) or self._open(source, name)
+        return self._ahead.pop((source, name), None) or self.open_box(source, name)

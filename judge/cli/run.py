@@ -9,8 +9,10 @@ from pathlib import Path
 
 import click
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.cli.containment import Containment, isolation_option, jobs_option
+from judge.cli.diagnosis import Diagnosis, no_shrink_option, save_regression_option
 from judge.cli.options import (
     chosen_groups,
     group_option,
@@ -41,6 +43,8 @@ from judge.spec.find import find_problem
 @seed_option
 @jobs_option
 @isolation_option
+@no_shrink_option
+@save_regression_option
 @problems_option
 def command(
     name: str,
@@ -51,6 +55,8 @@ def command(
     seed: int | None,
     jobs: int,
     level: str | None,
+    unshrunk: bool,
+    regression: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Judge submissions on a problem.
@@ -64,12 +70,18 @@ def command(
     try:
         problem = _problem(name, folders)
         submissions = read_submissions(files)
+        if regression is not None:
+            from judge.cli.regression import agree_on  # only who asks for it waits for it
+
+            agree_on(regression)
         chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
         with Containment(problem, level) as containment:
             containment.boot(submissions[0].source, submissions[0].name)
             data = _data(problem, seed)
             settings = containment.settings(jobs=jobs, submissions=len(submissions))
-            judge = partial(_judge, problem, data, groups=chosen, settings=settings, bar=jobs == 1)
+            wanted = regression is not None or not (unshrunk or quiet)
+            diagnosis = Diagnosis(data, containment.open_box, regression) if wanted else None
+            judge = partial(_judge, problem, data, diagnosis, groups=chosen, settings=settings, bar=jobs == 1)
             for result in in_order(submissions, jobs, judge):
                 containment.warn_of(result.isolation)
                 show.result(result, several=len(submissions) > 1)
@@ -108,6 +120,7 @@ def _data(problem: Problem, seed: int | None) -> ProblemData:
 def _judge(
     problem: Problem,
     data: ProblemData,
+    diagnosis: Diagnosis | None,
     submission: Submission,
     *,
     groups: set[str] | None,
@@ -115,6 +128,8 @@ def _judge(
     bar: bool,
 ) -> Result:
     source, name = submission.source, submission.name
+    if diagnosis is not None:
+        settings = replace(settings, diagnose=partial(diagnosis, submission))
     try:
         with progress(name) if bar else nullcontext() as advance:
             return run_submission(

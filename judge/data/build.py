@@ -15,7 +15,7 @@ from typing import Any
 from judge.compare.answers import Answer, Count, Parameter, Points
 from judge.compare.check import Rejection, check
 from judge.compare.targets import compile_answer
-from judge.data.draw import Draw, Rejected, SeededDraw
+from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
@@ -57,7 +57,7 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[C
     validator = Validator(problem, module.promise)
     if group.builder == EXAMPLES:
         return [_example_case(each, validator, problem) for each in problem.examples]
-    builder = _bound_builder(problem, module, group)
+    builder = bound_builder(problem, module, group)
     cases: dict[Case, None] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
     what = f"group {group.name!r}: the builder {group.builder!r} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
@@ -65,6 +65,25 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[C
             case = _new_case(problem, group, builder, validator, number, cases)
             cases[case] = None
     return list(cases)
+
+
+def case_seed(group: Group, number: int, attempt: int) -> str:
+    """The seed text of an attempt at case `number` (from 0) of a group."""
+    return f"{group.seed}/{group.name}/{number}/{attempt}"
+
+
+def choices_of(
+    group: Group, builder: Callable[[Draw], Any], number: int, case: Case
+) -> tuple[int, ...] | None:
+    """The choices that case `number` (from 0) of the group was built from; None if it was not."""
+    for attempt in range(_ATTEMPTS):
+        draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
+        try:
+            if repr(builder(draw)) == repr(case):  # 1 and 1.0 are two cases here
+                return tuple(draw.choices)
+        except Rejected:
+            continue
+    return None
 
 
 def _new_case(
@@ -79,7 +98,7 @@ def _new_case(
     latest: dict[str, str] = {}  # for each reason, what the last such fault was
     for attempt in range(_ATTEMPTS):
         try:
-            case = builder(SeededDraw(f"{group.seed}/{group.name}/{number}/{attempt}"))
+            case = builder(SeededDraw(case_seed(group, number, attempt)))
         except Rejected:
             failures["rejected by the builder"] += 1
             continue
@@ -109,8 +128,8 @@ def _new_case(
     )
 
 
-def _bound_builder(problem: Problem, module: ProblemModule, group: Group) -> Callable[[Draw], Any]:
-    """The group's builder with its parameters filled in."""
+def bound_builder(problem: Problem, module: ProblemModule, group: Group) -> Callable[[Draw], Any]:
+    """The group's builder with its parameters filled in. Raises ProblemError."""
     builder = module.builders.get(group.builder)
     if builder is None:
         names = [*module.builders, EXAMPLES]

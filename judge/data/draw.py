@@ -1,14 +1,18 @@
 """Where a builder gets its choices from.
 
-A builder draws small numbers and never sees where they come from, so one description serves seeded data now
-and a searching or shrinking source later. Draw the parameters of a construction, not raw coordinates.
+A builder draws small numbers and never sees where they come from, so one description serves the seeded data,
+the search for a failing case (strategy.py) and the replay of one. Draw the parameters of a construction, not
+raw coordinates.
+
+Every choice comes down to an integer, whatever the source: the number itself, an option's place, 0 or 1 for a
+sign (plus, minus) and for False or True. Those integers, in order, are a case's choices.
 """
 
 from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from typing import Never, Protocol, TypeVar
+from typing import Never, Protocol, TypeVar, final
 
 T = TypeVar("T")
 
@@ -99,3 +103,99 @@ class SeededDraw:
         self._bits >>= width
         self._left -= width
         return taken
+
+
+class ChosenDraw:
+    """Choices that all go through `pick`; what was chosen is remembered in `choices`."""
+
+    __slots__ = ("choices",)
+
+    def __init__(self) -> None:
+        self.choices: list[int] = []
+
+    def pick(self, low: int, high: int) -> int:
+        """An int from low to high, both included; there is one."""
+        raise NotImplementedError
+
+    @final
+    def integer(self, low: int, high: int) -> int:
+        """An int from low to high, both included; ValueError if there is none."""
+        if low > high:
+            raise ValueError(f"no integer from {low} to {high}")
+        self.choices.append(self.pick(low, high))
+        return self.choices[-1]
+
+    @final
+    def choice(self, options: Sequence[T]) -> T:
+        """One of `options`; ValueError if there is none."""
+        if not options:
+            raise ValueError("nothing to choose from")
+        return options[self.integer(0, len(options) - 1)]
+
+    @final
+    def sign(self) -> int:
+        """One, the simpler, or minus one."""
+        return -1 if self.integer(0, 1) else 1
+
+    @final
+    def boolean(self) -> bool:
+        """False, the simpler, or True."""
+        return bool(self.integer(0, 1))
+
+    @final
+    def reject(self) -> Never:
+        """Give these choices up."""
+        raise Rejected
+
+
+class RecordedDraw:
+    """Another draw's choices, remembered."""
+
+    __slots__ = ("_source", "choices")
+
+    def __init__(self, source: Draw) -> None:
+        self._source = source
+        self.choices: list[int] = []
+
+    def integer(self, low: int, high: int) -> int:
+        """As the source has it."""
+        return self._noted(self._source.integer(low, high))
+
+    def choice(self, options: Sequence[T]) -> T:
+        """As the source has it."""
+        return options[self._noted(self._source.choice(range(len(options))))]
+
+    def sign(self) -> int:
+        """As the source has it."""
+        sign = self._source.sign()
+        self._noted(int(sign < 0))
+        return sign
+
+    def boolean(self) -> bool:
+        """As the source has it."""
+        return bool(self._noted(int(self._source.boolean())))
+
+    def reject(self) -> Never:
+        """As the source has it."""
+        self._source.reject()
+
+    def _noted(self, choice: int) -> int:
+        self.choices.append(choice)
+        return choice
+
+
+class ReplayedDraw(ChosenDraw):
+    """Choices that were made before; where they do not fit the builder it gives up, with `Rejected`."""
+
+    __slots__ = ("_given",)
+
+    def __init__(self, choices: Sequence[int]) -> None:
+        super().__init__()
+        self._given = choices
+
+    def pick(self, low: int, high: int) -> int:
+        """The next one."""
+        place = len(self.choices)
+        if place >= len(self._given) or not low <= self._given[place] <= high:
+            raise Rejected
+        return self._given[place]

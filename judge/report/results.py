@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line, pad
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Mode, Ratio, Result
 from judge.spec.verdict import Verdict
@@ -37,6 +39,9 @@ def result_lines(result: Result, width: int | None) -> Iterator[Line]:
         yield line()
     if result.failure:
         yield from failure_lines(result.failure, width)
+        yield line()
+    if result.counterexample:
+        yield from counterexample_lines(result, result.counterexample, width)
         yield line()
     yield from verdict_lines(result, width)
 
@@ -75,6 +80,24 @@ def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
     for label, text, style in rows:
         if text:
             yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+
+
+def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
+    """The smallest failing case, and the command that judges it alone, which is never broken into lines."""
+    if found["replay"] is None:
+        yield line("  ", Span("not by itself", Style.STRONG))
+        yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
+        return
+    same = result.failure is not None and result.failure.input == found["input"]
+    yield line("  ", Span("no smaller case found" if same else "smallest case found", Style.STRONG))
+    if not same:
+        smallest = Failure(
+            found["message"], input=found["input"], expected=found["expected"], got=found["got"]
+        )
+        yield from failure_lines(smallest, width)
+    label = pad("again", _LABELS - 4)
+    words = ["judge", "replay", found["replay"], result.submission]
+    yield line("    ", Span(label, Style.FAINT), shlex.join(words))
 
 
 def _says_nothing_new(failure: Failure) -> bool:

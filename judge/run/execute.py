@@ -34,7 +34,8 @@ class Settings(Struct, frozen=True):
 
     `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
     `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone;
-    `reference` is there where several submissions share it.
+    `reference` is there where several submissions share it; `diagnose` is given what was not accepted, with
+    the submission's box, and adds to it.
     """
 
     box_factory: BoxFactory = open_box
@@ -42,6 +43,7 @@ class Settings(Struct, frozen=True):
     measured: bool = True
     turnstile: Turnstile | None = None
     reference: Reference | None = None
+    diagnose: Callable[[Result, Box], Result] | None = None
 
 
 def run_submission(
@@ -90,16 +92,26 @@ def run_submission(
                 f"it takes {timing.ratio.median:,.0f} times the CPU time of the reference solution; "
                 f"the limit is {problem.time.limit:g} times"
             )
-        isolation = box.isolation
+        result = _result(judging, tallies, inspection, timing, box.isolation)
+        if settings.diagnose and result.failure:
+            result = settings.diagnose(result, box)
+    return result
+
+
+def _result(
+    judging: _Judging, tallies: Sequence[Tally], inspection: Inspection, timing: Decision, isolation: str
+) -> Result:
+    """What the groups come to together."""
+    problem = judging.data.problem
     usage = sum((tally.usage for tally in tallies), Usage())
     failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
     first = failing.failure if failing else None
-    if first and mode is Mode.PROGRAM:
-        first = _noted(first, inspection, problem.entry, source)
+    if first and judging.mode is Mode.PROGRAM:
+        first = _noted(first, inspection, problem.entry, judging.source)
     return Result(
         problem.id,
-        name,
-        mode,
+        judging.name,
+        judging.mode,
         failing.verdict if failing else Verdict.AC,
         tuple(tally.result() for tally in tallies),
         first,
@@ -136,10 +148,10 @@ class _Judging:
         settings: Settings,
         on_progress: Progress | None,
     ) -> None:
-        self._data = data
-        self._mode = mode
-        self._source = source
-        self._name = name
+        self.data = data
+        self.mode = mode
+        self.source = source
+        self.name = name
         self._settings = settings
         self._on_progress = on_progress
         self._lock = threading.Lock()
@@ -148,7 +160,7 @@ class _Judging:
 
     def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
-        tallies = [Tally(self._data, group, self._mode) for group in groups]
+        tallies = [Tally(self.data, group, self.mode) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
         workers = self._settings.workers
         here = threading.current_thread()
@@ -157,7 +169,7 @@ class _Judging:
             with ExitStack() as stack:
                 mine = box
                 if threading.current_thread() is not here:
-                    mine = stack.enter_context(self._settings.box_factory(self._source, self._name))
+                    mine = stack.enter_context(self._settings.box_factory(self.source, self.name))
                 for _, share_of in queue:
                     self._judge(mine, share_of)
 
@@ -168,7 +180,7 @@ class _Judging:
         return tallies
 
     def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
-        judge_groups = judge_calls if self._mode is Mode.FUNCTION else judge_programs
+        judge_groups = judge_calls if self.mode is Mode.FUNCTION else judge_programs
         judge_groups(
             box,
             tallies,

@@ -1,0 +1,71 @@
+"""What `judge run` adds to a submission that was not accepted: the smallest case that breaks it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.cli.submissions import Submission
+from judge.data import ProblemData
+from judge.report.layout import Span, Style, line
+from judge.report.screen import err
+from judge.run import Mode, Reference, Result
+from judge.sandbox import Box, BoxFactory
+
+no_shrink_option = click.option(
+    "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
+)
+save_regression_option = click.option(
+    "--save-regression",
+    "regression",
+    metavar="FILE",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Write the smallest failing case as a pytest case; add to FILE if it holds such cases.",
+)
+
+
+class Diagnosis(Struct, frozen=True):
+    """Shrinks failures, and keeps them as tests where that is asked for."""
+
+    data: ProblemData
+    open_box: BoxFactory
+    regression: Path | None = None
+
+    def __call__(self, submission: Submission, result: Result, box: Box) -> Result:
+        """The result with its counterexample."""
+        from judge.diagnose import shrink  # only after a wrong answer
+
+        if result.failure is None:
+            return result
+        problem = self.data.problem
+        with Reference(problem, self.open_box) as reference:
+            found = shrink(
+                problem,
+                self.data,
+                box,
+                result.mode,
+                result.verdict,
+                result.failure,
+                reference=lambda: reference.open(result.mode),
+            )
+        if self.regression is not None:
+            self._save(submission, result, found)
+        return result if found is None else replace(result, counterexample=found.as_json())
+
+    def _save(self, submission: Submission, result: Result, found: object) -> None:
+        from judge.diagnose import Counterexample
+        from judge.diagnose.regression import add_case
+
+        assert self.regression is not None
+        if not isinstance(found, Counterexample) or found.replay is None:
+            note = f"{submission.name} fails on no case by itself; {self.regression} is as it was"
+        elif result.mode is Mode.PROGRAM:
+            note = f"{submission.name} is a program, not a function; {self.regression} is as it was"
+        else:
+            target = Path(submission.name)
+            added = add_case(self.regression, target, self.data, found)
+            note = f"{self.regression} {'now holds' if added else 'already held'} {found.replay}"
+        err().show([line(Span("judge:", Style.WARNING), f" {note}")])

@@ -1,0 +1,37 @@
+"""The simplest case that a submission gets wrong, ready to be shown, written as JSON and judged again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import Struct
+
+from judge.spec import Case
+
+
+class Counterexample(Struct, frozen=True):
+    """A case and how it fails.
+
+    `input` maps a parameter's name to its number or `[x, y]`; `group` is the test group whose tolerance
+    decides. `replay` is the id to judge just this case by; it is None where the case fails only after other
+    calls, and then `message` says so. `calls` counts what the search asked of the submission.
+    """
+
+    case: Case
+    group: str
+    input: dict[str, Any]
+    expected: str
+    got: str
+    message: str
+    replay: str | None
+    calls: int = 0
+
+    def as_json(self) -> dict[str, Any]:
+        """The counterexample's object in the published form."""
+        return {
+            "input": self.input,
+            "expected": self.expected,
+            "got": self.got,
+            "message": self.message,
+            "replay": self.replay,
+        }

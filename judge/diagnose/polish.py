@@ -1,0 +1,175 @@
+"""Making a failing case simpler, value by value: fewer digits, smaller numbers, equal ones kept equal.
+
+Each round offers all single steps from the best case so far, has them called in one batch, and goes on from
+the simplest that still fails, until none does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from itertools import combinations, islice
+from math import gcd
+
+from judge.diagnose.figures import levelled, moved
+from judge.diagnose.simplicity import measure, numbers_of
+from judge.diagnose.trial import Finding, Trial
+from judge.spec import Case, Group
+from judge.spec.model import Number
+
+_ROUNDS = 60
+_MOST = 600  # candidates of a round, the simplest first
+_HUGE = 400  # bits, beyond which numbers are only cut
+
+
+def polished(trial: Trial, start: Finding, group: Group, *, figures: bool = True) -> Finding:
+    """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
+    best = start
+    if figures:
+        best = _better(trial, best, group, [*moved(start.case), *levelled(start.case)])
+    for _ in range(_ROUNDS):
+        after = _better(trial, best, group, steps(best.case))
+        if after is best or trial.budget.spent:
+            return after
+        best = after
+    return best
+
+
+def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
+    simpler = {repr(case): case for case in cases if measure(case) < best.measure}
+    chosen = sorted(simpler.values(), key=measure)
+    for first in range(0, min(len(chosen), _MOST), 100):
+        if trial.budget.spent:
+            break
+        found = trial.simplest(chosen[first : min(first + 100, _MOST)], group)
+        if found is not None:
+            return found
+    return best
+
+
+def steps(case: Case) -> Iterator[Case]:
+    """The case with one thing changed: a number wherever it stands, two by as much, or all numbers."""
+    numbers = list(numbers_of(case))
+    yield from _all_changed(case, numbers)
+    for places in _alike(numbers):
+        value = numbers[places[0]]
+        for smaller in _smaller(value):
+            yield _replaced(case, numbers, dict.fromkeys(places, smaller))
+            for place in places if len(places) > 1 else ():
+                yield _replaced(case, numbers, {place: smaller})
+    for place, value in enumerate(numbers):
+        if value < 0:
+            yield _replaced(case, numbers, {place: -value})
+        for other in {abs(number) for number in numbers if number}:
+            yield _replaced(case, numbers, {place: other}, signed=False)
+    yield from _pairs(case, numbers)
+
+
+def _alike(numbers: list[Number]) -> list[list[int]]:
+    """The places of equal magnitudes."""
+    places: dict[Number, list[int]] = {}
+    for place, value in enumerate(numbers):
+        if value:
+            places.setdefault(abs(value), []).append(place)
+    return list(places.values())
+
+
+def _smaller(signed: Number) -> Iterator[Number]:
+    """Simpler magnitudes than that of a number."""
+    value: int | float = abs(signed)
+    yield from (0, 1, 2, 3)
+    if isinstance(value, float):
+        if value.is_integer() and value < 1e17:
+            yield int(value)
+        yield from (float(f"{value:.{kept}e}") for kept in range(16))
+        yield from (1.0, 2.0, value / 2)
+        if value < 1:  # nearer to 1 is simpler
+            yield from (float(f"{value * factor:.0e}") for factor in (2, 10, 10**3, 10**6))
+        return
+    yield from _fewer_digits(value)
+
+
+def _fewer_digits(value: int) -> Iterator[int]:
+    if value.bit_length() > _HUGE:
+        yield value >> 1
+        return
+    text = str(value)
+    for kept in range(1, len(text)):
+        cut = int(text[:kept]) * 10 ** (len(text) - kept)
+        yield cut
+        yield cut + 10 ** (len(text) - kept)
+        yield int(text[:kept])
+    yield from (value // 2, max(0, value - 1))
+
+
+def _pairs(case: Case, numbers: list[Number]) -> Iterator[Case]:
+    """Two magnitudes changed by the same amount, so that their difference stays."""
+    magnitudes = sorted({abs(number) for number in numbers if number})
+    for low, high in islice(combinations(magnitudes, 2), 40):
+        for smaller in islice(_smaller(low), 24):
+            change = Fraction(smaller) - Fraction(low)
+            larger = Fraction(high) + change
+            if larger < 0:
+                continue
+            other = int(larger) if isinstance(high, int) and larger.denominator == 1 else float(larger)
+            changed: dict[int, Number] = {}
+            for place, value in enumerate(numbers):
+                if abs(value) == low:
+                    changed[place] = smaller
+                elif abs(value) == high:
+                    changed[place] = other
+            yield _replaced(case, numbers, changed)
+
+
+def _all_changed(case: Case, numbers: list[Number]) -> Iterator[Case]:
+    """Every number divided, made an integer, or cut to so many digits."""
+    if all(isinstance(number, int) for number in numbers):
+        common = gcd(*(int(number) for number in numbers))
+        divisors = [common] if common > 1 else []
+        for divisor in [*divisors, 2, 10]:
+            yield _rebuilt(case, [_divided(number, divisor) for number in numbers])
+        return
+    if all(float(number).is_integer() and abs(number) < 1e17 for number in numbers):
+        yield _rebuilt(case, [int(number) for number in numbers])
+    yield _rebuilt(case, [0 if number == 0 else number for number in numbers])
+    unit = _common_unit(numbers)
+    if unit is not None:
+        whole = [int(Fraction(number) / unit) for number in numbers]
+        yield _rebuilt(case, list(whole))
+        for exponent in range(-15, 10):
+            scale = Fraction(10) ** exponent
+            if Fraction(1, 32) < scale / unit < 32:
+                yield _rebuilt(case, [float(value * scale) if value else 0 for value in whole])
+    for kept in range(6):
+        yield _rebuilt(case, [_cut(number, kept) for number in numbers])
+
+
+def _cut(number: Number, kept: int) -> Number:
+    return number if isinstance(number, int) else float(f"{number:.{kept}e}")
+
+
+def _divided(number: Number, divisor: int) -> Number:
+    return int(number) // divisor
+
+
+def _common_unit(numbers: list[Number]) -> Fraction | None:
+    """The largest unit of which all numbers are multiples, if they are then of few digits."""
+    parts = [Fraction(number) for number in numbers if number]
+    if not parts:
+        return None
+    denominator = max(part.denominator for part in parts)
+    unit = Fraction(gcd(*(int(part * denominator) for part in parts)), denominator)
+    return unit if max(abs(part) for part in parts) / unit < 10**9 else None
+
+
+def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number], *, signed: bool = True) -> Case:
+    """The case with other magnitudes in some places, the signs kept where `signed`."""
+    values = list(numbers)
+    for place, value in changed.items():
+        values[place] = -value if signed and numbers[place] < 0 and value else value
+    return _rebuilt(case, values)
+
+
+def _rebuilt(case: Case, numbers: list[Number]) -> Case:
+    rest = iter(numbers)
+    return tuple((next(rest), next(rest)) if isinstance(each, tuple) else next(rest) for each in case)

@@ -1,0 +1,109 @@
+"""Failing cases as a pytest file of their own: it imports the submission by its path and needs no judge.
+
+The file begins with a line that says who wrote it. A file that does not is never added to.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+from judge.compare.targets import AnyTarget, CountTarget, PointsTarget, Target, compile_answer
+from judge.data.atomic import replace_file
+from judge.data.model import ProblemData
+from judge.diagnose.counterexample import Counterexample
+from judge.errors import UsageError
+
+_MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
+_HEAD = f'''{_MARK}
+"""Cases that broke a submission once: each calls its function and holds the answer against exact bounds."""
+
+import importlib.util
+from pathlib import Path
+
+
+def called(place, entry, *arguments):
+    """What the function `entry` of the file at `place`, seen from this one, answers."""
+    path = Path(__file__).parent / place
+    spec = importlib.util.spec_from_file_location(path.stem.replace("-", "_"), path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return getattr(module, entry)(*arguments)
+'''
+
+
+def is_ours(path: Path) -> bool:
+    """Whether `path` was written here, or is empty. Raises UsageError if it cannot be read."""
+    content = _read(path)
+    return content.startswith(_MARK) or not content.strip()
+
+
+def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexample) -> bool:
+    """Add the counterexample to `path`; False if it was there already.
+
+    Raises:
+        UsageError: the file cannot be read or written, or was not written here.
+        ProblemError: the reference fails.
+    """
+    assert found.replay is not None
+    content = _read(path) if path.exists() else ""
+    if content.strip() and not content.startswith(_MARK):
+        raise UsageError("this file was not written by --save-regression", where=str(path))
+    place = os.path.relpath(submission.resolve(), path.resolve().parent)
+    case = _case(place, data, found)
+    if case in content:
+        return False
+    try:
+        replace_file(path, ((content if content.strip() else _HEAD) + "\n\n" + case).encode())
+    except OSError as fault:
+        reason = (fault.strerror or "unknown").lower()
+        raise UsageError(f"cannot be written ({reason})", where=str(path)) from fault
+    return True
+
+
+def _case(place: str, data: ProblemData, found: Counterexample) -> str:
+    problem = data.problem
+    group = problem.group(found.group)
+    assert group is not None
+    answer, tolerance = data.exact(found.case, group)
+    stem = re.sub(
+        r"\W", "_", f"{Path(place).stem}_{found.replay}".rsplit(":", 1)[0].split(":v")[0].split(":c")[0]
+    )
+    check = (found.replay or "").rsplit(":", 1)[-1]
+    arguments = "".join(f"        {value!r},\n" for value in found.case)
+    lines = [
+        f"def test_{stem}_{check}():",
+        f"    # judge replay {found.replay}",
+        f"    answer = called(\n        {place!r},\n        {problem.entry!r},\n{arguments}    )",
+        *_asserts(compile_answer(answer, tolerance)),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _asserts(target: AnyTarget) -> list[str]:
+    if isinstance(target, CountTarget):
+        if target.value is None:
+            return ["    assert answer is None"]
+        return [f"    assert answer == {target.value} and not isinstance(answer, (bool, float))"]
+    if isinstance(target, PointsTarget):
+        lines = [f"    assert len(answer) == {len(target.points)}"]
+        for place, point in enumerate(target.points):
+            for axis, bounds in enumerate(point):
+                lines.append(_between(f"answer[{place}][{axis}]", bounds))
+        return lines
+    return ["    assert answer is None"] if target.t is None else [_between("answer", target.t)]
+
+
+def _between(what: str, bounds: Target) -> str:
+    return f"    assert {bounds[0]!r} <= {what} <= {bounds[1]!r}"
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as fault:
+        reason = (fault.strerror or "unknown").lower()
+        raise UsageError(f"cannot be read ({reason})", where=str(path)) from fault
+    except ValueError:  # not text: somebody else's
+        return "\0"

@@ -1,0 +1,126 @@
+"""Replay ids: a case in a word that survives a shell, a chat and another machine.
+
+    <problem>:<group>:<form><payload>:<check>
+
+    form v    the values themselves, `v0,0,1,-1,0,0,22361`: the numbers in the order of the parameters
+    form c    the choices that the group's builder makes it from, in base 36, `c3.0.1k.-7`
+    check     six hex digits of the case's sha256, so that a slip of the pen, or a version whose builders
+              have changed, is noticed
+
+The shorter of the two forms is taken. A decoded case is proved like any other before it is judged.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Sequence
+
+from judge.data.build import bound_builder
+from judge.data.draw import Rejected, ReplayedDraw
+from judge.data.module import ProblemModule
+from judge.data.validate import Validator
+from judge.diagnose.simplicity import numbers_of
+from judge.errors import JudgeError, UsageError
+from judge.spec import Case, Group, Problem
+from judge.spec.model import Argument, Number, ParameterType
+from judge.spec.statement import EXAMPLES
+
+_ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
+_INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
+_FLOAT = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,3})?", re.ASCII)
+_CHOICE = re.compile(r"-?[0-9a-z]{1,400}", re.ASCII)
+_DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
+_LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
+_POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
+
+
+def encode(problem: Problem, group: Group, case: Case, choices: Sequence[int] | None = None) -> str:
+    """The id of a case under that group's tolerance; `choices` are those of the group's own builder."""
+    forms = ["v" + ",".join(repr(number) for number in numbers_of(case))]
+    if choices is not None:
+        forms.append("c" + ".".join(_base36(choice) for choice in choices))
+    return f"{problem.id}:{group.name}:{min(forms, key=len)}:{_check(case)}"
+
+
+def problem_name(replay: str) -> str:
+    """The problem that an id belongs to. Raises UsageError where it is no id."""
+    return _parts(replay)[0]
+
+
+def decode(replay: str, problem: Problem, module: ProblemModule) -> tuple[Group, Case]:
+    """The group and the case of an id, proved.
+
+    Raises:
+        UsageError: it is no id of this version of the problem.
+    """
+    _, name, form, payload, check = _parts(replay)
+    group = problem.group(name)
+    if group is None:
+        raise _fault(f"{problem.id} has no group {name!r}", "it may be of another version")
+    case = _from_values(payload, problem) if form == "v" else _from_choices(payload, problem, module, group)
+    if case is None or _check(case) != check:
+        raise _fault("it does not fit its own check digits", "copy it whole; other versions have other ids")
+    fault = Validator(problem, module.promise).fault(case)
+    if fault:
+        raise _fault(f"its case is none of the problem's: {fault}", "other versions have other ids")
+    return group, case
+
+
+def _parts(replay: str) -> tuple[str, str, str, str, str]:
+    found = _ID.fullmatch(replay) if len(replay) <= _LONGEST else None
+    if found is None:
+        shown = replay if len(replay) <= 60 else f"{replay[:60]}…"
+        raise UsageError(f"{shown!r} is no replay id", remedy="copy the one that `judge run` shows")
+    problem, group, form, payload, check = found.groups()
+    return problem, group, form, payload, check
+
+
+def _from_values(payload: str, problem: Problem) -> Case | None:
+    numbers = [_number(word) for word in payload.split(",")]
+    wanted = sum(2 if parameter.type in _POINTS else 1 for parameter in problem.parameters)
+    if len(numbers) != wanted:
+        return None
+    rest = iter(numbers)
+    case: list[Argument] = []
+    for parameter in problem.parameters:
+        values = [next(rest) for _ in range(2 if parameter.type in _POINTS else 1)]
+        given = [value for value in values if value is not None]
+        if len(given) < len(values):
+            return None
+        case.append((given[0], given[1]) if len(given) == 2 else given[0])
+    return tuple(case)
+
+
+def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: Group) -> Case | None:
+    words = payload.split(".")
+    if group.builder == EXAMPLES or not all(_CHOICE.fullmatch(word) for word in words):
+        return None
+    try:
+        case: Case = bound_builder(problem, module, group)(ReplayedDraw([int(word, 36) for word in words]))
+    except (Rejected, JudgeError, ArithmeticError, ValueError):  # choices of another builder, or invented
+        return None
+    return case
+
+
+def _number(word: str) -> Number | None:
+    if _INTEGER.fullmatch(word):
+        return int(word)
+    return float(word) if _FLOAT.fullmatch(word) else None
+
+
+def _base36(number: int) -> str:
+    sign, number = ("-" if number < 0 else ""), abs(number)
+    digits = ""
+    while number or not digits:
+        number, digit = divmod(number, 36)
+        digits = _DIGITS[digit] + digits
+    return sign + digits
+
+
+def _check(case: Case) -> str:
+    return hashlib.sha256(repr(case).encode()).hexdigest()[:6]
+
+
+def _fault(what: str, remedy: str) -> UsageError:
+    return UsageError(f"this replay id cannot be used: {what}", remedy=remedy)

@@ -1,0 +1,74 @@
+"""Hypothesis over a builder's parameters: from a failing case of it to the simplest that it can build."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from random import Random
+from typing import Any
+
+from hypothesis import Phase, Verbosity, find, settings
+from hypothesis.database import InMemoryExampleDatabase
+from hypothesis.errors import HypothesisException
+from msgspec import Struct
+
+from judge.data.draw import Draw
+from judge.data.strategy import Built, strategy
+from judge.diagnose.trial import Finding, Trial
+from judge.spec import Group
+
+_KEY = b"the failing case"
+
+
+class Shrunk(Struct, frozen=True):
+    """A failing case with the choices that its builder makes it from."""
+
+    finding: Finding
+    choices: tuple[int, ...]
+
+
+def shrunk(
+    trial: Trial, builder: Callable[[Draw], Any], group: Group, choices: Sequence[int]
+) -> Shrunk | None:
+    """The simplest failing case on the way that Hypothesis takes from `choices`; None if nothing fails.
+
+    The search is the same every time: nothing is kept, and chance has a fixed seed.
+    """
+    best: list[Shrunk] = []
+
+    def fails(built: Built) -> bool:
+        if trial.budget.spent or not trial.valid(built.case, group):
+            return False
+        finding = trial.alone(built.case, group)
+        if finding is None:
+            return False
+        if not best or finding.measure < best[0].finding.measure:
+            best[:] = [Shrunk(finding, built.choices)]
+        return True
+
+    database = InMemoryExampleDatabase()
+    known = _as_bytes(choices)
+    if known is not None:
+        database.save(_KEY, known)
+    profile = settings(
+        database=database,
+        deadline=None,
+        max_examples=200,
+        phases=[Phase.reuse, Phase.generate, Phase.shrink],
+        verbosity=Verbosity.quiet,
+    )
+    # Nothing found, or a submission that answers at random: `best` is what there is.
+    with warnings.catch_warnings(), suppress(HypothesisException):
+        warnings.simplefilter("ignore")  # what Hypothesis has to say of our settings is not for the person
+        find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
+    return best[0] if best else None
+
+
+def _as_bytes(choices: Sequence[int]) -> bytes | None:
+    """The choices as Hypothesis keeps them; None with a version that has another form."""
+    try:
+        from hypothesis.database import choices_to_bytes
+    except ImportError:
+        return None
+    return choices_to_bytes(tuple(choices))

@@ -1,0 +1,170 @@
+"""From the first failing case to the simplest one that fails: what a person can work out on paper.
+
+    1. The failing case is called alone. If it is right then, its message says so, and that is all.
+    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
+    3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
+    4. What was found is polished, value by value (polish.py).
+
+Cases that no recipe built are judged under the tolerance of the problem's plainest group, and only count if
+the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Callable
+
+from judge.data.build import bound_builder, choices_of
+from judge.data.draw import SeededDraw
+from judge.data.model import GroupData, ProblemData
+from judge.data.module import load_module
+from judge.diagnose.counterexample import Counterexample
+from judge.diagnose.polish import polished
+from judge.diagnose.replay import encode
+from judge.diagnose.simple import ladder
+from judge.diagnose.simplicity import measure
+from judge.diagnose.trial import LIMITED, Budget, Clock, Finding, Trial
+from judge.run.result import Failure, Mode
+from judge.run.tally import named_input
+from judge.sandbox import Box
+from judge.spec import Case, Group, Problem, Verdict
+from judge.spec.statement import EXAMPLES
+
+SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
+SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
+_PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
+
+
+def shrink(
+    problem: Problem,
+    data: ProblemData,
+    box: Box,
+    mode: Mode,
+    verdict: Verdict,
+    failure: Failure,
+    *,
+    reference: Callable[[], Box | None] = lambda: None,
+    budget_seconds: float = 2.0,
+    clock: Clock = time.monotonic,
+) -> Counterexample | None:
+    """The simplest case that the submission in `box` gets wrong, in the way that it failed.
+
+    None where the failure has no case of its own, or is the sum of many calls. `reference` opens the box of
+    the problem's reference solution. The result depends on the submission alone, unless time runs out.
+
+    Raises:
+        ProblemError: the problem's own code fails on a case.
+    """
+    group_data = next((each for each in data.groups if each.group.name == failure.group), None)
+    if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
+        return None
+    budget = Budget(budget_seconds, clock)
+    trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference)
+    case = group_data.cases[failure.case - 1]
+    first = trial.alone(case, group_data.group)
+    steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
+    if first is None or not steady:
+        if verdict is not Verdict.WA:
+            return None
+        return _original(problem, group_data.group, case, failure, budget.calls)
+    trial.look_for(first)
+    return _Search(problem, trial, group_data, first, failure.case - 1).run()
+
+
+def _original(problem: Problem, group: Group, case: Case, failure: Failure, calls: int) -> Counterexample:
+    return Counterexample(
+        case,
+        group.name,
+        named_input(problem, case),
+        failure.expected or "",
+        failure.got or "",
+        _PASSING,
+        None,
+        calls,
+    )
+
+
+class _Search:
+    """The stages of one search."""
+
+    def __init__(self, problem: Problem, trial: Trial, data: GroupData, first: Finding, number: int) -> None:
+        self._problem = problem
+        self._trial = trial
+        self._group = data.group
+        self._first = first
+        self._number = number
+        self._choices: dict[str, tuple[int, ...]] = {}
+
+    def run(self) -> Counterexample:
+        """The best of what the stages find."""
+        best = self._first
+        plain = plainest(self._problem)
+        found = self._climbed(plain)
+        if found is not None:
+            best = min(best, polished(self._trial, found, plain), key=_measure)
+        if best is self._first and best.measure[0] > SIMPLE:
+            best = self._by_parameters()
+            polish_under = plain if plain.tolerance == self._group.tolerance else self._group
+            best = min(best, polished(self._trial, best, polish_under), key=_measure)
+        return self._told(self._confirmed(best))
+
+    def _climbed(self, group: Group) -> Finding | None:
+        """The simplest failing case of the first step that has one."""
+        for step in ladder(self._problem):
+            if self._trial.budget.spent:
+                break
+            cases = [
+                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                for rung, count in step
+                for number in range(count)
+            ]
+            simple = [case for case in cases if measure(case) < self._first.measure]
+            found = self._trial.simplest(simple, group)
+            if found is not None:
+                return found
+        return None
+
+    def _by_parameters(self) -> Finding:
+        if self._group.builder == EXAMPLES:
+            return self._first
+        builder = bound_builder(self._problem, self._trial.module, self._group)
+        choices = choices_of(self._group, builder, self._number, self._first.case)
+        if choices is None:
+            return self._first
+        self._choices[repr(self._first.case)] = choices
+        from judge.diagnose.search import shrunk  # Hypothesis: only now
+
+        found = shrunk(self._trial, builder, self._group, choices)
+        if found is None or self._first.measure <= found.finding.measure:
+            return self._first
+        self._choices[repr(found.finding.case)] = found.choices
+        return found.finding
+
+    def _confirmed(self, best: Finding) -> Finding:
+        """What is shown fails under the problem's own limits too; the search was less patient."""
+        return self._trial.again(best.case, best.group) or self._first
+
+    def _told(self, best: Finding) -> Counterexample:
+        choices = self._choices.get(repr(best.case)) if best.group is self._group else None
+        return Counterexample(
+            best.case,
+            best.group.name,
+            named_input(self._problem, best.case),
+            best.expected,
+            best.got,
+            best.message,
+            encode(self._problem, best.group, best.case, choices),
+            self._trial.budget.calls,
+        )
+
+
+def plainest(problem: Problem) -> Group:
+    """The group whose tolerance is the problem's usual one: its grid, or the first of that tolerance."""
+    usual, _ = Counter(group.tolerance for group in problem.groups).most_common(1)[0]
+    groups = [group for group in problem.groups if group.tolerance == usual]
+    return next((group for group in groups if group.name == "grid"), groups[0])
+
+
+def _measure(finding: Finding) -> tuple[object, ...]:
+    return finding.measure

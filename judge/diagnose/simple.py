@@ -1,0 +1,84 @@
+"""Builders of simple cases for any problem: numbers of few digits, alike enough to touch, cross or miss.
+
+A case's numbers come from a small pool, so that many of them are equal: two equal coordinates make a line
+level, a coordinate equal to the radius makes a tangent. The pool's numbers are small integers m, or m·10^k,
+or m·10^k + n, and all may be multiplied by 10^-u. Each rung of the ladder fixes k and u; the first steps
+are the simplest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from msgspec import Struct
+
+from judge.data.draw import Draw
+from judge.spec import Case, Problem
+from judge.spec.model import Number, ParameterType
+
+_INTEGERS = (ParameterType.INTEGER, ParameterType.INTEGER_POINT)
+_POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
+_POOL = 3
+
+
+class Rung(Struct, frozen=True):
+    """One kind of simple numbers: up to `reach`, with tens of 10^`tens`, in units of 10^-`unit`."""
+
+    reach: int
+    tens: int = 0
+    unit: int = 0
+    floats: bool = False
+
+    def case(self, draw: Draw, problem: Problem) -> Case:
+        """A case of such numbers; it need not keep the bounds or the promise."""
+        pool = [self._number(draw) for _ in range(_POOL)]
+
+        def number(low_is_zero: bool) -> Number:
+            place = draw.integer(0, 2 * _POOL)
+            if place > _POOL:
+                value = pool[place - _POOL - 1]
+            else:
+                value = draw.integer(0, 1) * draw.integer(0, self.reach)
+            if not low_is_zero:
+                value *= draw.sign()
+            return self._typed(value)
+
+        return tuple(
+            (number(low_is_zero=False), number(low_is_zero=False))
+            if parameter.type in _POINTS
+            else number(low_is_zero=parameter.low >= 0)
+            for parameter in problem.parameters
+        )
+
+    def _number(self, draw: Draw) -> int:
+        near = draw.integer(0, self.reach)
+        if not self.tens:
+            return near
+        kind = draw.integer(0, 2)
+        far: int = draw.integer(1, self.reach) * 10**self.tens
+        return (near, far, far + near * draw.sign())[kind]
+
+    def _typed(self, value: int) -> Number:
+        if self.unit:
+            return value / int(10**self.unit)
+        return float(value) if self.floats else value
+
+
+Step = list[tuple[Rung, int]]
+
+
+def ladder(problem: Problem) -> Iterator[Step]:
+    """The steps for a problem, the simplest first: rungs, and how many cases to try of each."""
+    yield [(Rung(1), 100), (Rung(3), 400)]
+    yield [(Rung(9), 400)]
+    if all(parameter.type in _INTEGERS for parameter in problem.parameters):
+        for tens in (1, 2, 3, 4, 6, 8, 10, 16, 20, 30):
+            yield [(Rung(3, tens), 250)]
+        return
+    yield [(Rung(3, floats=True), 150), (Rung(3, unit=1), 100)]
+    for tens in (2, 4, 6, 8):
+        yield [(Rung(3, tens), 150), (Rung(3, tens, floats=True), 150)]
+    for unit in (9, 7, 11, 13, 5, 3):
+        yield [(Rung(3, unit=unit), 150)]
+    for unit in (3, 6):
+        yield [(Rung(3, tens=unit, unit=unit), 150)]

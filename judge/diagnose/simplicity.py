@@ -1,0 +1,58 @@
+"""How simple a case is for a person: few digits, integers before floats, nothing negative without need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from judge.spec.model import Case, Number
+
+Measure = tuple[int, int, tuple[float, ...]]
+
+_FLOAT = 2  # a float weighs as much as an integer of so many digits more
+_SPECIAL = 3  # and so does what is a case for itself: a length of 0, two equal points
+
+
+def numbers_of(case: Case) -> Iterator[Number]:
+    """The numbers of a case, in order."""
+    for argument in case:
+        if isinstance(argument, tuple):
+            yield from argument
+        else:
+            yield argument
+
+
+def digits(number: Number) -> int:
+    """How many characters a person reads: all of an int's digits, what `repr` writes of a float; 0 has none.
+
+    A sign and a float's final `.0` do not count.
+    """
+    if number == 0:
+        return 0
+    if isinstance(number, int):
+        # Very large ones need not be written to be known as large.
+        bits = number.bit_length()
+        return len(str(abs(number))) if bits < 2000 else bits * 3 // 10
+    return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
+
+
+def measure(case: Case) -> Measure:
+    """What to compare two cases by; the smaller is the simpler one."""
+    total = negative = 0
+    magnitudes = []
+    for number in numbers_of(case):
+        total += digits(number) + (_FLOAT if isinstance(number, float) else 0)
+        negative += number < 0
+        magnitudes.append(_magnitude(number))
+    points = [argument for argument in case if isinstance(argument, tuple)]
+    lone = [argument for argument in case if not isinstance(argument, tuple)]
+    total += _SPECIAL * (len(points) - len(set(points)) + (lone[-1:] == [0]))
+    return total, negative, (sum(magnitudes), *magnitudes)
+
+
+def _magnitude(number: Number) -> float:
+    """The distance from 1 as a factor, either way; 0 is the simplest."""
+    try:
+        size = abs(float(number))
+        return size if size >= 1 or size == 0 else 1 / size
+    except (OverflowError, ZeroDivisionError):
+        return float("inf")

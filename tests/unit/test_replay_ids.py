@@ -1,0 +1,79 @@
+from __future__ import annotations
+
+import pytest
+
+from judge.data.build import bound_builder, choices_of
+from judge.data.load import load_data
+from judge.data.module import load_module
+from judge.diagnose.replay import decode, encode, problem_name
+from judge.errors import UsageError
+from judge.spec.find import find_problem
+
+CASE = (0, 0, 1, (0, 1), (80, 0))
+
+
+@pytest.fixture(scope="module", params=["count", "segment", "ray-nearest", "exact-count"])
+def problem(request):
+    return find_problem(request.param)
+
+
+def test_every_group_comes_back_from_values_and_from_choices(problem):
+    module = load_module(problem)
+    for data in load_data(problem).groups:
+        for number in (0, len(data.cases) - 1):
+            case = data.cases[number]
+            choices = None
+            if data.group.builder != "examples":
+                builder = bound_builder(problem, module, data.group)
+                choices = choices_of(data.group, builder, number, case)
+                assert choices is not None
+            for replay in {encode(problem, data.group, case), encode(problem, data.group, case, choices)}:
+                assert problem_name(replay) == problem.id
+                group, again = decode(replay, problem, module)
+                assert (group, repr(again)) == (data.group, repr(case))
+
+
+@pytest.mark.parametrize(
+    ("replay", "words"),
+    [
+        ("", "no replay id"),
+        ("count", "no replay id"),
+        ("count:grid:x0:123456", "no replay id"),
+        ("count:grid:v" + "9" * 20_000 + ":123456", "no replay id"),
+        ("count:grid:v0,0,1,0,1,80,0:000000", "check digits"),
+        ("count:grid:v0,0,1,0,1,80:000000", "check digits"),
+        ("count:grid:v0,0,one,0,1,80,0:000000", "check digits"),
+        ("count:grid:c1.2.3:000000", "check digits"),
+        ("count:grid:c:000000", "check digits"),
+        ("count:examples:c1:000000", "check digits"),
+        ("count:grud:v0,0,1,0,1,80,0:000000", "no group 'grud'"),
+    ],
+)
+def test_a_bad_id_is_one_clear_line(replay, words):
+    problem = find_problem("count")
+    with pytest.raises(UsageError, match=words) as caught:
+        decode(replay, problem, load_module(problem))
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 200
+
+
+@pytest.mark.parametrize(
+    ("case", "words"),
+    [
+        ((0, 0, -1, (0, 1), (80, 0)), "outside 0 to"),
+        ((0, 0, 1, (0, 1.00000001), (1, 1.00000001)), "forbidden band"),
+        ((0, 0, 1, (0, float("1e999")), (1, 1)), "check digits|not finite"),
+    ],
+)
+def test_a_case_that_no_group_could_hold_is_refused(case, words):
+    problem = find_problem("count")
+    replay = encode(problem, problem.group("grid"), case)
+    with pytest.raises(UsageError, match=words):
+        decode(replay, problem, load_module(problem))
+
+
+def test_the_shorter_form_is_taken():
+    problem = find_problem("count")
+    group = problem.group("grid")
+    assert encode(problem, group, CASE).startswith("count:grid:v0,0,1,0,1,80,0:")
+    assert encode(problem, group, CASE, [1, -40]).startswith("count:grid:c1.-14:")

@@ -1,0 +1,216 @@
+"""Each wrong program's smallest case: it fails, keeps the promise, and stays under a stated size."""
+
+from __future__ import annotations
+
+import ast
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+
+from judge.data.load import load_data
+from judge.data.module import load_module
+from judge.data.validate import Validator
+from judge.diagnose import shrink
+from judge.diagnose.replay import decode
+from judge.diagnose.simplicity import digits, measure, numbers_of
+from judge.run import Mode, Reference, Settings, run_submission
+from judge.sandbox import open_box
+from judge.spec import Verdict
+from judge.spec.find import find_problem
+
+SOLUTIONS = Path(__file__).parents[2] / "solutions"
+
+# The most digits that a number of the smallest case may have. Three digits at most but where said.
+USUAL = 2
+EPSILON = 6
+SAMPLE = {
+    "count": {
+        "tangent-twice": USUAL,
+        "tangent-missed": USUAL,
+        "zero-radius": USUAL,
+        "segment-for-line": USUAL,
+        "slope-intercept": USUAL,
+        "sqrt-of-negative": USUAL,
+        "forgotten-centre": USUAL,
+        "no-degenerate": USUAL,
+        "loose-epsilon": EPSILON,
+        "absolute-epsilon": EPSILON,
+        "cancellation": EPSILON,
+    },
+    "segment": {
+        "no-clamp": USUAL,
+        "unsorted": USUAL,
+        "inside-ends": USUAL,
+        "open-interval": USUAL,
+        "rounded-output": USUAL,
+        "rounded-output-program": USUAL,
+        "sqrt-of-negative-crash": USUAL,
+        "loose-epsilon": EPSILON,
+        "loose-clamp": EPSILON,
+        "tight-epsilon": EPSILON,
+    },
+    "ray-nearest": {
+        "far-root": USUAL,
+        "entry-behind": USUAL,
+        "inside-is-miss": USUAL,
+        "distance-for-parameter": USUAL,
+        "sign-of-zero": USUAL,
+        "absolute-epsilon": EPSILON,
+        "loose-origin": EPSILON,
+        "cancellation-half-chord": EPSILON,
+    },
+    "exact-count": {
+        "tangent-twice": USUAL,
+        "floor-division": USUAL,
+        "overflow-64": EPSILON,
+        "loose-epsilon": EPSILON,
+    },
+}
+
+
+class Clock:
+    """A clock on which every look takes a while: a budget of looks, not of seconds."""
+
+    def __init__(self, tick: float = 0.0) -> None:
+        self.now = 0.0
+        self.tick = tick
+
+    def __call__(self) -> float:
+        self.now += self.tick
+        return self.now
+
+
+def shrunk(name, source, *, clock=None, budget=2.0):
+    """The result of judging the source, and its counterexample."""
+    problem = find_problem(name)
+    data = load_data(problem)
+    result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
+    with ExitStack() as stack:
+        box = stack.enter_context(open_box(source, "mine.py"))
+        reference = stack.enter_context(Reference(problem, open_box))
+        found = shrink(
+            problem,
+            data,
+            box,
+            result.mode,
+            result.verdict,
+            result.failure,
+            reference=lambda: reference.open(result.mode),
+            budget_seconds=budget,
+            clock=clock or Clock(),
+        )
+    return problem, result, found
+
+
+@pytest.mark.parametrize(
+    ("name", "mistake"), [(name, mistake) for name, mistakes in SAMPLE.items() for mistake in mistakes]
+)
+def test_the_smallest_case_of_a_mistake(name, mistake):
+    source = (SOLUTIONS / name / "wrong" / f"{mistake}.py").read_bytes()
+    problem, result, found = shrunk(name, source)
+    assert found is not None
+    module = load_module(problem)
+    assert Validator(problem, module.promise).fault(found.case) is None
+    assert decode(found.replay, problem, module) == (problem.group(found.group), found.case)
+    assert list(found.input) == [parameter.name for parameter in problem.parameters]
+    assert found.expected != found.got
+    assert found.message
+    assert max(digits(number) for number in numbers_of(found.case)) <= SAMPLE[name][mistake]
+    original = tuple(
+        tuple(value) if isinstance(value, list) else value for value in result.failure.input.values()
+    )
+    assert measure(found.case) <= measure(original)
+
+
+def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
+    source = (SOLUTIONS / "segment" / "wrong" / "loose-epsilon.py").read_bytes()
+    problem, _, found = shrunk("segment", source)
+    assert shrunk("segment", source)[2] == found
+    space = {}
+    exec(compile(source, "mine.py", "exec"), space)
+    answer = space[problem.entry](*found.case)
+    assert repr(answer) == found.got
+    assert len(answer) != len(ast.literal_eval(found.expected))
+
+
+def test_a_builder_is_shrunk_by_its_parameters():
+    """Where no simple case fails, Hypothesis makes the failing group's own one simpler."""
+    source = (SOLUTIONS / "ray-nearest" / "wrong" / "cancellation.py").read_bytes()
+    _, result, found = shrunk("ray-nearest", source)
+    assert (result.failure.group, found.group) == ("cancellation", "cancellation")
+    assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
+
+
+@pytest.mark.parametrize("looks", [0, 3, 10, 40])
+def test_the_budget_ends_the_search(looks):
+    source = (SOLUTIONS / "count" / "wrong" / "absolute-epsilon.py").read_bytes()
+    clock = Clock(tick=1.0)
+    _, result, found = shrunk("count", source, clock=clock, budget=looks + 0.5)
+    assert clock.now <= looks + 60  # what is begun is ended, and nothing much is begun
+    assert found is not None
+    if looks < 4:
+        assert found.calls <= 4
+        assert found.input == result.failure.input
+
+
+GEOMETRY = """
+def line_count(cx, cy, r, A, B):
+    (ax, ay), (bx, by) = A, B
+    if A == B:
+        {degenerate}
+    dx, dy = bx - ax, by - ay
+    cross = dx * (ay - cy) - dy * (ax - cx)
+    power = r * r * (dx * dx + dy * dy) - cross * cross
+    return 1 + (power > 0) - (power < 0)
+"""
+
+
+def test_a_crash_shrinks_to_the_same_crash():
+    _, result, found = shrunk("count", GEOMETRY.format(degenerate="raise KeyError('no line')").encode())
+    assert result.verdict is Verdict.RTE
+    assert found.message.startswith("KeyError: 'no line'")
+    assert found.case[3] == found.case[4]
+    assert max(digits(number) for number in numbers_of(found.case)) <= 1
+
+
+def test_a_call_that_never_ends_shrinks():
+    _, result, found = shrunk("count", GEOMETRY.format(degenerate="while True: pass").encode())
+    assert result.verdict is Verdict.TLE
+    assert found.case[3] == found.case[4]
+    assert max(digits(number) for number in numbers_of(found.case)) <= 1
+    assert found.calls < 5_000
+
+
+@pytest.mark.parametrize("verdict", [Verdict.OLE, Verdict.CE, Verdict.AC])
+def test_what_no_case_can_show_is_left_alone(verdict):
+    problem = find_problem("count")
+    data = load_data(problem)
+    source = b"def line_count(cx, cy, r, A, B):\n    return 3\n"
+    result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
+    with open_box(source, "mine.py") as box:
+        assert shrink(problem, data, box, Mode.FUNCTION, verdict, result.failure) is None
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "import random\ndef line_count(cx, cy, r, A, B):\n    return random.randrange(3)\n",
+        "import os\ndef line_count(cx, cy, r, A, B):\n    return os.urandom(1)[0] % 3\n",
+        "n = 0\ndef line_count(cx, cy, r, A, B):\n    global n\n    n += 1\n    return n // 5\n",
+    ],
+)
+def test_a_submission_that_answers_at_random_or_remembers_does_no_harm(source):
+    _, result, found = shrunk("count", source.encode())
+    assert result.verdict is Verdict.WA
+    if found is not None and found.replay is None:
+        assert "alone" in found.message
+        assert found.input == result.failure.input
+
+
+def test_a_program_that_keeps_something_between_its_cases_is_told_so():
+    source = (SOLUTIONS / "ray-nearest" / "wrong" / "kept-between-calls.py").read_bytes()
+    _, result, found = shrunk("ray-nearest", source)
+    assert found.replay is None
+    assert found.message.startswith("called alone it is right")
+    assert found.as_json()["input"] == result.failure.input
