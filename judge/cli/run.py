@@ -19,6 +19,7 @@ from judge.cli.options import (
     seed_option,
     write_json,
 )
+from judge.cli.picture import Drawing, check_svg, svg_option
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
@@ -41,6 +42,7 @@ from judge.spec.find import find_problem
 @seed_option
 @jobs_option
 @isolation_option
+@svg_option
 @problems_option
 def command(
     name: str,
@@ -51,6 +53,7 @@ def command(
     seed: int | None,
     jobs: int,
     level: str | None,
+    svg: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Judge submissions on a problem.
@@ -64,6 +67,7 @@ def command(
     try:
         problem = _problem(name, folders)
         submissions = read_submissions(files)
+        check_svg(svg, len(submissions))
         chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
         with Containment(problem, level) as containment:
             containment.boot(submissions[0].source, submissions[0].name)
@@ -72,7 +76,9 @@ def command(
             judge = partial(_judge, problem, data, groups=chosen, settings=settings, bar=jobs == 1)
             for result in in_order(submissions, jobs, judge):
                 containment.warn_of(result.isolation)
-                show.result(result, several=len(submissions) > 1)
+                drawing = Drawing(problem, data, result)
+                show.result(result, several=len(submissions) > 1, drawing=drawing)
+                drawing.save(svg)
     except Exception as fault:
         if as_json and not isinstance(fault, UsageError | OSError):
             for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
@@ -131,7 +137,7 @@ class _Json(Struct):
 
     results: list[Result] = []
 
-    def result(self, result: Result, *, several: bool) -> None:  # noqa: ARG002 - a screen asks for it
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:  # noqa: ARG002 - a screen's
         """One more result."""
         self.results.append(result)
         write_json(result.as_json())
@@ -147,12 +153,13 @@ class _Screen(Struct):
     brief: bool
     results: list[Result] = []
 
-    def result(self, result: Result, *, several: bool) -> None:
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several."""
         self.results.append(result)
         screen = out()
         if not self.brief:
-            screen.show([*result_lines(result, screen.width), *([line()] if several else [])])
+            drawn = drawing.lines(screen)
+            screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])
         elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import arguments, counted, seconds, size, times
@@ -27,8 +27,8 @@ def verdict_span(verdict: Verdict) -> Span:
     return Span(verdict.value, _STYLES[verdict])
 
 
-def result_lines(result: Result, width: int | None) -> Iterator[Line]:
-    """One submission's report; its last line is the verdict."""
+def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
+    """One submission's report, with a drawing of its failing case if there is one; the verdict is last."""
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
     yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
@@ -38,6 +38,9 @@ def result_lines(result: Result, width: int | None) -> Iterator[Line]:
     if result.failure:
         yield from failure_lines(result.failure, width)
         yield line()
+    drawn = list(drawing)
+    if drawn:
+        yield from (*drawn, line())
     yield from verdict_lines(result, width)
 
 

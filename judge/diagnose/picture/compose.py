@@ -41,9 +41,9 @@ def compose(
         Fact("input", ", ".join(f"{name}={_argument(value)}" for name, value in values.items())),
         Fact("wanted", wanted or "", Role.WANTED),
         Fact("got", got or "no answer", Role.GOT),
-        Fact("so", _situation(scene, exact)),
+        Fact("geometry", _situation(scene, exact)),
     ]
-    title = f"{problem.title}: {heading}" if heading else problem.title
+    title = f"{problem.title} – {heading}" if heading else problem.title
     description = f"Wanted {wanted}, got {got or 'no answer'}; {gap_words(scene)}."
     return Picture(title, description, whole_panel(scene), lens, tuple(facts))
 

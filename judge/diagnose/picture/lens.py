@@ -94,7 +94,7 @@ def _tangency(scene: Scene) -> list[_Place]:
         return []
     fx, fy = scene.foot
     size = abs(rounded(scene.gap))
-    return [_Place(size, fx, fy, "where line and circle come closest", gap_words(scene), tangency=True)]
+    return [_Place(size, fx, fy, "nearest approach", gap_words(scene), tangency=True)]
 
 
 def gap_words(scene: Scene) -> str:

@@ -75,7 +75,9 @@ def merged(marks: list[Mark]) -> tuple[Mark, ...]:
         if close is None:
             kept.append(mark)
             continue
-        kept[close] = replace(kept[close], text=_joined(kept[close].text, mark.text))
+        first = kept[close]
+        shared = first.shared or first.role is not mark.role
+        kept[close] = replace(first, text=_joined(first.text, mark.text), shared=shared)
         kept.append(replace(mark, text=""))
     return tuple(kept)
 

@@ -35,12 +35,16 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A point and its label. `towards` is set where it stands at the edge for one that lies outside."""
+    """A point and its label, `shared` with points of other roles where it stands for all that meet there.
+
+    `towards` is set where it stands at the edge for one that lies outside.
+    """
 
     at: Dot
     role: Role
     text: str
     towards: Dot | None = None
+    shared: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -93,10 +93,13 @@ def to_svg(picture: Picture) -> str:
 
 def words(text: str) -> str:
     """Text that is safe in XML: markup escaped, and whatever does not print written out."""
-    plain = "".join(
+    return escape(_plain(text))
+
+
+def _plain(text: str) -> str:
+    return "".join(
         letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii") for letter in text
     )
-    return escape(plain)
 
 
 # -- a panel -----------------------------------------------------------------------------------------------
@@ -105,27 +108,28 @@ def words(text: str) -> str:
 def _panel(panel: Panel, left: float, top: float) -> Iterator[str]:
     """The panel in a group of its own, whose origin is its upper left corner."""
     yield f'<g transform="translate({_n(left)} {_n(top)})">'
-    yield _text(0, -10, _cut(panel.title, _SIDE), "head")
+    yield _text(0, -10, _cut(panel.title, _SIDE, 8.4), "head")
     yield f'<rect class="panel" width="{_n(_SIDE)}" height="{_n(_SIDE)}"/>'
     for stroke in panel.strokes:
         yield _stroke(stroke)
     for stroke in panel.strokes:
         if stroke.arrow:
             yield _arrow(stroke)
-    taken = [box for bar in panel.bars for box in _bar_boxes(bar)]
-    for bar in panel.bars:
-        yield from _bar(bar)
+    ink = _ink(panel)
+    bars, taken = _bars(panel, ink)
+    yield from bars
     spots = [_pixel(mark.at) for mark in panel.marks]
     taken += [Box(x, y, _MARK + 2, _MARK + 2) for x, y in spots]
     for mark, (x, y) in zip(panel.marks, spots, strict=True):
         yield _mark(mark, x, y)
     labelled = [(mark, spot) for mark, spot in zip(panel.marks, spots, strict=True) if mark.text]
-    labels = place_labels([(x, y, mark.text) for mark, (x, y) in labelled], _SIDE, taken, _ink(panel))
+    labels = place_labels([(x, y, mark.text) for mark, (x, y) in labelled], _SIDE, taken, ink)
     for (mark, _), label in zip(labelled, labels, strict=True):
         box = label.box
         if label.leader:
             yield _line(label.x, label.y, *_side_of(box, label.x, label.y), "leader")
-        yield _text(box.x, box.y + 4.5, mark.text, f"halo {_ROLE_TEXT[mark.role]}".strip(), middle=True)
+        kind = "" if mark.shared else _ROLE_TEXT[mark.role]
+        yield _text(box.x, box.y + 4.5, mark.text, f"halo {kind}".strip(), middle=True)
     if panel.note:
         yield _text(0, _SIDE + _HEADING, _cut(panel.note, _SIDE), "quiet")
     yield "</g>"
@@ -201,25 +205,25 @@ def _side_of(box: Box, x: float, y: float) -> Dot:
 # -- scale bars, legend, facts -----------------------------------------------------------------------------
 
 
-def _bar_boxes(bar: Bar) -> list[Box]:
-    size, letters = bar.length * _SIDE / 2, 7.0 * len(bar.text) + 4
-    if bar.upright:
-        return [
-            Box(14, _SIDE - 34 - size / 2, 8, size / 2 + 4),
-            Box(24 + letters / 2, _SIDE - 34 - size / 2, letters / 2, 9),
-        ]
-    whole = max(size, letters)
-    return [Box(12 + whole / 2, _SIDE - 16, whole / 2 + 4, 16)]
+def _bars(panel: Panel, ink: Sequence[Dot]) -> tuple[list[str], list[Box]]:
+    """The scale bars in the left corner, below or above, that has less in it; and what room they take."""
+    upright = [bar for bar in panel.bars if bar.upright]
+    high = 40.0 + sum(bar.length * _SIDE / 2 + 4 for bar in upright)
+    wide = max(max(bar.length * _SIDE / 2, 7.6 * len(bar.text)) + 16 for bar in panel.bars)
+    corners = [Box(wide / 2 + 4, base - high / 2, wide / 2 + 4, high / 2) for base in (_SIDE, high)]
+    corner = min(corners, key=lambda box: sum(box.holds(*dot) for dot in ink))
+    base = corner.y + corner.h
+    return [part for bar in panel.bars for part in _bar(bar, base)], [corner]
 
 
-def _bar(bar: Bar) -> Iterator[str]:
+def _bar(bar: Bar, base: float) -> Iterator[str]:
     size = bar.length * _SIDE / 2
     if bar.upright:
-        low, high = _SIDE - 34, _SIDE - 34 - size
+        low, high = base - 34, base - 34 - size
         yield f'<path class="bar" d="M8 {_n(low)}H16M12 {_n(low)}V{_n(high)}M8 {_n(high)}H16"/>'
         yield _text(22, (low + high) / 2 + 4.5, bar.text, "halo quiet")
         return
-    y = _SIDE - 10
+    y = base - 10
     top, bottom, end = _n(y - 4), _n(y + 4), _n(12 + size)
     yield f'<path class="bar" d="M12 {top}V{bottom}M12 {_n(y)}H{end}M{end} {top}V{bottom}"/>'
     yield _text(12, y - 8, bar.text, "halo quiet")
@@ -236,7 +240,7 @@ def _legend(left: float, y: float) -> Iterator[str]:
 def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:
     """A fact in as many rows as it takes, cut after a few."""
     letters = int(room * _LETTERS_PER_PIXEL)
-    rows = _wrapped(fact.text, letters)
+    rows = _wrapped(_plain(fact.text), letters)
     if len(rows) > _MOST_ROWS:
         rows = [*rows[: _MOST_ROWS - 1], rows[_MOST_ROWS - 1][: letters - 1] + "…"]
     kind = _ROLE_TEXT[fact.role]
@@ -258,7 +262,7 @@ def _pieces(text: str, letters: int) -> Sequence[str]:
 
 
 def _cut(text: str, room: float, letter: float = 1 / _LETTERS_PER_PIXEL) -> str:
-    most = int(room / letter)
+    text, most = _plain(text), int(room / letter)
     return text if len(text) <= most else text[: most - 1] + "…"
 
 

@@ -14,7 +14,11 @@ def short(value: Fraction | Surd, digits: int = 2) -> str:
     text = Surd.of(value).decimal(digits)
     mantissa, _, power = text.partition("e")
     if not power:
-        return _thinned(text)
+        whole = text.partition(".")[0].lstrip("-")
+        if len(whole) <= 5:
+            return _thinned(text)
+        sign = "-" if text.startswith("-") else ""
+        mantissa, power = f"{sign}{whole[0]}.{whole[1:digits]}", str(len(whole) - 1)
     return f"{_thinned(mantissa)}e{int(power)}"
 
 
