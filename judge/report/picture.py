@@ -32,4 +32,8 @@ def has_room(screen: Screen) -> bool:
 def picture_lines(picture: Picture) -> Iterator[Line]:
     """The drawing, coloured by what is wanted and what was given."""
     for row in to_braille(picture):
-        yield line(*(Span(piece.text, _STYLES.get(piece.role, Style.PLAIN)) for piece in row))
+        yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
+
+
+def _style(role: Role | None) -> Style:
+    return _STYLES.get(role, Style.PLAIN) if role else Style.PLAIN

@@ -43,9 +43,8 @@ def compose(
         Fact("got", got or "no answer", Role.GOT),
         Fact("geometry", _situation(scene, exact)),
     ]
-    title = f"{problem.title} – {heading}" if heading else problem.title
     description = f"Wanted {wanted}, got {got or 'no answer'}; {gap_words(scene)}."
-    return Picture(title, description, whole_panel(scene), lens, tuple(facts))
+    return Picture(problem.title, heading, description, whole_panel(scene), lens, tuple(facts))
 
 
 def _argument(value: Any) -> str:

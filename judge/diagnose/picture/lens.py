@@ -242,7 +242,7 @@ def _stretched(scene: Scene, place: _Place, across: Fraction) -> Panel:
     note = place.note
     band = lens.band()
     if band:
-        note += "; within the band that counts as tangent" if len(scene.wanted) == 1 else ""
+        note += "; shaded: the band"
     title = f"Lens: {place.title}, × {short(whole_frame(scene).unit / across)} across"
     return Panel(title, (*band, *lens.circle(), *lens.straight()), merged(found), bars, note)
 

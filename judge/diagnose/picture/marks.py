@@ -10,7 +10,7 @@ from math import hypot
 from judge.diagnose.picture.clip import inside
 from judge.diagnose.picture.frame import Frame, length
 from judge.diagnose.picture.scene import Figure, Scene, Spot
-from judge.diagnose.picture.shapes import Dot, Mark, Role
+from judge.diagnose.picture.shapes import Dot, Mark, Role, Stroke
 from judge.diagnose.picture.words import short
 
 _TOGETHER = 0.035  # marks closer than this share a label
@@ -20,13 +20,15 @@ _EDGE = 0.97
 def marks_in(frame: Frame, scene: Scene, *, beyond: bool) -> tuple[Mark, ...]:
     """Every point of the scene in the panel; those outside at its edge where `beyond` asks for them."""
     found: list[Mark] = []
+    line = frame.straight(scene)
     for spot, role in every_spot(scene):
         at = frame.place(spot.x, spot.y)
         if inside(at):
             found.append(Mark(at, role, spot.text))
         elif role is Role.GOT or (beyond and role is Role.CASE):
             away = length(spot.x - frame.x, spot.y - frame.y)
-            found.append(at_edge(at, role, f"{spot.text}, {distance(scene, away, in_extents=not beyond)}"))
+            text = f"{spot.text}, {distance(scene, away, in_extents=not beyond)}"
+            found.append(at_edge(at, role, text, line if role is Role.CASE else ()))
     return merged(found)
 
 
@@ -37,11 +39,14 @@ def distance(scene: Scene, away: Fraction, *, in_extents: bool) -> str:
     return f"{short(away / (1 << scene.line.shift))} away"
 
 
-def at_edge(at: Dot, role: Role, text: str) -> Mark:
-    """A mark at the panel's edge for a point outside it."""
-    most = max(abs(at[0]), abs(at[1]))
-    edge = (at[0] / most * _EDGE, at[1] / most * _EDGE)
+def at_edge(at: Dot, role: Role, text: str, line: tuple[Stroke, ...] = ()) -> Mark:
+    """A mark at the panel's edge for a point outside it: where `line`, if it is on one, leaves the panel."""
     size = hypot(*at)
+    ends = [dot for stroke in line for dot in (stroke.dots[0], stroke.dots[-1])]
+    exits = [(x, y) for x, y in ends if max(abs(x), abs(y)) > 1 - 1e-6 and x * at[0] + y * at[1] > 0]
+    x, y = max(exits, key=lambda dot: dot[0] * at[0] + dot[1] * at[1], default=at)
+    most = max(abs(x), abs(y))
+    edge = (x / most * _EDGE, y / most * _EDGE)
     return Mark(edge, role, text, (at[0] / size, at[1] / size))
 
 

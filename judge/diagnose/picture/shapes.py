@@ -81,6 +81,7 @@ class Picture:
     """A case and its answers: the whole at true scale, the place that matters enlarged, and the facts."""
 
     title: str
+    heading: str  # which case it is
     description: str
     whole: Panel
     lens: Panel | None

@@ -12,12 +12,12 @@ from judge.diagnose.picture.shapes import Bar, Dot, Fact, Mark, Panel, Picture, 
 
 _SIDE = 400.0
 _GAP = 24.0
-_TOP = 84.0  # title, and the panels' headings
+_TOP = 88.0  # title, and the panels' headings
 _HEADING = 18.0
 _ROW = 18.0
 _MARK = 6.0
 _LETTERS_PER_PIXEL = 1 / 7.4
-_MOST_ROWS = 4  # of one fact
+_MOST_ROWS = 6  # of one fact
 
 _STYLE = """
 .card{fill:#ffffff;stroke:#d4d4d8}
@@ -73,13 +73,15 @@ def to_svg(picture: Picture) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-labelledby="title desc" '
         f'viewBox="0 0 {_n(width)} {_n(height)}" width="{_n(width)}" height="{_n(height)}">'
     )
+    title = f"{picture.title} – {picture.heading}" if picture.heading else picture.title
     parts = [
         head,
-        f'<title id="title">{words(picture.title)}</title>',
+        f'<title id="title">{words(title)}</title>',
         f'<desc id="desc">{words(picture.description)}</desc>',
         f"<style>{_STYLE}</style>",
         f'<rect class="card" x="0.5" y="0.5" width="{_n(width - 1)}" height="{_n(height - 1)}" rx="8"/>',
-        _text(_GAP, 32, _cut(picture.title, width - 2 * _GAP, 8.6), "title"),
+        _text(_GAP, 32, _cut(picture.title, width - 2 * _GAP, 10.2), "title"),
+        _text(_GAP, 51, _cut(picture.heading, width - 2 * _GAP), "quiet"),
     ]
     for place, panel in enumerate(panels):
         parts.extend(_panel(panel, _GAP + place * (_SIDE + _GAP), _TOP))
