@@ -21,6 +21,7 @@ from judge.cli.options import (
     seed_option,
     write_json,
 )
+from judge.cli.picture import Drawing, check_svg, svg_option
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
@@ -45,6 +46,7 @@ from judge.spec.find import find_problem
 @isolation_option
 @no_shrink_option
 @save_regression_option
+@svg_option
 @problems_option
 def command(
     name: str,
@@ -57,6 +59,7 @@ def command(
     level: str | None,
     unshrunk: bool,
     regression: Path | None,
+    svg: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Judge submissions on a problem.
@@ -74,6 +77,7 @@ def command(
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
             agree_on(regression)
+        check_svg(svg, len(submissions))
         chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
         with Containment(problem, level) as containment:
             containment.boot(submissions[0].source, submissions[0].name)
@@ -84,7 +88,9 @@ def command(
             judge = partial(_judge, problem, data, diagnosis, groups=chosen, settings=settings, bar=jobs == 1)
             for result in in_order(submissions, jobs, judge):
                 containment.warn_of(result.isolation)
-                show.result(result, several=len(submissions) > 1)
+                drawing = Drawing(problem, data, result)
+                show.result(result, several=len(submissions) > 1, drawing=drawing)
+                drawing.save(svg)
     except Exception as fault:
         if as_json and not isinstance(fault, UsageError | OSError):
             for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
@@ -146,7 +152,7 @@ class _Json(Struct):
 
     results: list[Result] = []
 
-    def result(self, result: Result, *, several: bool) -> None:  # noqa: ARG002 - a screen asks for it
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:  # noqa: ARG002 - a screen's
         """One more result."""
         self.results.append(result)
         write_json(result.as_json())
@@ -162,12 +168,13 @@ class _Screen(Struct):
     brief: bool
     results: list[Result] = []
 
-    def result(self, result: Result, *, several: bool) -> None:
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several."""
         self.results.append(result)
         screen = out()
         if not self.brief:
-            screen.show([*result_lines(result, screen.width), *([line()] if several else [])])
+            drawn = drawing.lines(screen)
+            screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])
         elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))
 

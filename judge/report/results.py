@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line, pad
@@ -29,8 +29,8 @@ def verdict_span(verdict: Verdict) -> Span:
     return Span(verdict.value, _STYLES[verdict])
 
 
-def result_lines(result: Result, width: int | None) -> Iterator[Line]:
-    """One submission's report; its last line is the verdict."""
+def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
+    """One submission's report, with a drawing of its failing case if there is one; the verdict is last."""
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
     yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
@@ -43,6 +43,9 @@ def result_lines(result: Result, width: int | None) -> Iterator[Line]:
     if result.counterexample:
         yield from counterexample_lines(result, result.counterexample, width)
         yield line()
+    drawn = list(drawing)
+    if drawn:
+        yield from (*drawn, line())
     yield from verdict_lines(result, width)
 
 

@@ -1,0 +1,111 @@
+"""The picture of a failing case, as `judge run` draws and saves it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from msgspec import Struct
+
+from judge.data import ProblemData
+from judge.data.atomic import replace_file
+from judge.errors import UsageError
+from judge.report.layout import Line, Span, Style, line
+from judge.report.screen import Screen, err
+from judge.run import Result
+from judge.spec import Case, Problem
+
+if TYPE_CHECKING:
+    from judge.diagnose.picture import Picture
+
+_LOOKED_AT = 2000  # bytes of a file in which an SVG says that it is one
+
+svg_option = click.option(
+    "--svg",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Draw the failing case of a submission into an SVG file.",
+)
+
+
+class Drawing(Struct, frozen=True):
+    """A result and what its picture is drawn from; nothing is computed until it is asked for."""
+
+    problem: Problem
+    data: ProblemData
+    result: Result
+
+    def picture(self) -> Picture | None:
+        """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
+        from judge.diagnose.picture import compose  # late: an accepted submission does without
+
+        failure = self.result.failure
+        group = self.problem.group(failure.group) if failure and failure.group else None
+        if failure is None or group is None:
+            return None
+        found = self.result.counterexample or {}
+        heading = f"{group.name}, case {failure.case}"
+        values, wanted, got = failure.input, failure.expected, failure.got
+        if found.get("input"):
+            heading, values = "counterexample", found["input"]
+            wanted, got = found.get("expected"), found.get("got")
+        if not values:
+            return None
+        case: Case = tuple(tuple(v) if isinstance(v, list) else v for v in values.values())
+        exact, _ = self.data.exact(case, group)
+        return compose(self.problem, values, exact, wanted=wanted, got=got, heading=heading)
+
+    def lines(self, screen: Screen) -> list[Line]:
+        """The drawing for a terminal; nothing where it cannot be shown."""
+        if self.result.failure is None:
+            return []
+        from judge.report.picture import has_room, picture_lines
+
+        picture = self.picture() if has_room(screen) else None
+        return list(picture_lines(picture)) if picture else []
+
+    def save(self, path: Path | None) -> None:
+        """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
+        if path is None:
+            return
+        from judge.diagnose.picture.svg import to_svg
+
+        picture = self.picture()
+        if picture is None:
+            note = f" nothing to draw, {path} is not written: no case of a circle and a line failed"
+            err().show([line(Span("judge:", Style.WARNING), note)])
+            return
+        try:
+            replace_file(path, to_svg(picture).encode())
+        except OSError as fault:
+            raise _unwritable(path, fault) from fault
+
+
+def check_svg(path: Path | None, submissions: int) -> None:
+    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
+    if path is None:
+        return
+    if submissions > 1:
+        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
+    try:
+        if not path.parent.is_dir():
+            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
+        if path.is_dir() or (path.exists() and not _is_svg(path)):
+            raise UsageError(
+                "it is there already and is no SVG", where=str(path), remedy="name another file with --svg"
+            )
+    except OSError as fault:
+        raise _unwritable(path, fault) from fault
+
+
+def _is_svg(path: Path) -> bool:
+    if not path.is_file():  # a pipe would be waited for
+        return False
+    with path.open("rb") as file:
+        return b"<svg" in file.read(_LOOKED_AT)
+
+
+def _unwritable(path: Path, fault: OSError) -> UsageError:
+    reason = (fault.strerror or "it failed").lower()
+    return UsageError(f"cannot be written ({reason})", where=str(path), remedy="name another file with --svg")

@@ -1,0 +1,57 @@
+"""The cases whose pictures are kept, and how to draw one. `python tests/golden/picture_cases.py` renews them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from judge.compare.answers import Count, Points
+from judge.data.module import load_module
+from judge.diagnose.picture import compose
+from judge.diagnose.picture.svg import to_svg
+from judge.spec.load import load_problem
+
+ROOT = Path(__file__).parent.parent.parent
+FOLDER = Path(__file__).parent / "pictures"
+HUGE = 10**100
+FAR = 2**27
+
+# name: problem, case, the submission's answer in the words that a person is shown
+CASES = {
+    "tangent": ("count", (0, 0, 5, (-7, 1), (1, 7)), "2"),
+    "near-miss": ("count", (0.0, 0.0, 1.0, (-2.0, 1.000000002), (3.0, 1.000000002)), "1"),
+    "offset": ("count", (FAR, FAR, 5, (FAR - 7, FAR + 1), (FAR + 1, FAR + 7)), "0"),
+    "segment-end": ("segment", (0, 0, 1, (3, 0.5), (0.8660254137844386, 0.5)), "[(0.8660254, 0.5)]"),
+    "extra-point": ("segment", (0, 0, 5, (-7, 5), (7, 5)), "[(0.0, 5.0), (0.0, 5.0)]"),
+    "point-given-wrong": (
+        "segment",
+        (0, 0, 5, (-7, 2), (7, -1)),
+        "[(-4.7631449, 1.5206739), (4.968023, -0.5645764)]",
+    ),
+    "ray-on-circle": ("ray-nearest", (0, 0, 5, (3, 4), (-1, -2)), "4.4"),
+    "exact-hairline": ("exact-count", (0, 0, HUGE**2, (0, HUGE**2 - 1), (HUGE**2, HUGE**2 - 1)), "1"),
+    "hostile": ("segment", (0, 0, 5, (-7, 2), (7, -1)), "<script>\"'&\x00\x1b[2J]]>\ud800\u202e"),
+}
+
+
+def wanted_words(answer):
+    if isinstance(answer, Count):
+        return str(answer.value)
+    if isinstance(answer, Points):
+        return f"[{', '.join(f'({float(x)!r}, {float(y)!r})' for x, y in answer.points)}]"
+    return "None" if answer.t is None else repr(float(answer.t))
+
+
+def picture_of(problem, case, got, module=None, heading="a case"):
+    exact = (module or load_module(problem)).reference(*case)
+    values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
+    return compose(problem, values, exact, wanted=wanted_words(exact), got=got, heading=heading)
+
+
+def drawn(name):
+    problem, case, got = CASES[name]
+    return to_svg(picture_of(load_problem(ROOT / "problems" / problem), case, got, heading=name))
+
+
+if __name__ == "__main__":
+    for each in CASES:
+        (FOLDER / f"{each}.svg").write_text(drawn(each), encoding="utf-8", newline="\n")

@@ -1,0 +1,98 @@
+"""Pictures as they were when somebody last looked at them, and what holds of all of them."""
+
+from __future__ import annotations
+
+import random
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+from picture_cases import CASES, FOLDER, ROOT, drawn, picture_of, wanted_words
+
+from judge.data import load_data
+from judge.data.module import load_module
+from judge.diagnose.picture.braille import COLUMNS, ROWS, to_braille
+from judge.diagnose.picture.svg import to_svg
+from judge.spec.load import load_problem
+
+SVG = "{http://www.w3.org/2000/svg}"
+ANSWERS = ["1", "None", "[]", "[(1.5, 2.0), (-3e9, 1e-300)]", "[(1e300, -4)]", "2 1 2 3 4", "0.25", "\x00<&"]
+
+
+def coordinates(root, x=0.0, y=0.0):
+    """Every coordinate of the drawing, groups moved to their place."""
+    for item in root:
+        left, top = x, y
+        if moved := item.get("transform"):
+            a, b = moved.removeprefix("translate(").removesuffix(")").split()
+            left, top = x + float(a), y + float(b)
+        for pair in (item.get("points") or "").split():
+            a, b = pair.split(",")
+            yield left + float(a), top + float(b)
+        for names in (("x", "y"), ("cx", "cy")):
+            if item.get(names[0]) is not None:
+                yield left + float(item.get(names[0])), top + float(item.get(names[1]))
+        yield from coordinates(item, left, top)
+
+
+def check_svg(text):
+    root = ElementTree.fromstring(text)
+    _, _, width, height = map(float, root.get("viewBox").split())
+    for x, y in coordinates(root):
+        assert 0 <= x <= width
+        assert 0 <= y <= height
+    assert root.get("role") == "img"
+    assert root.find(f"{SVG}title").text
+    assert root.find(f"{SVG}desc").text
+    return root
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_picture_is_the_one_that_was_looked_at(name):
+    assert drawn(name) == (FOLDER / f"{name}.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_kept_pictures_are_sound(name):
+    check_svg(drawn(name))
+
+
+@pytest.mark.parametrize("name", ["count", "exact-count", "ray-nearest", "segment"])
+def test_any_case_can_be_drawn_with_any_answer(name):
+    problem = load_problem(ROOT / "problems" / name)
+    module = load_module(problem)
+    chosen = random.Random(name)
+    for group in load_data(problem).groups:
+        for case in chosen.sample(group.cases, min(2, len(group.cases))):
+            right = wanted_words(module.reference(*case))
+            for got in (right, chosen.choice(ANSWERS)):
+                picture = picture_of(problem, case, got, module)
+                check_svg(to_svg(picture))
+                rows = ["".join(piece.text for piece in row) for row in to_braille(picture)]
+                assert len(rows) <= ROWS
+                assert max(map(len, rows)) <= COLUMNS
+
+
+def test_what_is_drawn_is_near_one():
+    """However large the coordinates and however small the gap."""
+    problem, case, got = CASES["exact-hairline"]
+    picture = picture_of(load_problem(ROOT / "problems" / problem), case, got)
+    assert picture.lens is not None
+    for panel in picture.panels:
+        dots = [dot for stroke in panel.strokes for dot in stroke.dots] + [mark.at for mark in panel.marks]
+        assert all(abs(x) <= 1 + 1e-9 and abs(y) <= 1 + 1e-9 for x, y in dots)
+    assert sum("common point" in mark.text for mark in picture.lens.marks) == 2
+    assert picture.lens.bars[0].text == "1e-200 e across"
+
+
+def test_the_lens_shows_on_which_side_the_end_of_the_segment_is():
+    problem, case, got = CASES["segment-end"]
+    picture = picture_of(load_problem(ROOT / "problems" / problem), case, got)
+    marks = {mark.text: mark.at for mark in picture.lens.marks}
+    assert marks["B"] == (0, 0)
+    assert marks["got"][0] < -0.5
+    assert picture.lens.note == "B is 2.9e-9 e outside the circle"
+
+
+def test_other_problems_have_no_picture():
+    problem = load_problem(ROOT / "tests" / "fixtures" / "pack" / "problems" / "middle")
+    assert picture_of(problem, (1, 2), "1") is None
