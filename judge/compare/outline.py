@@ -5,7 +5,7 @@
     number t         a number where a parameter is asked for
     none             None
     type bool        a value of a wrong type
-    shape 3          a list that is none of points
+    shape 3 x …      a list of something else, by those of its items that are numbers
     text             a line of output that is no answer
 
 A run that ended without an answer has the outlines of `judge.run.tally`.
@@ -31,6 +31,8 @@ def outline(kind: AnswerKind, answer: Any) -> Outline:
         return _NONE
     if kind is AnswerKind.POINTS and type(answer) in (list, tuple):
         return _points(answer)
+    if type(answer) in (list, tuple):
+        return _shape(answer)
     given = number(answer)
     if isinstance(given, Fault):
         return _wrong_type(answer)
@@ -50,13 +52,18 @@ def _points(points: Any) -> Outline:
     numbers: list[float] = []
     for point in points[:3]:
         if type(point) not in (list, tuple) or len(point) != 2:
-            return (f"shape {len(points)}", ())
+            return _shape(points)
         for coordinate in point:
             given = number(coordinate)
             if isinstance(given, Fault):
                 return _wrong_type(coordinate)
             numbers.append(_double(given))
     return (f"points {len(points)}", tuple(numbers))
+
+
+def _shape(items: Any) -> Outline:
+    given = [number(item) for item in items[:4]]
+    return (f"shape {len(items)}", tuple(_double(each) for each in given if not isinstance(each, Fault)))
 
 
 def _wrong_type(answer: Any) -> Outline:

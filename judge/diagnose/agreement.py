@@ -14,10 +14,10 @@ from judge.compare.outline import Outline
 
 OTHER_ANSWER = 0.5  # both wrong, in different ways
 OTHER_END = 0.7  # one of them ended without an answer: nobody knows what it would have been
-OTHER_NUMBERS = 0.9  # errors of the same size in the same numbers; less for each power of ten between them
+OTHER_DIGITS = 0.9  # small errors of the same size in the same numbers; less for each power of ten between
 _A_POWER_OF_TEN = 0.1
 _SAME = 0.05  # of the larger error: numbers that differ by less are the same
-_CLOSE = 1e-3  # of the numbers themselves, where there is no error to compare with
+_CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
 
 
 def agreement(one: Outline, other: Outline, target: AnyTarget) -> float:
@@ -30,11 +30,20 @@ def agreement(one: Outline, other: Outline, target: AnyTarget) -> float:
         return OTHER_END if ended else OTHER_ANSWER
     if form == "count":
         return OTHER_ANSWER
+    if len(numbers) != len(other[1]):
+        return OTHER_ANSWER
     wanted = wanted_numbers(target)
-    if len(wanted) == len(numbers):
-        return _by_errors(_largest(numbers, wanted), _largest(other[1], wanted), _largest(numbers, other[1]))
-    scale = max(map(abs, (*numbers, *other[1])), default=0.0)
-    return 1.0 if _largest(numbers, other[1]) <= _CLOSE * scale else OTHER_END
+    between = _largest(numbers, other[1])
+    close = _CLOSE * max(map(abs, (*numbers, *other[1], *wanted)), default=0.0)
+    if len(wanted) != len(numbers):  # as two points where one is wanted
+        return 1.0 if between <= close else OTHER_END
+    errors = _largest(numbers, wanted), _largest(other[1], wanted)
+    if between <= _SAME * max(errors):
+        return 1.0
+    if min(errors) == 0.0 or max(errors) > close:
+        return OTHER_ANSWER
+    powers = abs(math.log10(errors[0]) - math.log10(errors[1]))
+    return max(OTHER_ANSWER, OTHER_DIGITS - _A_POWER_OF_TEN * powers)
 
 
 _ENDED = ("raised ", "stopped ")
@@ -52,13 +61,3 @@ def wanted_numbers(target: AnyTarget) -> tuple[float, ...]:
 def _largest(numbers: Sequence[float], others: Sequence[float]) -> float:
     """The largest difference of two numbers in the same place."""
     return max((abs(x - y) for x, y in zip(numbers, others, strict=True)), default=0.0)
-
-
-def _by_errors(one: float, other: float, between: float) -> float:
-    """From the two errors and the difference between the answers."""
-    if between <= _SAME * max(one, other):
-        return 1.0
-    if not (one > 0.0 and other > 0.0 and math.isfinite(one) and math.isfinite(other)):
-        return OTHER_ANSWER
-    powers = abs(math.log10(one) - math.log10(other))
-    return max(OTHER_ANSWER, OTHER_NUMBERS - _A_POWER_OF_TEN * powers)
