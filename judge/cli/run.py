@@ -11,6 +11,7 @@ import click
 from msgspec import Struct
 
 from judge.cli.containment import Containment, isolation_option, jobs_option
+from judge.cli.naming import Naming
 from judge.cli.options import (
     chosen_groups,
     group_option,
@@ -39,6 +40,7 @@ from judge.spec.find import find_problem
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
+@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
 @jobs_option
 @isolation_option
 @problems_option
@@ -49,6 +51,7 @@ def command(
     quiet: bool,
     groups: tuple[str, ...],
     seed: int | None,
+    no_name: bool,
     jobs: int,
     level: str | None,
     folders: tuple[Path, ...],
@@ -69,7 +72,11 @@ def command(
             containment.boot(submissions[0].source, submissions[0].name)
             data = _data(problem, seed)
             settings = containment.settings(jobs=jobs, submissions=len(submissions))
-            judge = partial(_judge, problem, data, groups=chosen, settings=settings, bar=jobs == 1)
+            unseen = no_name or (quiet and not as_json)
+            naming = None if unseen else Naming(data, seed, settings, jobs)
+            judge = partial(
+                _judge, problem, data, groups=chosen, settings=settings, bar=jobs == 1, naming=naming
+            )
             for result in in_order(submissions, jobs, judge):
                 containment.warn_of(result.isolation)
                 show.result(result, several=len(submissions) > 1)
@@ -113,13 +120,15 @@ def _judge(
     groups: set[str] | None,
     settings: Settings,
     bar: bool,
+    naming: Naming | None,
 ) -> Result:
     source, name = submission.source, submission.name
     try:
         with progress(name) if bar else nullcontext() as advance:
-            return run_submission(
+            result = run_submission(
                 problem, data, source, name, groups=groups, on_progress=advance, settings=settings
             )
+        return naming.named(result) if naming else result
     except UsageError:  # a level of isolation that cannot be had
         raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still

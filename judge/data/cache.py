@@ -32,7 +32,7 @@ class DataCache(KeptFile):
 
 
 def kept_stem(problem: Problem, seed: int | None) -> str:
-    """With what the name of a file begins that is kept for this problem, in this place, and a kind of seed."""
+    """With what the name of a file begins that is kept for this problem, in this place and for a seed."""
     place = hashlib.sha256(os.fsencode(problem.folder)).hexdigest()[:8]
     return f"{problem.id}-{place}-{'own' if seed is None else 'seeded'}-"
 

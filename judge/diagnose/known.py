@@ -1,7 +1,7 @@
 """What the known-wrong programs answer on a problem's data: judged once, in containment, and kept.
 
-    <cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
-        [[file, {group: [reached, [[case, form, [number, …]], …]], …}], …]
+<cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
+    [[file, {group: [reached, [[case, form, [number, …]], …]], …}], …]
 """
 
 from __future__ import annotations

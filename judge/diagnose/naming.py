@@ -106,7 +106,9 @@ class _Comparison:
         common = sum(len(group.alike) for group in self.groups.values())
         if not common:
             return 0.0
-        shares = [(len(group.ours) / group.size, len(group.theirs) / group.size) for group in self.groups.values()]
+        shares = [
+            (len(group.ours) / group.size, len(group.theirs) / group.size) for group in self.groups.values()
+        ]
         least = sum(min(pair) for pair in shares)
         weight = common / (common + _ALONE)
         return weight * self.matched / common * least / sum(max(pair) for pair in shares)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import arguments, counted, seconds, size, times
-from judge.run.result import Failure, GroupResult, Mode, Ratio, Result
+from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
 from judge.spec.verdict import Verdict
 
 _STYLES = {
@@ -37,6 +37,9 @@ def result_lines(result: Result, width: int | None) -> Iterator[Line]:
         yield line()
     if result.failure:
         yield from failure_lines(result.failure, width)
+        yield line()
+    if result.pitfall:
+        yield from pitfall_lines(result.pitfall, width)
         yield line()
     yield from verdict_lines(result, width)
 
@@ -75,6 +78,18 @@ def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
     for label, text, style in rows:
         if text:
             yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+
+
+def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
+    """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead."""
+    several = len(pitfall.names) > 1
+    what = "two mistakes: " if several else ""
+    yield from beside(
+        Span(f"  {what}{pitfall.name}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
+    )
+    for name, advice in zip(pitfall.names, pitfall.advice, strict=True):
+        text = f"{name}: {advice}" if several else advice
+        yield from hanging(Span(""), Span(text), width, indent=4, column=4)
 
 
 def _says_nothing_new(failure: Failure) -> bool:
