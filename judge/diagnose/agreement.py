@@ -13,6 +13,7 @@ from judge.compare import AnyTarget, CountTarget, ParameterTarget
 from judge.compare.outline import Outline
 
 OTHER_ANSWER = 0.5  # both wrong, in different ways
+OTHER_SENTINEL = 0.9  # numbers that no case has for an answer, such as -1 and 99
 OTHER_END = 0.7  # one of them ended without an answer: nobody knows what it would have been
 OTHER_DIGITS = 0.9  # small errors of the same size in the same numbers; less for each power of ten between
 _A_POWER_OF_TEN = 0.1
@@ -28,6 +29,8 @@ def agreement(one: Outline, other: Outline, target: AnyTarget) -> float:
     if form != other[0]:
         ended = form.startswith(_ENDED) or other[0].startswith(_ENDED)
         return OTHER_END if ended else OTHER_ANSWER
+    if _is_sentinel(one, target) and _is_sentinel(other, target):
+        return OTHER_SENTINEL
     if form == "count":
         return OTHER_ANSWER
     if len(numbers) != len(other[1]):
@@ -44,6 +47,14 @@ def agreement(one: Outline, other: Outline, target: AnyTarget) -> float:
         return OTHER_ANSWER
     powers = abs(math.log10(errors[0]) - math.log10(errors[1]))
     return max(OTHER_ANSWER, OTHER_DIGITS - _A_POWER_OF_TEN * powers)
+
+
+def _is_sentinel(given: Outline, target: AnyTarget) -> bool:
+    """Whether a number stands for "none" that is no answer at all."""
+    form, numbers = given
+    if isinstance(target, CountTarget):
+        return form == "count" and numbers[0] not in (0.0, 1.0, 2.0)
+    return form == "number" and isinstance(target, ParameterTarget) and not target.t and numbers[0] < 0.0
 
 
 _ENDED = ("raised ", "stopped ")

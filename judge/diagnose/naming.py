@@ -10,6 +10,9 @@ a single case from saying much. The second is for mistakes that lose digits: whi
 chance then, how many is not. Of a mistake whose programs fail nested sets of cases, such as a fixed epsilon
 that may be smaller or larger, anything between two of the programs is like them too.
 
+A mistake's score is its likeness to the power ½ + ½·(the next mistake's likeness)/(its own): between 0 and 1,
+and the larger the farther everything else is from explaining the same. It orders mistakes as likeness does.
+
 Two mistakes at once are tried as programs that fail wherever either of them fails. A program that gives one
 answer whatever the case makes no mistake that has a name, so nothing that explains less than that is named.
 """
@@ -50,6 +53,7 @@ class Match(Struct, frozen=True):
     """A mistake, or two, by the places of the programs that are most like the submission."""
 
     places: tuple[int, ...]
+    likeness: float
     score: float
 
 
@@ -59,16 +63,27 @@ def best_match(submission: Behaviour, known: Sequence[Known], groups: Sequence[G
     if not failures:
         return None
     compared = [_Comparison(submission, each.behaviour, groups) for each in known]
-    single = max(_singles(compared, known), key=lambda match: match.score, default=Match((), 0.0))
-    double = max(
-        _doubles(submission, compared, known, groups, failures),
-        key=lambda match: match.score,
-        default=Match((), 0.0),
-    )
-    unexplained = _PAIR_LEFT * (1 - single.score)
+    single = _standing_out(list(_singles(compared, known)), known)
+    doubles = _doubles(submission, compared, known, groups, failures)
+    double = max(doubles, key=lambda match: match.score, default=_NO_MATCH)
+    unexplained = _PAIR_LEFT * (1 - single.likeness)
     best = double if double.score >= _PAIR_LEAST and 1 - double.score <= unexplained else single
     plain = _Comparison(submission, _constant(submission, groups), groups).score()
-    return best if best.score >= LEAST and best.score > plain else None
+    return best if best.score >= LEAST and best.likeness > plain else None
+
+
+_NO_MATCH = Match((), 0.0, 0.0)
+
+
+def _standing_out(matches: Sequence[Match], known: Sequence[Known]) -> Match:
+    """The best match of all, its score raised by as much as it is ahead of every other mistake."""
+    best = max(matches, key=lambda match: match.likeness, default=_NO_MATCH)
+    if not best.likeness:
+        return _NO_MATCH
+    name = known[best.places[0]].name
+    others = (match.likeness for match in matches if known[match.places[0]].name != name)
+    next_best = max(others, default=0.0)
+    return Match(best.places, best.likeness, best.likeness ** (0.5 + 0.5 * next_best / best.likeness))
 
 
 class _Group(Struct, frozen=True):
@@ -151,11 +166,12 @@ def _singles(compared: Sequence[_Comparison], known: Sequence[Known]) -> Iterabl
     """Every program by itself, and what lies between two of the same mistake."""
     scores = [comparison.score() for comparison in compared]
     for place, score in enumerate(scores):
-        yield Match((place,), score)
+        yield Match((place,), score, score)
     for one, other in combinations(range(len(known)), 2):
         if known[one].name == known[other].name:
             closer = max(one, other, key=lambda place: scores[place])
-            yield Match((closer,), compared[one].between(compared[other]))
+            between = compared[one].between(compared[other])
+            yield Match((closer,), between, between)
 
 
 def _doubles(
@@ -178,7 +194,7 @@ def _doubles(
             joint = _Comparison(submission, together, groups)
             gain = joint.matched - max(compared[one].matched, compared[other].matched)
             if gain >= least:
-                yield Match((one, other), joint.score())
+                yield Match((one, other), joint.score(), joint.score())
 
 
 def _mostly_shared(comparison: _Comparison) -> bool:
