@@ -21,6 +21,7 @@ COMMANDS = {
     "replay": "Judge a submission on one case, by its replay id.",
     "list": "List the problems.",
     "show": "Show a problem: its statement, parameters and test groups.",
+    "why": "Say what the test groups probe, and which mistakes they are there for.",
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",

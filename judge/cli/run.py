@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from judge.cli.containment import Containment, isolation_option, jobs_option
 from judge.cli.diagnosis import Diagnosis, no_shrink_option, save_regression_option
+from judge.cli.naming import Naming
 from judge.cli.options import (
     chosen_groups,
     group_option,
@@ -42,6 +43,7 @@ from judge.spec.find import find_problem
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
+@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
 @jobs_option
 @isolation_option
 @no_shrink_option
@@ -55,6 +57,7 @@ def command(
     quiet: bool,
     groups: tuple[str, ...],
     seed: int | None,
+    no_name: bool,
     jobs: int,
     level: str | None,
     unshrunk: bool,
@@ -85,7 +88,18 @@ def command(
             settings = containment.settings(jobs=jobs, submissions=len(submissions))
             wanted = regression is not None or not (unshrunk or quiet)
             diagnosis = Diagnosis(data, containment.open_box, regression) if wanted else None
-            judge = partial(_judge, problem, data, diagnosis, groups=chosen, settings=settings, bar=jobs == 1)
+            unseen = no_name or (quiet and not as_json)
+            naming = None if unseen else Naming(data, seed, settings, jobs)
+            judge = partial(
+                _judge,
+                problem,
+                data,
+                diagnosis,
+                groups=chosen,
+                settings=settings,
+                bar=jobs == 1,
+                naming=naming,
+            )
             for result in in_order(submissions, jobs, judge):
                 containment.warn_of(result.isolation)
                 drawing = Drawing(problem, data, result)
@@ -132,15 +146,17 @@ def _judge(
     groups: set[str] | None,
     settings: Settings,
     bar: bool,
+    naming: Naming | None,
 ) -> Result:
     source, name = submission.source, submission.name
     if diagnosis is not None:
         settings = replace(settings, diagnose=partial(diagnosis, submission))
     try:
         with progress(name) if bar else nullcontext() as advance:
-            return run_submission(
+            result = run_submission(
                 problem, data, source, name, groups=groups, on_progress=advance, settings=settings
             )
+        return naming.named(result) if naming else result
     except UsageError:  # a level of isolation that cannot be had
         raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still

@@ -35,16 +35,23 @@ class _UnreadableError(Exception):
 
 def check_line(kind: AnswerKind, line: str, target: AnyTarget, exact: Exact) -> Outcome:
     """Decide one line of output (without its newline, whatever it holds); see `check`."""
-    try:
-        answer = _parse(kind, line)
-    except _UnreadableError as why:
-        return Rejection(str(why), render_target(target), shown(line)[1:-1])
-    outcome = check(kind, answer, target, exact)
+    answer = read_line(kind, line)
+    if isinstance(answer, str):
+        return Rejection(answer, render_target(target), shown(line)[1:-1])
+    outcome = check(kind, answer[0], target, exact)
     if isinstance(outcome, Rejection):
         # The answers are shown as this mode writes them.
         message = outcome.message.replace("None", "none")
         return replace(outcome, message=message, wanted=render_target(target), got=shown(line)[1:-1])
     return outcome
+
+
+def read_line(kind: AnswerKind, line: str) -> tuple[Any] | str:
+    """The answer that a line holds, in a tuple of one, or why it holds none."""
+    try:
+        return (_parse(kind, line),)
+    except _UnreadableError as why:
+        return str(why)
 
 
 def _parse(kind: AnswerKind, line: str) -> Any:

@@ -8,7 +8,7 @@ from typing import Any
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line, pad
 from judge.report.values import arguments, counted, seconds, size, times
-from judge.run.result import Failure, GroupResult, Mode, Ratio, Result
+from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
 from judge.spec.verdict import Verdict
 
 _STYLES = {
@@ -46,6 +46,9 @@ def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()
     drawn = list(drawing)
     if drawn:
         yield from (*drawn, line())
+    if result.pitfall:
+        yield from pitfall_lines(result.pitfall, width)
+        yield line()
     yield from verdict_lines(result, width)
 
 
@@ -101,6 +104,18 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
     label = pad("again", _LABELS - 4)
     words = ["judge", "replay", found["replay"], result.submission]
     yield line("    ", Span(label, Style.FAINT), shlex.join(words))
+
+
+def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
+    """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead."""
+    several = len(pitfall.names) > 1
+    what = "two mistakes: " if several else ""
+    yield from beside(
+        Span(f"  {what}{pitfall.name}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
+    )
+    for name, advice in zip(pitfall.names, pitfall.advice, strict=True):
+        text = f"{name}: {advice}" if several else advice
+        yield from hanging(Span(""), Span(text), width, indent=4, column=4)
 
 
 def _says_nothing_new(failure: Failure) -> bool:

@@ -71,10 +71,12 @@ class _Group:
         for index, reply in enumerate(result.replies, self.done):
             if reply.stop is Stop.ANSWERED:
                 target = tally.group.targets[index]
-                tally.compared(index, check(tally.problem.answer, reply.answer, target, tally.exact(index)))
+                outcome = check(tally.problem.answer, reply.answer, target, tally.exact(index))
+                tally.compared(index, outcome, reply.answer)
             else:
                 tally.stopped(index, reply.stop, reply.detail)
         self.done += len(result.replies)
+        tally.reached = self.done
         last = result.replies[-1].stop if result.replies else Stop.ANSWERED
         self._losses += last not in (Stop.ANSWERED, Stop.EXCEPTION)
         self._out_of_time = last in _TIME

@@ -74,9 +74,9 @@ def judge_program(box: Box, tally: Tally) -> None:
     surplus = lines[len(cases) :]
     compared = lines[: len(cases) - bool(surplus)]
     for index, line in enumerate(compared):
-        tally.compared(
-            index, check_line(problem.answer, line, tally.group.targets[index], tally.exact(index))
-        )
+        outcome = check_line(problem.answer, line, tally.group.targets[index], tally.exact(index))
+        tally.compared(index, outcome, line)
+    tally.reached = len(compared)
     if surplus:
         message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
         tally.failed(len(cases) - 1, Verdict.WA, message, f"more lines: {surplus[0][:SHOWN]!r}")
@@ -97,7 +97,8 @@ def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int) -> Non
     if result.stop in (Stop.EXCEPTION, Stop.EXITED) and result.usage.wall_seconds < SEARCHED_SECONDS:
         culprit = _culprit(box, tally)
         if culprit is not None:
-            index, message = culprit, result.detail
+            tally.stopped(culprit, result.stop, result.detail)
+            return
     tally.failed(index, VERDICTS[result.stop], message)
 
 

@@ -6,13 +6,17 @@ as a group's points and how far off an answer was.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.spec import Verdict
+
+if TYPE_CHECKING:
+    from judge.compare.outline import Outline
 
 SCHEMA = 1
 
@@ -25,7 +29,11 @@ class Mode(Enum):
 
 
 class GroupResult(Struct, frozen=True):
-    """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth."""
+    """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
+
+    `wrong` says what was given where a case, counted from 0, was not answered rightly. The cases before
+    `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
+    """
 
     name: str
     verdict: Verdict
@@ -34,6 +42,8 @@ class GroupResult(Struct, frozen=True):
     worst_ulps: float | None  # the largest error of an accepted number, None where none was measured
     cpu_seconds: float
     points: int = 0
+    reached: int = 0
+    wrong: Mapping[int, Outline] = {}
 
     @property
     def score(self) -> int:
@@ -124,6 +134,26 @@ class Timing(Struct, frozen=True):
         }
 
 
+class Pitfall(Struct, frozen=True):
+    """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
+
+    `advice` says of each what is wrong and what to do instead.
+    """
+
+    names: tuple[str, ...]
+    score: float
+    advice: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The mistake's name, or the two as "a + b"."""
+        return " + ".join(self.names)
+
+    def as_json(self) -> dict[str, Any]:
+        """The pitfall's object in the published form."""
+        return {"name": self.name, "score": self.score}
+
+
 class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
@@ -141,7 +171,7 @@ class Result(Struct, frozen=True):
     memory_bytes: int = 0
     isolation: str = "limits"
     counterexample: dict[str, Any] | None = None
-    pitfall: dict[str, Any] | None = None
+    pitfall: Pitfall | None = None
 
     @property
     def score(self) -> int:
@@ -172,7 +202,7 @@ class Result(Struct, frozen=True):
             "groups": [group.as_json() for group in self.groups],
             "failure": self.failure.as_json() if self.failure else None,
             "counterexample": self.counterexample,
-            "pitfall": self.pitfall,
+            "pitfall": self.pitfall.as_json() if self.pitfall else None,
             "time": self.time.as_json(),
             "memory_bytes": self.memory_bytes,
             "isolation": self.isolation,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from judge.spec import Case, Problem, Verdict
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
     from judge.compare.check import Accepted, Rejection
+    from judge.compare.outline import Outline
     from judge.data import GroupData, ProblemData
     from judge.spec import Tolerance
 
@@ -25,6 +27,7 @@ VERDICTS = {
     Stop.MEMORY: Verdict.MLE,
     Stop.OUTPUT: Verdict.OLE,
 }
+_EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
 
 
 class Tally:
@@ -38,6 +41,8 @@ class Tally:
         self.passed = 0
         self.verdict = Verdict.AC
         self.failure: Failure | None = None
+        self.reached = 0  # the cases before this one have all been decided
+        self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
         self._data = data
         self._mode = mode
         self._worst: float | None = None
@@ -46,8 +51,8 @@ class Tally:
         """What `check` calls if it needs the exact answer of a case."""
         return lambda: self._data.exact(self.group.cases[index], self.group.group)
 
-    def compared(self, index: int, outcome: Accepted | Rejection) -> None:
-        """Record what comparing the answer of a case came to."""
+    def compared(self, index: int, outcome: Accepted | Rejection, given: Any) -> None:
+        """Record what comparing `given`, the answer of a case or its line, came to."""
         from judge.compare.check import Accepted
 
         if isinstance(outcome, Accepted):
@@ -56,7 +61,9 @@ class Tally:
             # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
             if worst is not None and math.isfinite(worst):
                 self._worst = max(self._worst or 0.0, worst)
-        elif self.failure is None:
+            return
+        self.wrong[index] = self._outline(given)
+        if self.failure is None:
             self.verdict = Verdict.WA
             self.failure = Failure(
                 outcome.message,
@@ -86,12 +93,20 @@ class Tally:
 
     def stopped(self, index: int, stop: Stop, detail: str) -> None:
         """Record a case that ended otherwise than with an answer."""
+        raised = _EXCEPTION.match(detail) if stop is Stop.EXCEPTION else None
+        self.wrong[index] = (f"raised {raised[0]}" if raised else f"stopped {stop.value}", ())
         self.failed(index, VERDICTS[stop], detail)
 
     def unsteady(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
         """Record a case that passed, but did not when it was run again."""
         self.passed -= 1
         self.failed(index, verdict, message, got)
+
+    def _outline(self, given: Any) -> Outline:
+        from judge.compare.outline import line_outline, outline
+
+        describe = outline if self._mode is Mode.FUNCTION else line_outline
+        return describe(self.problem.answer, given)
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
@@ -116,6 +131,8 @@ class Tally:
             self._worst,
             self.usage.cpu_seconds,
             group.points,
+            self.reached,
+            self.wrong,
         )
 
 

@@ -1,0 +1,75 @@
+"""A JSON file of the cache, keyed by the content of all that it was made from.
+
+    line 1     the sha256 of the file's key and of everything after this line
+    the rest   the JSON
+
+A file that is not as it should be counts as missing; a folder that cannot be written costs speed and a note,
+never a run. Two runs may write at once: either file is whole.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from judge.data.atomic import replace_file
+
+VARIABLE = "JUDGE_CACHE"
+
+
+class KeptFile:
+    """The file `<cache folder>/<folder>/<stem><key>.json`; of one stem only the last written key is kept.
+
+    `what` names the content in the note for the person. `cache_folder` is asked when it is needed: it may
+    raise OSError or RuntimeError where there is no home folder.
+    """
+
+    def __init__(
+        self, cache_folder: Callable[[], Path], folder: str, stem: str, key: str, what: str = "test data"
+    ) -> None:
+        self._cache_folder = cache_folder
+        self._folder = folder
+        self._stem = stem
+        self._key = key
+        self._what = what
+
+    def read(self) -> Any:
+        """What was written, or None if there is no sound file."""
+        try:
+            content = self._path().read_bytes()
+        except (OSError, RuntimeError):  # RuntimeError: there is no home folder
+            return None
+        checksum, _, body = content.partition(b"\n")
+        if checksum != self._checksum(body):
+            return None
+        try:
+            return json.loads(body)
+        except (ValueError, RecursionError):
+            return None
+
+    def write(self, value: Any) -> str | None:
+        """Keep `value` and drop what was kept for older contents; a note for the person if that fails."""
+        body = json.dumps(value, separators=(",", ":")).encode()
+        try:
+            path = self._path()
+            path.parent.mkdir(parents=True, exist_ok=True)
+            replace_file(path, self._checksum(body) + b"\n" + body)
+            for old in path.parent.glob(f"{self._stem}*.json"):
+                if old != path:
+                    old.unlink(missing_ok=True)
+        except (OSError, RuntimeError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            return (
+                f"{self._what} are not kept for the next run ({reason}); set ${VARIABLE} to a writable folder"
+            )
+        return None
+
+    def _checksum(self, body: bytes) -> bytes:
+        """With the key in it, so that a sound file under another one's name is not taken for its data."""
+        return hashlib.sha256(self._key.encode() + body).hexdigest().encode()
+
+    def _path(self) -> Path:
+        return self._cache_folder() / self._folder / f"{self._stem}{self._key}.json"

@@ -1,0 +1,109 @@
+"""What the known-wrong programs answer on a problem's data: judged once, in containment, and kept.
+
+<cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
+    [[file, {group: [reached, [[case, form, [number, …]], …]], …}], …]
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data import ProblemData, cache_folder
+from judge.data.cache import code_files, content_key, data_key, kept_stem
+from judge.data.kept import KeptFile
+from judge.diagnose.mistakes import Mistake
+from judge.run import Result, Settings, run_submission
+from judge.run.parallel import in_order
+
+FORMAT = 1  # raise it when the form of the file changes
+
+Progress = Callable[[int, int], None]  # programs judged, programs in all
+_CODE = ("run", "sandbox", "diagnose")  # beside the packages that the data depend on
+_WHAT = "the known mistakes' answers"
+
+
+class Answers(Struct, frozen=True):
+    """What a program answered wrongly in one group, by case from 0; before `reached` all is known."""
+
+    reached: int
+    wrong: Mapping[int, tuple[str, tuple[float, ...]]]
+
+
+Behaviour = Mapping[str, Answers]  # by the group's name
+
+
+def behaviour(result: Result) -> Behaviour:
+    """What judging has found out about a program."""
+    return {group.name: Answers(group.reached, group.wrong) for group in result.groups}
+
+
+def known_behaviours(
+    data: ProblemData,
+    seed: int | None,
+    mistakes: Sequence[Mistake],
+    *,
+    settings: Settings,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> tuple[list[Behaviour], str | None]:
+    """The behaviour of each known-wrong program, from the cache or found by judging it now.
+
+    Beside them a note for the person where they cannot be kept. `settings` say how a program is judged,
+    `workers` how many are at once. Raises JudgeError where nothing can be run.
+    """
+    kept = KeptFile(
+        cache_folder, "mistakes", kept_stem(data.problem, seed), _key(data, seed, mistakes), _WHAT
+    )
+    found = _from_plain(kept.read(), mistakes)
+    if found is not None:
+        return found, None
+
+    def judge(mistake: Mistake) -> Behaviour:
+        name = mistake.path.name
+        return behaviour(run_submission(data.problem, data, mistake.source, name, settings=settings))
+
+    found = []
+    for each in in_order(mistakes, workers, judge):
+        found.append(each)
+        if progress:
+            progress(len(found), len(mistakes))
+    return found, kept.write(_as_plain(found, mistakes))
+
+
+def _key(data: ProblemData, seed: int | None, mistakes: Sequence[Mistake]) -> str:
+    """The hash of all that the behaviours depend on."""
+    start = f"{FORMAT}/{sys.version}/{data_key(data.problem, seed)}"
+    return content_key(start, [*(each.path for each in mistakes), *code_files(_CODE)])
+
+
+def _as_plain(found: Sequence[Behaviour], mistakes: Sequence[Mistake]) -> list[Any]:
+    return [
+        [mistake.path.name, {name: _plain_answers(answers) for name, answers in known.items()}]
+        for mistake, known in zip(mistakes, found, strict=True)
+    ]
+
+
+def _plain_answers(answers: Answers) -> list[Any]:
+    return [answers.reached, [[case, *outline] for case, outline in answers.wrong.items()]]
+
+
+def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | None:
+    """The behaviours that `_as_plain` wrote, or None if this is anything else."""
+    try:
+        if [file for file, _ in plain] != [mistake.path.name for mistake in mistakes]:
+            return None
+        return [
+            {
+                name: Answers(
+                    reached, {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong}
+                )
+                for name, (reached, wrong) in groups.items()
+            }
+            for _, groups in plain
+        ]
+    except (TypeError, ValueError, AttributeError):  # whatever a foreign file can hold
+        return None

@@ -1,0 +1,77 @@
+"""The mistakes of one problem, ready to be recognised in results."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+
+from msgspec.structs import replace
+
+from judge.data import ProblemData
+from judge.diagnose.known import Progress, behaviour, known_behaviours
+from judge.diagnose.mistakes import Mistake, known_mistakes
+from judge.diagnose.naming import Known, best_match
+from judge.run import Pitfall, Result, Settings
+from judge.spec import Verdict
+
+NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
+
+
+class Namer:
+    """Says which known mistake explains a result; the known-wrong programs are judged when first needed.
+
+    `settings` say how they are judged, `workers` how many at once; `progress` opens what is told of it. Safe
+    to use from several threads; `notes` are sentences for the person.
+    """
+
+    def __init__(
+        self,
+        data: ProblemData,
+        seed: int | None,
+        settings: Settings,
+        workers: int,
+        progress: Callable[[], AbstractContextManager[Progress | None]],
+    ) -> None:
+        self.notes: list[str] = []
+        self._data = data
+        self._seed = seed
+        self._settings = replace(settings, workers=1, measured=False)
+        self._workers = workers
+        self._progress = progress
+        self._lock = threading.Lock()
+        self._known: tuple[list[Mistake], list[Known]] | None = None
+
+    def named(self, result: Result) -> Result:
+        """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
+
+        Raises JudgeError where the known-wrong programs cannot be judged.
+        """
+        if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
+            return result
+        mistakes, known = self._programs()
+        match = best_match(behaviour(result), known, self._data.groups)
+        if match is None:
+            return result
+        found = [mistakes[place] for place in match.places]
+        names = tuple(mistake.name for mistake in found)
+        advice = tuple(mistake.advice for mistake in found)
+        return replace(result, pitfall=Pitfall(names, round(match.score, 3), advice))
+
+    def _programs(self) -> tuple[list[Mistake], list[Known]]:
+        with self._lock:
+            if self._known is None:
+                mistakes = known_mistakes(self._data.problem)
+                with self._progress() as advance:
+                    behaviours, note = known_behaviours(
+                        self._data,
+                        self._seed,
+                        mistakes,
+                        settings=self._settings,
+                        workers=self._workers,
+                        progress=advance,
+                    )
+                self.notes += [note] if note else []
+                known = [Known(each.name, does) for each, does in zip(mistakes, behaviours, strict=True)]
+                self._known = mistakes, known
+            return self._known

@@ -1,0 +1,37 @@
+"""What test groups probe and the mistakes they are there for, for the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from judge.report.layout import Line, Span, Style, cells, hanging, line, wrap
+from judge.report.problems import heading_lines
+from judge.spec import Group, Problem
+
+_INDENT = 2
+_BESIDE = 28  # columns an explanation needs beside the names; with less it goes below them
+
+
+def why_lines(
+    problem: Problem, groups: Sequence[Group], sentences: Mapping[str, str], width: int | None
+) -> Iterator[Line]:
+    """Each group's sentence and, below it, its mistakes, each with its own from `sentences`."""
+    yield from heading_lines(problem)
+    names = [name for group in groups for name in group.kills]
+    column = 2 * _INDENT + max(map(cells, names), default=0) + 2
+    for group in groups:
+        yield line()
+        yield line(Span(group.name, Style.STRONG))
+        yield from _indented(group.about, _INDENT, width)
+        for name in group.kills:
+            label, sentence = Span(name, Style.BAD), sentences.get(name, "")
+            if width is None or width - column >= _BESIDE:
+                yield from hanging(label, Span(sentence), width, indent=2 * _INDENT, column=column)
+            else:
+                yield line(" " * 2 * _INDENT, label)
+                yield from _indented(sentence, 3 * _INDENT, width)
+
+
+def _indented(text: str, indent: int, width: int | None) -> Iterator[Line]:
+    for row in wrap(text, None if width is None else width - indent):
+        yield line(" " * indent, row)
