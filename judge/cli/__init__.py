@@ -10,16 +10,23 @@ Starting is kept short on purpose: `judge --help` imports click and nothing else
 
 from __future__ import annotations
 
+import _signal as signal  # type: ignore[import-not-found]  # signal itself takes longer to import
 import gc
 import os
 import sys
-from typing import NoReturn
+
+TYPE_CHECKING = False  # typing's is slow to import, and nothing may be slow before Ctrl-C is seen to
+if TYPE_CHECKING:
+    from types import FrameType
+    from typing import NoReturn
 
 _INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
 
 
 def main() -> NoReturn:
     """The console script."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
+        signal.signal(signal.SIGINT, _leave)
     _open_standard_streams()
     try:
         gc.disable()  # as in app.py
@@ -29,6 +36,17 @@ def main() -> NoReturn:
         app.main()
     except KeyboardInterrupt:
         sys.exit(_INTERRUPTED)
+
+
+def _leave(_number: int, _frame: FrameType | None) -> NoReturn:
+    """Ctrl-C while modules are imported, where an exception is now and then lost in the locks of imports."""
+    os._exit(_INTERRUPTED)  # nothing has been started or written
+
+
+def imported() -> None:
+    """All that takes long is imported: from here on Ctrl-C is an exception, and things are cleared up."""
+    if signal.getsignal(signal.SIGINT) is _leave:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _open_standard_streams() -> None:

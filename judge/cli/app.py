@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 import click
 
 from judge import __version__
+from judge.cli import imported
 from judge.errors import ExitCode, JudgeError, UsageError, nearest
 
 # name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
@@ -50,6 +51,7 @@ class Commands(click.Group):
         gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
         command = importlib.import_module(f"judge.cli.{cmd_name}").command
         gc.enable()
+        imported()
         assert isinstance(command, click.Command)
         return command
 

@@ -117,6 +117,27 @@ def test_ctrl_c_in_mid_run(submit, tmp_path):
     assert "Traceback" not in err
 
 
+@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.list"])
+def test_ctrl_c_while_modules_are_imported_is_quiet_and_never_lost(module):
+    script = f"""
+import os, signal, sys
+class Interrupting:
+    def find_spec(self, name, *rest):
+        if name == {module!r}:
+            try:
+                os.kill(os.getpid(), signal.SIGINT)
+            except KeyboardInterrupt:  # as in a callback of the import's own locks, which only prints it
+                pass
+sys.meta_path.insert(0, Interrupting())
+sys.argv = ["judge", "list"]
+from judge.cli import main
+main()
+"""
+    command = [sys.executable, "-c", script]
+    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
+
+
 def test_a_reader_that_leaves_is_no_fault():
     script = f"{sys.executable} -m judge show segment | head -n 1; echo ${{PIPESTATUS[0]}}"
     ended = subprocess.run(

@@ -10,7 +10,7 @@ from judge.sandbox import container, open_box
 from judge.sandbox.boundary import Limits, Reply, Stop
 from judge.sandbox.box import ForkServerBox
 
-LIMITS = Limits(cpu_seconds=0.3, wall_seconds=0.6, memory_bytes=128 << 20, output_bytes=200_000)
+LIMITS = Limits(cpu_seconds=0.3, wall_seconds=1.5, memory_bytes=128 << 20, output_bytes=200_000)
 
 DEEDS = {
     "leaves": ("os._exit(0)", {Stop.EXITED}),
