@@ -48,7 +48,7 @@ def test_every_builder_gives_its_case_back_from_its_choices(name):
         if group.builder == "examples":
             continue
         builder = bound_builder(problem, module, group)
-        built = next(case for case in map(lambda n: drawn(builder, group, n), range(99)) if case)
+        built = next(case for case in (drawn(builder, group, n) for n in range(99)) if case)
         choices = choices_of(group, builder, built[0], built[1])
         assert choices is not None
         assert repr(builder(ReplayedDraw(choices))) == repr(built[1])
