@@ -19,10 +19,10 @@ from judge.errors import ExitCode, JudgeError, UsageError, nearest
 # name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
 COMMANDS = {
     "run": "Judge submissions on a problem.",
-    "replay": "Judge a submission on one case, by its replay id.",
     "list": "List the problems.",
     "show": "Show a problem: its statement, parameters and test groups.",
     "why": "Say what the test groups probe, and which mistakes they are there for.",
+    "replay": "Judge a submission on one case, by its replay id.",
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",

@@ -21,6 +21,10 @@ from judge.spec import Group
 _KEY = b"the failing case"
 
 
+class _Spent(BaseException):
+    """The budget is spent; no Exception, for Hypothesis would take that for a failure and shrink it."""
+
+
 class Shrunk(Struct, frozen=True):
     """A failing case with the choices that its builder makes it from."""
 
@@ -38,7 +42,9 @@ def shrunk(
     best: list[Shrunk] = []
 
     def fails(built: Built) -> bool:
-        if trial.budget.spent or not trial.valid(built.case, group):
+        if trial.budget.spent:
+            raise _Spent
+        if not trial.valid(built.case, group):
             return False
         finding = trial.alone(built.case, group)
         if finding is None:
@@ -59,7 +65,7 @@ def shrunk(
         verbosity=Verbosity.quiet,
     )
     # Nothing found, or a submission that answers at random: `best` is what there is.
-    with warnings.catch_warnings(), suppress(HypothesisException):
+    with warnings.catch_warnings(), suppress(HypothesisException, _Spent):
         warnings.simplefilter("ignore")  # what Hypothesis has to say of our settings is not for the person
         find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
     return best[0] if best else None

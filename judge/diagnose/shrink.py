@@ -126,7 +126,7 @@ class _Search:
         return None
 
     def _by_parameters(self) -> Finding:
-        if self._group.builder == EXAMPLES:
+        if self._group.builder == EXAMPLES or self._trial.budget.spent:
             return self._first
         builder = bound_builder(self._problem, self._trial.module, self._group)
         choices = choices_of(self._group, builder, self._number, self._first.case)

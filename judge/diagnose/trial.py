@@ -234,7 +234,8 @@ class Trial:
     def _rejected(self, case: Case, group: Group, outcome: Rejection) -> Finding:
         kind = self.problem.answer
         off = "off" if outcome.where else "other"
-        way = (_shape(kind, outcome.wanted), _shape(kind, outcome.got), off)
+        got = _shape(kind, outcome.got)  # a wrong 0 is as wrong as any other number
+        way = (_shape(kind, outcome.wanted), "a number" if got == "zero" else got, off)
         texts = outcome.wanted, outcome.got, outcome.message
         return Finding(case, group, measure(case), Verdict.WA, *texts, way)
 

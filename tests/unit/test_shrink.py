@@ -7,8 +7,10 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose import shrink
@@ -21,7 +23,7 @@ from judge.spec.find import find_problem
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
-# The most digits that a number of the smallest case may have. Three digits at most but where said.
+# The most digits that a number of the smallest case may have.
 USUAL = 2
 EPSILON = 6
 SAMPLE = {
@@ -81,10 +83,11 @@ class Clock:
         return self.now
 
 
-def shrunk(name, source, *, clock=None, budget=2.0):
+def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
     """The result of judging the source, and its counterexample."""
     problem = find_problem(name)
-    data = load_data(problem)
+    problem = replace(problem, limits=replace(problem.limits, cpu_seconds=cpu_seconds))
+    data = ProblemData(problem, load_data(problem).groups)
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with ExitStack() as stack:
         box = stack.enter_context(open_box(source, "mine.py"))
@@ -175,7 +178,9 @@ def test_a_crash_shrinks_to_the_same_crash():
 
 
 def test_a_call_that_never_ends_shrinks():
-    _, result, found = shrunk("count", GEOMETRY.format(degenerate="while True: pass").encode())
+    _, result, found = shrunk(
+        "count", GEOMETRY.format(degenerate="while True: pass").encode(), cpu_seconds=0.3
+    )
     assert result.verdict is Verdict.TLE
     assert found.case[3] == found.case[4]
     assert max(digits(number) for number in numbers_of(found.case)) <= 1
