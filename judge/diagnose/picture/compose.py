@@ -8,7 +8,7 @@ from typing import Any
 from judge.compare.answers import Answer, Count
 from judge.diagnose.picture.lens import gap_words, lens_panel
 from judge.diagnose.picture.scene import Figure, Scene, read_scene
-from judge.diagnose.picture.shapes import Fact, Picture, Role
+from judge.diagnose.picture.shapes import Fact, Panel, Picture, Role
 from judge.diagnose.picture.whole import whole_panel
 from judge.diagnose.picture.words import short
 from judge.spec import Problem
@@ -41,10 +41,16 @@ def compose(
         Fact("input", ", ".join(f"{name}={_argument(value)}" for name, value in values.items())),
         Fact("wanted", wanted or "", Role.WANTED),
         Fact("got", got or "no answer", Role.GOT),
-        Fact("geometry", _situation(scene, exact)),
+        Fact("geometry", _situation(scene, exact) + _turned(lens)),
     ]
     description = f"Wanted {wanted}, got {got or 'no answer'}; {gap_words(scene)}."
     return Picture(problem.title, heading, description, whole_panel(scene), lens, tuple(facts))
+
+
+def _turned(lens: Panel | None) -> str:
+    """What a person must know of a lens with two scales."""
+    stretched = lens is not None and any(bar.upright for bar in lens.bars)
+    return "; the lens is turned so that the line runs level, and stretched across it" if stretched else ""
 
 
 def _argument(value: Any) -> str:

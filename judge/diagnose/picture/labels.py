@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, pi, sin
 
-HEIGHT = 15.0
+HEIGHT = 19.0
 _LETTER = 7.6  # of a 13 px sans-serif, on the wide side: a fallback font must not make labels collide
-_RADII = (15.0, 21.0, 30.0, 44.0, 62.0, 84.0)
+_RADII = (13.0, 20.0, 30.0, 44.0, 62.0, 84.0)
 _TURNS = 16
 _CROSSING = 4.0  # what covering a dot of a line costs, in pixels of distance
 _COVERING = 400.0  # and a label or a mark

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import sqrt
+from math import hypot, sqrt
 
 from judge.diagnose.picture.clip import inside, polygon, polyline
 from judge.diagnose.picture.frame import Frame, length, near, over_root, pieces, root, rounded
@@ -44,7 +44,7 @@ def lens_panel(scene: Scene) -> Panel | None:
     if place is None:
         return None
     unit = (place.size or extent(scene) * _EXACT) * _ROOM
-    if place.tangency and scene.line.r > 8 * unit:
+    if place.tangency and scene.line.r > 4 * unit:
         return _stretched(scene, place, unit)
     frame = Frame(place.x, place.y, unit)
     strokes = (*frame.circle(scene.line), *frame.straight(scene))
@@ -235,8 +235,9 @@ def _stretched(scene: Scene, place: _Place, across: Fraction) -> Panel:
             found.append(Mark(at, role, spot.text))
         elif role is Role.GOT:
             fx, fy = scene.foot
+            size = hypot(*at)
             away = distance(scene, length(spot.x - fx, spot.y - fy), in_extents=True)
-            found.append(at_edge(at, role, f"{spot.text}, {away}"))
+            found.append(at_edge((at[0] / size, at[1] / size), role, f"{spot.text}, {away}"))
     e = extent(scene)
     bars = (_bar(across / e, "across", upright=True), _bar(along / e, "along"))
     note = place.note

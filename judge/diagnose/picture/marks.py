@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import hypot
 
 from judge.diagnose.picture.clip import inside
-from judge.diagnose.picture.frame import Frame, length
+from judge.diagnose.picture.frame import Frame, direction, length, rounded
 from judge.diagnose.picture.scene import Figure, Scene, Spot
 from judge.diagnose.picture.shapes import Dot, Mark, Role, Stroke
 from judge.diagnose.picture.words import short
@@ -27,8 +27,9 @@ def marks_in(frame: Frame, scene: Scene, *, beyond: bool) -> tuple[Mark, ...]:
             found.append(Mark(at, role, spot.text))
         elif role is Role.GOT or (beyond and role is Role.CASE):
             away = length(spot.x - frame.x, spot.y - frame.y)
+            way = direction(rounded(spot.x - frame.x), rounded(spot.y - frame.y))
             text = f"{spot.text}, {distance(scene, away, in_extents=not beyond)}"
-            found.append(at_edge(at, role, text, line if role is Role.CASE else ()))
+            found.append(at_edge(way, role, text, line if role is Role.CASE else ()))
     return merged(found)
 
 
@@ -39,15 +40,20 @@ def distance(scene: Scene, away: Fraction, *, in_extents: bool) -> str:
     return f"{short(away / (1 << scene.line.shift))} away"
 
 
-def at_edge(at: Dot, role: Role, text: str, line: tuple[Stroke, ...] = ()) -> Mark:
-    """A mark at the panel's edge for a point outside it: where `line`, if it is on one, leaves the panel."""
-    size = hypot(*at)
-    ends = [dot for stroke in line for dot in (stroke.dots[0], stroke.dots[-1])]
-    exits = [(x, y) for x, y in ends if max(abs(x), abs(y)) > 1 - 1e-6 and x * at[0] + y * at[1] > 0]
-    x, y = max(exits, key=lambda dot: dot[0] * at[0] + dot[1] * at[1], default=at)
-    most = max(abs(x), abs(y))
-    edge = (x / most * _EDGE, y / most * _EDGE)
-    return Mark(edge, role, text, (at[0] / size, at[1] / size))
+def at_edge(way: Dot, role: Role, text: str, line: tuple[Stroke, ...] = ()) -> Mark:
+    """A mark at the panel's edge for a point outside it, which lies in the direction `way`.
+
+    A point of `line` is marked where that leaves the panel.
+    """
+    for stroke in line:
+        (x1, y1), (x2, y2) = stroke.dots[0], stroke.dots[-1]
+        size = hypot(x2 - x1, y2 - y1)
+        for x, y, u, v in ((x2, y2, x2 - x1, y2 - y1), (x1, y1, x1 - x2, y1 - y2)):
+            if max(abs(x), abs(y)) > 1 - 1e-6 and u * way[0] + v * way[1] > 0:
+                back = min(1 - _EDGE, size) / size
+                return Mark((x - u * back, y - v * back), role, text, (u / size, v / size))
+    most = max(abs(way[0]), abs(way[1]))
+    return Mark((way[0] / most * _EDGE, way[1] / most * _EDGE), role, text, way)
 
 
 def extent(scene: Scene) -> Fraction:

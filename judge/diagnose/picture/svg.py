@@ -114,11 +114,13 @@ def _panel(panel: Panel, left: float, top: float) -> Iterator[str]:
     yield f'<rect class="panel" width="{_n(_SIDE)}" height="{_n(_SIDE)}"/>'
     for stroke in panel.strokes:
         yield _stroke(stroke)
-    for stroke in panel.strokes:
-        if stroke.arrow:
-            yield _arrow(stroke)
     ink = _ink(panel)
     bars, taken = _bars(panel, ink)
+    for stroke in panel.strokes:
+        at = _arrow_place(stroke)
+        if at:
+            yield _head(*at, "head-line")
+            taken.append(Box(at[0], at[1], 8, 8))
     yield from bars
     spots = [_pixel(mark.at) for mark in panel.marks]
     taken += [Box(x, y, _MARK + 2, _MARK + 2) for x, y in spots]
@@ -153,13 +155,12 @@ def _stroke(stroke: Stroke) -> str:
     return f'<polyline class="{stroke.role.value}" points="{dots}"/>'
 
 
-def _arrow(stroke: Stroke) -> str:
-    """The direction, shown three fifths along the last piece: at its end it would hide what is there."""
+def _arrow_place(stroke: Stroke) -> tuple[float, float, float] | None:
+    """Where a stroke's direction is shown, and which way: at its end it would hide what is there."""
     (x1, y1), (x2, y2) = map(_pixel, stroke.dots[-2:])
-    size = hypot(x2 - x1, y2 - y1)
-    if size < 40:
-        return ""
-    return _head(x1 + (x2 - x1) * 0.62, y1 + (y2 - y1) * 0.62, atan2(y2 - y1, x2 - x1), "head-line")
+    if not stroke.arrow or hypot(x2 - x1, y2 - y1) < 40:
+        return None
+    return x1 + (x2 - x1) * 0.62, y1 + (y2 - y1) * 0.62, atan2(y2 - y1, x2 - x1)
 
 
 def _head(x: float, y: float, turn: float, kind: str) -> str:
