@@ -25,7 +25,7 @@ SCHEMA = 1
 @json_option
 @problems_option
 def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
-    """Say what the test groups probe and which mistakes they are there for.
+    """Say what the test groups probe, and which mistakes they are there for.
 
     With a GROUP, only that one.
     """

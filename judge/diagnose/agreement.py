@@ -33,7 +33,7 @@ def agreement(one: Outline, other: Outline, target: AnyTarget) -> float:
         return OTHER_SENTINEL
     if form == "count":
         return OTHER_ANSWER
-    if len(numbers) != len(other[1]):
+    if len(numbers) != len(other[1]) or not all(map(math.isfinite, (*numbers, *other[1]))):
         return OTHER_ANSWER
     wanted = wanted_numbers(target)
     between = _largest(numbers, other[1])

@@ -10,8 +10,8 @@ a single case from saying much. The second is for mistakes that lose digits: whi
 chance then, how many is not. Of a mistake whose programs fail nested sets of cases, such as a fixed epsilon
 that may be smaller or larger, anything between two of the programs is like them too.
 
-A mistake's score is its likeness to the power ½ + ½·(the next mistake's likeness)/(its own): between 0 and 1,
-and the larger the farther everything else is from explaining the same. It orders mistakes as likeness does.
+A mistake's score is its likeness to the power 0.7 + 0.3·(the next mistake's likeness)/(its own): between 0
+and 1, and the larger the farther everything else is from explaining the same.
 
 Two mistakes at once are tried as programs that fail wherever either of them fails. A program that gives one
 answer whatever the case makes no mistake that has a name, so nothing that explains less than that is named.
@@ -83,7 +83,7 @@ def _standing_out(matches: Sequence[Match], known: Sequence[Known]) -> Match:
     name = known[best.places[0]].name
     others = (match.likeness for match in matches if known[match.places[0]].name != name)
     next_best = max(others, default=0.0)
-    return Match(best.places, best.likeness, best.likeness ** (0.5 + 0.5 * next_best / best.likeness))
+    return Match(best.places, best.likeness, best.likeness ** (0.7 + 0.3 * next_best / best.likeness))
 
 
 class _Group(Struct, frozen=True):

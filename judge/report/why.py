@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from judge.report.layout import Line, Span, Style, cells, hanging, line, wrap
-from judge.report.problems import heading_lines
+from judge.report.layout import Line, Span, Style, beside, cells, hanging, line, wrap
 from judge.spec import Group, Problem
 
 _INDENT = 2
@@ -16,7 +15,7 @@ def why_lines(
     problem: Problem, groups: Sequence[Group], sentences: Mapping[str, str], width: int | None
 ) -> Iterator[Line]:
     """Each group's sentence and, below it, its mistakes, each with its own from `sentences`."""
-    yield from heading_lines(problem)
+    yield from beside(Span(problem.id, Style.STRONG), problem.title, width)
     names = [name for group in groups for name in group.kills]
     column = 2 * _INDENT + max(map(cells, names), default=0) + 2
     for group in groups:
@@ -24,14 +23,15 @@ def why_lines(
         yield line(Span(group.name, Style.STRONG))
         yield from _indented(group.about, _INDENT, width)
         for name in group.kills:
-            label, sentence = Span(name, Style.BAD), sentences.get(name, "")
+            sentence = sentences.get(name, "")
             if width is None or width - column >= _BESIDE:
+                label = Span(name, Style.BAD)
                 yield from hanging(label, Span(sentence), width, indent=2 * _INDENT, column=column)
             else:
-                yield line(" " * 2 * _INDENT, label)
+                yield from _indented(name, 2 * _INDENT, width, Style.BAD)
                 yield from _indented(sentence, 3 * _INDENT, width)
 
 
-def _indented(text: str, indent: int, width: int | None) -> Iterator[Line]:
+def _indented(text: str, indent: int, width: int | None, style: Style = Style.PLAIN) -> Iterator[Line]:
     for row in wrap(text, None if width is None else width - indent):
-        yield line(" " * indent, row)
+        yield line(" " * indent, Span(row, style))

@@ -1,0 +1,154 @@
+"""Naming the mistake in `judge run`, its cache, and `judge why`."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import threading
+
+import pytest
+from cli_support import FLOOR, MEAN
+
+
+@pytest.fixture
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "own"))
+    return tmp_path / "own" / "mistakes"
+
+
+def test_the_mistake_is_named_before_the_verdict(judge, submit, own_cache):
+    ended = judge("run", "middle", submit(FLOOR))
+    assert ended.status == 1
+    named = next(i for i, line in enumerate(ended.lines) if line.startswith("  floor-division"))
+    assert "score" in ended.lines[named]
+    assert ended.lines[named + 1].startswith("    ")
+    assert ended.lines[-1].startswith("WA ")
+    assert "return a" not in ended.out
+    assert len(list(own_cache.iterdir())) == 1
+
+
+def test_the_pitfall_in_json(judge, submit):
+    (shown,) = [json.loads(line) for line in judge("run", "middle", submit(FLOOR), "--json").lines]
+    assert set(shown["pitfall"]) == {"name", "score"}
+    assert shown["pitfall"]["name"] == "floor-division"
+    assert 0.7 <= shown["pitfall"]["score"] <= 1
+
+
+def test_a_program_that_prints_makes_the_same_mistake(judge, submit):
+    source = "for line in list(open(0))[1:]:\n    a, b = map(float, line.split())\n    print((a + b) // 2)\n"
+    (shown,) = [json.loads(line) for line in judge("run", "middle", submit(source), "--json").lines]
+    assert (shown["mode"], shown["pitfall"]["name"]) == ("program", "floor-division")
+
+
+@pytest.mark.parametrize(
+    ("source", "options"),
+    [
+        (FLOOR, ["--no-name"]),
+        (FLOOR, ["-q"]),
+        (MEAN, []),
+        ("def middle(a, b: pass\n", []),
+        ("def f(: 1", ["--json"]),
+    ],
+)
+def test_nothing_is_learnt_where_nothing_is_to_be_named(judge, submit, own_cache, source, options):
+    ended = judge("run", "middle", submit(source), *options)
+    assert "score" not in ended.out.replace('"score"', "")
+    assert not own_cache.exists()
+
+
+@pytest.mark.parametrize("content", [b"", b"not it\n[]", b"\xff\x00" * 99])
+def test_a_spoilt_cache_is_built_anew(judge, submit, own_cache, content):
+    name = submit(FLOOR)
+    first = judge("run", "middle", name, "--json")
+    (file,) = own_cache.iterdir()
+    kept = file.read_bytes()
+    file.write_bytes(content)
+    again = judge("run", "middle", name, "--json")
+    assert json.loads(first.out)["pitfall"] == json.loads(again.out)["pitfall"] is not None
+    assert file.read_bytes() == kept
+
+
+def test_a_cache_that_cannot_be_written_costs_a_note(judge, submit, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "file"))
+    ended = judge("run", "middle", submit(FLOOR))
+    assert "  floor-division" in ended.out
+    assert "the known mistakes' answers are not kept" in ended.err
+
+
+def test_another_program_of_a_mistake_makes_the_cache_anew(judge, submit, own_cache, pack, tmp_path):
+    shutil.copytree(pack, tmp_path / "pack")
+    problems = tmp_path / "pack" / "problems"
+    name = submit(FLOOR)
+    judge("run", "middle", name, "--problems", problems)
+    (before,) = own_cache.iterdir()
+    wrong = tmp_path / "pack" / "solutions" / "middle" / "wrong"
+    (wrong / "floor-division-int.py").write_text('"""floor-division"""\n' + FLOOR)
+    (wrong / "unreadable.py").write_text("def (:\n")
+    assert "  floor-division" in judge("run", "middle", name, "--problems", problems).out
+    (after,) = own_cache.iterdir()
+    assert before.name != after.name
+
+
+def test_several_at_once_share_what_is_learnt(judge, submit, own_cache):
+    names = [submit(FLOOR, f"{letter}.py") for letter in "abc"]
+    ended = judge("run", "middle", *names, "--json", "-j", 3)
+    assert [json.loads(line)["pitfall"]["name"] for line in ended.lines] == ["floor-division"] * 3
+    assert len(list(own_cache.iterdir())) == 1
+
+
+def test_two_runs_at_once_leave_one_sound_file(process, submit, own_cache, tmp_path):
+    submit(FLOOR)
+    found = []
+    runs = [
+        threading.Thread(
+            target=lambda: found.append(process("run", "middle", tmp_path / "mine.py", "--json"))
+        )
+        for _ in range(2)
+    ]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join()
+    assert [json.loads(each.out)["pitfall"]["name"] for each in found] == ["floor-division"] * 2
+    assert len(list(own_cache.iterdir())) == 1
+
+
+def test_a_pack_without_solutions_names_nothing(judge, submit, pack, tmp_path):
+    shutil.copytree(pack, tmp_path / "pack")
+    shutil.rmtree(tmp_path / "pack" / "solutions")
+    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", tmp_path / "pack" / "problems")
+    assert (json.loads(ended.out)["verdict"], json.loads(ended.out)["pitfall"]) == ("WA", None)
+
+
+def test_why(judge):
+    ended = judge("why", "middle")
+    assert (ended.status, ended.err) == (0, "")
+    assert ended.lines[0].split()[0] == "middle"
+    assert any(line.startswith("    floor-division  ") for line in ended.lines)
+    assert {"whole", "half"} <= set(ended.lines)
+
+
+def test_why_one_group_as_json(judge):
+    shown = json.loads(judge("why", "middle", "half", "--json").out)
+    assert (shown["schema"], shown["problem"]) == (1, "middle")
+    (group,) = shown["groups"]
+    assert group["name"] == "half"
+    (mistake,) = group["mistakes"]
+    assert mistake["name"] == "floor-division"
+    assert mistake["explanation"].endswith(".")
+
+
+@pytest.mark.parametrize("width", [24, 40, 60, 80])
+@pytest.mark.parametrize("problem", ["count", "segment", "ray-nearest", "exact-count"])
+def test_why_fits_the_screen(judge, monkeypatch, width, problem):
+    monkeypatch.setenv("COLUMNS", str(width))
+    ended = judge("why", problem)
+    assert max(map(len, ended.lines)) <= width
+    assert "no-degenerate" in ended.out
+
+
+def test_why_of_a_group_that_is_not_there(judge):
+    ended = judge("why", "count", "tangnet")
+    assert ended.status == 2
+    assert ended.err == "judge: count has no group 'tangnet'; did you mean 'tangent'?\n"

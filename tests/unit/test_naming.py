@@ -1,0 +1,203 @@
+"""Naming mistakes: leave one program out, mixtures of two, silence where nothing fits."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+
+import pytest
+
+from judge.compare.outline import line_outline, outline
+from judge.compare.targets import CountTarget, ParameterTarget, PointsTarget
+from judge.data import load_data
+from judge.diagnose.agreement import OTHER_ANSWER, OTHER_END, agreement
+from judge.diagnose.known import Answers, known_behaviours
+from judge.diagnose.mistakes import known_mistakes
+from judge.diagnose.naming import LEAST, Known, best_match
+from judge.run import Settings
+from judge.spec import AnswerKind
+from judge.spec.find import find_problem
+
+# Programs of one mistake in two hands; the first is recognised by the second alone.
+TWINS = [
+    "segment/rounded-output-program.py",
+    "segment/no-snap.py",
+    "segment/equality-tangency-in-fractions.py",
+    "ray-nearest/cancellation-half-chord.py",
+    "ray-nearest/equality-tangency.py",
+]
+MIXTURES = [
+    ("segment", "no-clamp.py", "tangent-twice.py"),
+    ("segment", "none-for-empty.py", "reversed-order.py"),
+    ("count", "no-degenerate.py", "slope-intercept.py"),
+    ("exact-count", "overflow-64.py", "zero-radius.py"),
+]
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    """Each problem's groups and known programs, judged once."""
+    found = {}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
+        for name in ("count", "segment", "ray-nearest", "exact-count"):
+            problem = find_problem(name)
+            data, mistakes = load_data(problem), known_mistakes(problem)
+            does, note = known_behaviours(data, None, mistakes, settings=Settings(measured=False), workers=2)
+            assert note is None
+            known = [Known(each.name, behaviour) for each, behaviour in zip(mistakes, does, strict=True)]
+            found[name] = data.groups, known, [each.path.name for each in mistakes]
+    return found
+
+
+def named(match, known):
+    return {known[place].name for place in match.places} if match else set()
+
+
+def test_a_known_program_is_recognised(library):
+    for groups, known, _ in library.values():
+        for each in known:
+            match = best_match(each.behaviour, known, groups)
+            assert match is not None
+            assert 0.7 <= match.score <= 1.0
+            assert len(match.places) == 1
+            exact = known[match.places[0]]
+            assert exact.name == each.name or exact.behaviour == each.behaviour or match.score > 0.95
+
+
+@pytest.mark.parametrize("path", TWINS)
+def test_a_mistake_is_recognised_by_another_program_that_makes_it(library, path):
+    problem, file = path.split("/")
+    groups, known, files = library[problem]
+    left_out = known[files.index(file)]
+    others = [each for each in known if each is not left_out]
+    assert named(best_match(left_out.behaviour, others, groups), others) == {left_out.name}
+
+
+@pytest.mark.parametrize(("problem", "one", "other"), MIXTURES)
+def test_two_mistakes_at_once(library, problem, one, other):
+    groups, known, files = library[problem]
+    first, second = known[files.index(one)], known[files.index(other)]
+    mixed = {
+        name: Answers(
+            min(first.behaviour[name].reached, second.behaviour[name].reached),
+            {**first.behaviour[name].wrong, **second.behaviour[name].wrong},
+        )
+        for name in first.behaviour
+    }
+    match = best_match(mixed, known, groups)
+    assert {first.name, second.name} == named(match, known) or match.score > 0.97
+    assert len(match.places) == 2
+
+
+@pytest.mark.parametrize("share", [0.02, 0.3, 1.0])
+def test_silence_on_noise(library, share):
+    for groups, known, _ in library.values():
+        draw = random.Random(7)
+        noise = {
+            group.group.name: Answers(
+                len(group.cases),
+                {i: ("noise", (draw.random(),)) for i in range(len(group.cases)) if draw.random() < share},
+            )
+            for group in groups
+        }
+        assert best_match(noise, known, groups) is None
+
+
+@pytest.mark.parametrize("answer", [("count", (0.0,)), ("points 0", ()), ("none", ())])
+def test_silence_on_one_answer_to_everything(library, answer):
+    for groups, known, _ in library.values():
+        always = {
+            group.group.name: Answers(len(group.cases), dict.fromkeys(range(1, len(group.cases)), answer))
+            for group in groups
+        }
+        assert best_match(always, known, groups) is None
+
+
+def test_silence_without_evidence(library):
+    groups, known, _ = library["count"]
+    assert best_match({}, known, groups) is None
+    assert best_match({groups[0].group.name: Answers(13, {})}, known, groups) is None
+    assert best_match({groups[0].group.name: Answers(13, {3: ("text", ())})}, [], groups) is None
+    one_case = {groups[1].group.name: Answers(200, {5: ("count", (9.0,))})}
+    assert best_match(one_case, known, groups) is None
+
+
+def test_unfinished_groups_are_compared_as_far_as_they_went(library):
+    groups, known, files = library["count"]
+    whole = known[files.index("tangent-twice.py")].behaviour
+    half = {
+        name: Answers(
+            answers.reached // 2, {i: w for i, w in answers.wrong.items() if i < answers.reached // 2}
+        )
+        for name, answers in whole.items()
+    }
+    match = best_match(half, known, groups)
+    assert named(match, known) == {"tangent-twice"}
+    assert match.score > 0.95
+
+
+def test_few_unknown_mistakes_are_taken_for_others(library):
+    """With all programs of a mistake gone, most are met with silence: what is named looks the same."""
+    outcomes = Counter()
+    for groups, known, _ in library.values():
+        for each in known:
+            others = [other for other in known if other.name != each.name]
+            outcomes[best_match(each.behaviour, others, groups) is None] += 1
+    assert outcomes[True] > 0.75 * outcomes.total()
+
+
+NUMBER = (0.9, 1.1, 1.0, 0.0, 2.0**-52)
+POINT = PointsTarget(((NUMBER, NUMBER),))
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "target", "wanted"),
+    [
+        (("count", (1.0,)), ("count", (1.0,)), CountTarget(2), 1.0),
+        (("count", (1.0,)), ("count", (0.0,)), CountTarget(2), OTHER_ANSWER),
+        (("count", (-1.0,)), ("count", (99.0,)), CountTarget(None), 0.9),
+        (("none", ()), ("count", (0.0,)), CountTarget(2), OTHER_ANSWER),
+        (("raised ValueError", ()), ("count", (0.0,)), CountTarget(2), OTHER_END),
+        (("points 1", (3.0, 4.0)), ("points 1", (3.0, 4.0000001)), POINT, 1.0),
+        (("points 1", (3.0, 4.0)), ("points 1", (4.0, 3.0)), POINT, OTHER_ANSWER),
+        (("points 1", (1.000001, 1.0)), ("points 1", (1.0, 0.999999)), POINT, pytest.approx(0.9, abs=1e-6)),
+        (("points 1", (1.0001, 1.0)), ("points 1", (1.0, 0.999999)), POINT, pytest.approx(0.7, abs=1e-6)),
+        (("points 2", (1.0, 1.0, 1.0, 1.0)), ("points 2", (1.0, 1.0, 1.0, 1.0001)), POINT, 1.0),
+        (("number", (-1.0,)), ("number", (-2.0,)), ParameterTarget(None), 0.9),
+        (("number", (5.0,)), ("number", (1.0,)), ParameterTarget(NUMBER), OTHER_ANSWER),
+        (("number", (float("inf"),)), ("number", (2.0,)), ParameterTarget(NUMBER), OTHER_ANSWER),
+    ],
+)
+def test_agreement(one, other, target, wanted):
+    assert agreement(one, other, target) == wanted == agreement(other, one, target)
+    assert agreement(one, one, target) == 1.0
+
+
+@pytest.mark.parametrize(
+    ("kind", "answer", "wanted"),
+    [
+        (AnswerKind.COUNT, 3, ("count", (3.0,))),
+        (AnswerKind.COUNT, 1.0, ("type float", (1.0,))),
+        (AnswerKind.COUNT, {"type": "bool", "text": "True"}, ("type bool", ())),
+        (AnswerKind.COUNT, None, ("none", ())),
+        (AnswerKind.POINTS, [[1, 2.5]], ("points 1", (1.0, 2.5))),
+        (AnswerKind.POINTS, [0.5, 1], ("shape 2", (0.5, 1.0))),
+        (AnswerKind.POINTS, [], ("points 0", ())),
+        (AnswerKind.POINTS, 4.0, ("number", (4.0,))),
+        (AnswerKind.PARAMETER, {"fraction": ["1", "2"]}, ("number", (0.5,))),
+        (AnswerKind.PARAMETER, [1.0, None], ("shape 2", (1.0,))),
+        (AnswerKind.PARAMETER, {"int": "f" * 300}, ("number", (float("inf"),))),
+        (AnswerKind.PARAMETER, {"what": "ever"}, ("type dict", ())),
+    ],
+)
+def test_outlines(kind, answer, wanted):
+    assert outline(kind, answer) == wanted
+
+
+def test_a_line_has_the_outline_of_its_answer():
+    assert line_outline(AnswerKind.POINTS, "1 0.5 2") == ("points 1", (0.5, 2.0))
+    assert line_outline(AnswerKind.COUNT, "none") == ("none", ())
+    assert line_outline(AnswerKind.PARAMETER, "0.1e1") == ("number", (1.0,))
+    assert line_outline(AnswerKind.COUNT, "two") == ("text", ())
+    assert LEAST == 0.7
