@@ -1,5 +1,4 @@
 """The cases whose pictures are kept, and drawing one; `python tests/golden/picture_cases.py` renews them."""
-"""The cases whose pictures are kept. `python tests/golden/picture_cases.py` draws them anew."""
 
 from __future__ import annotations
 
