@@ -25,7 +25,10 @@ class Mode(Enum):
 
 
 class GroupResult(Struct, frozen=True):
-    """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth."""
+    """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
+
+    `rejected` are the places of the cases that were run and not accepted, from 0.
+    """
 
     name: str
     verdict: Verdict
@@ -34,6 +37,7 @@ class GroupResult(Struct, frozen=True):
     worst_ulps: float | None  # the largest error of an accepted number, None where none was measured
     cpu_seconds: float
     points: int = 0
+    rejected: tuple[int, ...] = ()
 
     @property
     def score(self) -> int:

@@ -41,6 +41,7 @@ class Tally:
         self._data = data
         self._mode = mode
         self._worst: float | None = None
+        self._rejected: list[int] = []
 
     def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
         """What `check` calls if it needs the exact answer of a case."""
@@ -56,7 +57,9 @@ class Tally:
             # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
             if worst is not None and math.isfinite(worst):
                 self._worst = max(self._worst or 0.0, worst)
-        elif self.failure is None:
+            return
+        self._rejected.append(index)
+        if self.failure is None:
             self.verdict = Verdict.WA
             self.failure = Failure(
                 outcome.message,
@@ -73,6 +76,7 @@ class Tally:
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
         """Record a case without an answer to compare."""
+        self._rejected.append(index)
         if self.failure is None:
             self.verdict = verdict
             self.failure = Failure(
@@ -87,6 +91,11 @@ class Tally:
     def stopped(self, index: int, stop: Stop, detail: str) -> None:
         """Record a case that ended otherwise than with an answer."""
         self.failed(index, VERDICTS[stop], detail)
+
+    def not_run(self, message: str) -> None:
+        """Record that no case of it was run."""
+        self.failed(0, Verdict.TLE, message)
+        self._rejected.clear()
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
@@ -111,6 +120,7 @@ class Tally:
             self._worst,
             self.usage.cpu_seconds,
             group.points,
+            tuple(self._rejected),
         )
 
 
