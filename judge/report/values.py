@@ -70,4 +70,4 @@ def percent(share: Fraction) -> str:
     rounded = round(100 * share)
     if 0 < share < 1:
         rounded = min(99, max(1, rounded))
-    return f"{rounded} %"
+    return f"{rounded}%"  # no space: a table may break there

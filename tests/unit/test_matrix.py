@@ -82,7 +82,7 @@ def test_the_greedy_choice_takes_most_first():
 
 @pytest.mark.parametrize(
     ("share", "text"),
-    [((0, 5), "0 %"), ((5, 5), "100 %"), ((1, 900), "1 %"), ((899, 900), "99 %"), ((1, 3), "33 %")],
+    [((0, 5), "0%"), ((5, 5), "100%"), ((1, 900), "1%"), ((899, 900), "99%"), ((1, 3), "33%")],
 )
 def test_a_share_is_all_or_nothing_only_where_it_is(share, text):
     assert percent(Fraction(*share)) == text
@@ -92,7 +92,7 @@ def test_a_share_is_all_or_nothing_only_where_it_is(share, text):
 def test_the_matrix_on_the_screen(matrix, width):
     lines = ["".join(span.text for span in line) for line in matrix_lines(matrix, width)]
     text = " ".join(" ".join(lines).split())
-    assert "deaf 20 % edge, grid 10 %" in text or width == 40
+    assert "deaf 20% edge, grid 10%" in text or width == 40
     for said in ("blind", "immortal", "no group", "grid, spare", "2 cases", "3 programs", "grid 3, edge 7"):
         assert said in text or width == 40
     assert width is None or max(map(len, lines)) <= width
