@@ -14,6 +14,7 @@ from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
+from judge.run.matrix import Matrix
 from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
 from judge.spec.find import find_problem, problem_folders
 
@@ -22,14 +23,20 @@ SCHEMA = 1
 
 @click.command("verify")
 @click.argument("names", metavar="[PROBLEM]...", nargs=-1)
+@click.option("--matrix", is_flag=True, help="Show which test group kills which wrong program.")
 @click.option("--pin", is_flag=True, help="Pin the data as they are now: write hashes.json.")
 @json_option
 @problems_option
-def command(names: tuple[str, ...], pin: bool, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
+def command(
+    names: tuple[str, ...], matrix: bool, pin: bool, as_json: bool, folders: tuple[Path, ...]
+) -> ExitCode:
     """Check problems from the setter's side.
 
     That every case keeps the promise, that examples agree with the reference, that the data are the pinned
     ones, and that every solution gets the verdict its folder says. Without a name: all problems.
+
+    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
+    groups that are the only ones to reject no program; and a small set of cases that rejects all programs.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
@@ -39,10 +46,10 @@ def command(names: tuple[str, ...], pin: bool, as_json: bool, folders: tuple[Pat
         report = _verify(name, folders, pin=pin)
         reports.append(report)
         if as_json:
-            write_json(as_object(report))
+            write_json(as_object(report, with_matrix=matrix))
         else:
             screen = out()
-            screen.show([*report_lines(report, screen.width), line()])
+            screen.show([*report_lines(report, screen.width, with_matrix=matrix), line()])
     if not as_json:
         screen = out()
         screen.show(summary_line(reports, screen.width))
@@ -60,8 +67,9 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         return verify_problem(problem, update_pins=pin, progress=progress)
 
 
-def as_object(report: VerifyReport) -> dict[str, Any]:
+def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:
     """The published object of one problem's report."""
+    matrix = {"matrix": _matrix(report.matrix) if report.matrix else None} if with_matrix else {}
     return {
         "schema": SCHEMA,
         "problem": report.problem,
@@ -73,6 +81,28 @@ def as_object(report: VerifyReport) -> dict[str, Any]:
         "faults": [
             {"what": fault.what, "where": fault.where, "remedy": fault.remedy} for fault in report.faults
         ],
+        **matrix,
+    }
+
+
+def _matrix(matrix: Matrix) -> dict[str, Any]:
+    return {
+        "groups": list(matrix.groups),
+        "programs": [
+            {
+                "file": row.file,
+                "mistake": row.mistake,
+                "aimed": list(row.aimed),
+                "own": row.own.group if row.own else None,
+                "rejected": {kill.group: list(kill.rejected) for kill in row.kills},
+                "cases": {kill.group: kill.cases for kill in row.kills},
+            }
+            for row in matrix.rows
+        ],
+        "aimless": list(matrix.aimless),
+        "replaceable": list(matrix.replaceable),
+        "unkilled": [row.file for row in matrix.unkilled],
+        "cover": [{"group": case.group, "case": case.case} for case in matrix.cover],
     }
 
 

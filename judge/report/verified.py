@@ -5,23 +5,72 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
-from judge.report.values import counted
+from judge.report.values import counted, percent
+from judge.run.matrix import Matrix, Row
 from judge.run.verify import SolutionReport, VerifyReport
 
+_MATRIX = (Column("wrong program"), Column("share", right=True), Column("rejected by", flexible=True))
+_OTHERS = 3  # groups that a row shows beside its own
 _COLUMNS = (Column("solution"), Column("verdict"), Column("fails", flexible=True))
 
 
-def report_lines(report: VerifyReport, width: int | None) -> Iterator[Line]:
-    """One problem: its data, its solutions, its faults."""
+def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool = False) -> Iterator[Line]:
+    """One problem: its data, its solutions or the kill matrix of the wrong ones, its faults."""
     data = f"{counted(report.groups, 'group')}, {counted(report.cases, 'case')}, pins {report.pins}"
     yield from beside(Span(report.problem, Style.STRONG), data if report.groups else "", width)
-    if report.solutions:
+    if with_matrix and report.matrix and report.matrix.rows:
+        yield line()
+        yield from matrix_lines(report.matrix, width)
+    elif report.solutions:
         yield line()
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
     if report.faults:
         yield line()
     for fault in report.faults:
         yield from hanging(Span("fault", Style.BAD), Span(str(fault)), width, indent=2, column=9)
+
+
+def matrix_lines(matrix: Matrix, width: int | None) -> Iterator[Line]:
+    """A row for each wrong program, what the groups are worth, and a few cases that reject every program.
+
+    A row tells the share of cases it gets wrong in its own group, then that group, then those that come next.
+    """
+    yield from Table(_MATRIX, [_matrix_row(row) for row in matrix.rows]).lines(width)
+    yield line()
+    for label, groups in (("no mistake named", matrix.aimless), ("no kill alone", matrix.replaceable)):
+        if groups:
+            yield from _remark(label, ", ".join(groups), width)
+    if matrix.replaceable:
+        yield from _remark(
+            "", "(each program that one of these rejects is rejected by another group as well)", width
+        )
+    total = len(matrix.rows) - len(matrix.unkilled)
+    few = f"{counted(len(matrix.cover), 'case')} (a greedy choice) reject {counted(total, 'program')}: "
+    yield from _remark("least set", few + _places(matrix), width)
+
+
+def _remark(label: str, text: str, width: int | None) -> list[Line]:
+    return hanging(Span(label, Style.FAINT), Span(text), width, indent=2, column=20)
+
+
+def _places(matrix: Matrix) -> str:
+    """The cases of the cover by group, as `grid 3 17, tangent 5`."""
+    numbers = {
+        group: sorted(case.case for case in matrix.cover if case.group == group) for group in matrix.groups
+    }
+    return ", ".join(f"{group} {' '.join(map(str, found))}" for group, found in numbers.items() if found)
+
+
+def _matrix_row(row: Row) -> list[Cell]:
+    own = row.own
+    best = sorted(row.killing, key=lambda kill: kill.share, reverse=True)
+    others = [f"{kill.group} {percent(kill.share)}" for kill in best if kill is not own]
+    if len(others) > _OTHERS + 1:
+        others[_OTHERS:] = [f"{len(others) - _OTHERS} others"]
+    name = row.file.removeprefix("wrong/").removesuffix(".py")
+    if own is None:
+        return [Span(name, Style.BAD), "", Span(", ".join(others) or "no group", Style.BAD)]
+    return [name, percent(own.share), ", ".join([own.group, *others])]
 
 
 def _row(report: SolutionReport) -> list[Cell]:

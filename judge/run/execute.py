@@ -176,7 +176,7 @@ class _Judging:
         share([tallies[first::workers] for first in range(min(workers, len(tallies)))], workers, work)
         for tally in tallies:
             if not tally.run:
-                tally.failed(0, Verdict.TLE, f"not run: {MOST_TIMEOUTS} groups ran out of time")
+                tally.not_run(f"not run: {MOST_TIMEOUTS} groups ran out of time")
         return tallies
 
     def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:

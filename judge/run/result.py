@@ -33,6 +33,7 @@ class GroupResult(Struct, frozen=True):
 
     `wrong` says what was given where a case, counted from 0, was not answered rightly. The cases before
     `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
+    `rejected` are the places of the cases that were run and not accepted, from 0.
     """
 
     name: str
@@ -44,6 +45,7 @@ class GroupResult(Struct, frozen=True):
     points: int = 0
     reached: int = 0
     wrong: Mapping[int, Outline] = {}
+    rejected: tuple[int, ...] = ()
 
     @property
     def score(self) -> int:

@@ -11,7 +11,7 @@ Nothing is printed: what is wrong is in the report.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from pathlib import Path
 
@@ -23,8 +23,9 @@ from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
 from judge.run.execute import run_submission
-from judge.run.result import Result
-from judge.spec import Problem, Verdict
+from judge.run.matrix import Matrix, kill_matrix
+from judge.run.result import GroupResult, Result
+from judge.spec import Group, Problem, Verdict
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -62,13 +63,18 @@ class Fault(Struct, frozen=True):
 
 
 class SolutionReport(Struct, frozen=True):
-    """One program's verdict; `name` is its docstring's first line and `failed` the groups it fails."""
+    """One program's verdict, whole and by group; `name` is its docstring's first line."""
 
     file: str  # as wrong/absolute-epsilon.py
     folder: Folder
     name: str
     verdict: Verdict
-    failed: tuple[str, ...]
+    groups: tuple[GroupResult, ...]
+
+    @property
+    def failed(self) -> tuple[str, ...]:
+        """The groups that do not accept it."""
+        return tuple(group.name for group in self.groups if group.verdict is not Verdict.AC)
 
     @property
     def ok(self) -> bool:
@@ -85,6 +91,7 @@ class VerifyReport(Struct, frozen=True):
     pins: str
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
+    matrix: Matrix | None = None  # of the wrong programs; None where none was judged
 
     @property
     def ok(self) -> bool:
@@ -143,6 +150,7 @@ def verify_problem(
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
+        matrix=_matrix(problem.groups, reports),
     )
 
 
@@ -212,8 +220,13 @@ def _docstring_name(source: bytes) -> str:
 
 
 def _solution_report(source: _Source, result: Result) -> SolutionReport:
-    failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
-    return SolutionReport(source.file, source.folder, source.name, result.verdict, failed)
+    return SolutionReport(source.file, source.folder, source.name, result.verdict, result.groups)
+
+
+def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matrix:
+    """Which of the problem's groups rejects which wrong program; one that cannot be run has no row."""
+    wrong = [report for report in reports if report.folder is Folder.WRONG and report.groups]
+    return kill_matrix(groups, [(report.file, report.name, report.groups) for report in wrong])
 
 
 def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:

@@ -16,6 +16,8 @@ BUILDERS = {
     "just_hit": counting.just_hit,
     "just_miss": counting.just_miss,
     "least_gap": counting.least_gap,
+    "small_gap": counting.small_gap,
+    "slid": counting.slid,
     "offset": counting.offset,
     "off_segment": counting.off_segment,
     "scattered": counting.scattered,

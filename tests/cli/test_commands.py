@@ -130,6 +130,27 @@ def test_verify_a_sound_problem(judge):
     assert ended.lines[-1] == "sound  1 problem checked"
 
 
+def test_verify_with_the_kill_matrix(judge):
+    ended = judge("verify", "middle", "--matrix")
+    assert ended.status == 0
+    assert ended.lines[3].split("  ")[1:2] == ["floor-division"]
+    assert "half, examples" in ended.lines[3]
+    assert "least set" in ended.out
+    plain = json.loads(judge("verify", "middle", "--matrix", "--json").out)["matrix"]
+    (program,) = plain["programs"]
+    assert (program["file"], program["own"], program["aimed"]) == (
+        "wrong/floor-division.py",
+        "half",
+        ["half"],
+    )
+    assert plain["groups"] == list(program["rejected"]) == list(program["cases"])
+    assert program["rejected"]["whole"] == []
+    (case,) = plain["cover"]
+    assert case["case"] in program["rejected"][case["group"]]
+    assert plain["unkilled"] == []
+    assert "matrix" not in json.loads(judge("verify", "middle", "--json").out)
+
+
 def test_verify_json_and_pins(judge, pack, tmp_path):
     shutil.copytree(pack, tmp_path / "pack")
     folder = tmp_path / "pack" / "problems"

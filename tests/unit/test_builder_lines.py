@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import gcd
+from math import gcd, isqrt
 
 import pytest
 
 from judge.data.builders import BuilderError, lines
+from judge.data.builders.numbers import is_prime
 from judge.data.builders.transform import line
 from judge.data.draw import Rejected, SeededDraw
 
@@ -136,6 +137,26 @@ def test_with_cross_reaches_every_cross_product(seed):
     fx, fy = lines.with_cross((dx, dy), cross, steps)
     assert dx * fy - dy * fx == cross
     assert abs(fx * dx + fy * dy - steps * (dx * dx + dy * dy)) * 2 <= dx * dx + dy * dy
+
+
+@pytest.mark.parametrize("size", [40, 10**3, 10**6])
+def test_a_small_gap_is_neither_one_nor_a_square_on_a_circle_of_prime_radius(size):
+    made = figures(lines.small_gap, size, 30)
+    gaps = {lines.discriminant(figure) for figure in made}
+    assert all(2 <= abs(gap) <= 30 and isqrt(abs(gap)) ** 2 != abs(gap) for gap in gaps)
+    assert min(gaps) < 0 < max(gaps)
+    assert all(is_prime(figure.radius) for figure in made)
+
+
+@pytest.mark.parametrize("kind", lines.KINDS)
+@pytest.mark.parametrize("along", [100, 10**30])
+def test_a_slid_line_has_its_points_far_along_it(kind, along):
+    for figure in figures(lines.slid, 50, along, kind):
+        assert kind_of(figure) == kind
+        (ax, ay), (bx, by) = figure.points
+        cx, cy = figure.centre
+        dx, dy = bx - ax, by - ay
+        assert abs((ax - cx) * dx + (ay - cy) * dy) >= (along // 8 - 1) * (dx * dx + dy * dy)
 
 
 def test_with_cross_refuses_a_direction_with_a_common_factor():

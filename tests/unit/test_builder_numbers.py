@@ -9,7 +9,7 @@ import flint
 import pytest
 
 from judge.data.builders import numbers
-from judge.data.draw import SeededDraw
+from judge.data.draw import Rejected, SeededDraw
 
 
 @pytest.mark.parametrize("seed", range(50))
@@ -36,6 +36,32 @@ def test_pythagorean_triples_are_primitive_and_within_their_size(size):
         assert gcd(p, q) == 1
         assert min(p, q) > 0
         assert h <= size
+
+
+@pytest.mark.parametrize("power", [1, -1])
+@pytest.mark.parametrize("size", [50, 2**20, 2**28])
+def test_points_off_a_circle_by_one_are_everywhere_on_it(power, size):
+    found = set()
+    for seed in range(300):
+        try:
+            found.add(numbers.off_by_one(SeededDraw(f"off/{seed}"), size, power))
+        except Rejected:
+            continue
+    assert all(x * x + y * y - r * r == power and max(abs(x), abs(y), r) <= size for x, y, r in found)
+    if size > 50:
+        assert len(found) > 200
+        slopes = sorted(abs(x) / r for x, _, r in found)
+        assert slopes[len(slopes) // 4] < 0.6 < slopes[-len(slopes) // 4]
+
+
+@pytest.mark.parametrize("prime", [3, 7, 1019, 2**61 - 1])
+def test_a_root_modulo_a_square_is_one_or_there_is_none(prime):
+    square = prime * prime
+    for n in range(-40, 40):
+        root = numbers.root_modulo_square(n, prime)
+        residue = n % prime != 0 and pow(n, (prime - 1) // 2, prime) == 1
+        assert (root is not None) == residue
+        assert root is None or (0 <= root < square and (root * root - n) % square == 0)
 
 
 def test_primes_below_a_hundred_thousand_are_those_of_a_sieve():

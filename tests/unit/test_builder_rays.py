@@ -128,6 +128,33 @@ def test_a_far_circle_is_far_ahead(where, wanted):
     assert {roots_ahead(case) for case in cases} == {wanted}
 
 
+def test_a_lopsided_ray_starts_far_away_along_an_axis():
+    places = set()
+    for cx, cy, r, (ox, oy), direction in made(rays.lopsided, size=50, ratio=[20000, 40000]):
+        fx, fy = Fraction(ox) - Fraction(cx), Fraction(oy) - Fraction(cy)
+        far, near = (fx, fy) if abs(fx) > abs(fy) else (fy, fx)
+        assert abs(far) >= 20000 * abs(near)
+        assert Fraction(9, 10**14) < abs(abs(near) - Fraction(r)) / abs(far) < Fraction(4, 10**13)
+        assert fx * Fraction(direction[0]) + fy * Fraction(direction[1]) < 0
+        places.add((far == fx, far > 0))
+    assert len(places) == 4
+
+
+@pytest.mark.parametrize("where", ["hit", "miss", "origin"])
+def test_the_edge_of_the_band_is_met_exactly_by_a_ray(where):
+    for cx, cy, r, (ox, oy), _ in made(rays.band_edge, where=[where], size=50):
+        seen = [abs(Fraction(ox) - Fraction(cx)), abs(Fraction(oy) - Fraction(cy))]
+        band = max(Fraction(r), *seen) / 10**12
+        place = max(seen) if where == "origin" else min(seen)
+        assert place - Fraction(r) == (band if where == "miss" else -band)
+
+
+def test_a_scaled_cancellation_is_the_same_figure():
+    (plain,) = (made(rays.cancellation, size=1000, numbers="float", count=200)[:1],)
+    (small,) = (made(rays.cancellation, size=1000, numbers="float", scale=-30, count=200)[:1],)
+    assert [value * 2.0**-30 for value in plain[0][:3]] == list(small[0][:3])
+
+
 def test_cancellation_has_a_power_that_is_tiny_and_a_chord_that_is_long():
     cases = made(rays.cancellation, size=1000, numbers="int", count=200)
     sides = set()

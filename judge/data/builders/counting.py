@@ -194,6 +194,17 @@ def just_miss(draw: Draw, *, size: Sizes) -> Case:
     return _finished(draw, lines.just_miss(draw, _size(draw, size)), "int", False, 0)
 
 
+def small_gap(draw: Draw, *, size: Sizes, reach: int) -> Case:
+    """Δ' = δ, small, of either sign and no square, where r is prime."""
+    return _finished(draw, lines.small_gap(draw, _size(draw, size), reach), "int", False, 0)
+
+
+def slid(draw: Draw, *, size: Sizes, along: Sizes) -> Case:
+    """A and B close together and far along the line, so that b'² − a·c is a small difference of giants."""
+    figure = lines.slid(draw, _size(draw, size), _size(draw, along), draw.choice(KINDS))
+    return _finished(draw, figure, "int", False, 0)
+
+
 def least_gap(draw: Draw, *, size: Sizes) -> Case:
     """Δ' = ±m² for a small m at any size: either side of a tangent."""
     return _finished(

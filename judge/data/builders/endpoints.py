@@ -11,8 +11,19 @@ from math import isqrt
 from typing import Any
 
 from judge.data.builders import require
-from judge.data.builders.posing import hair, posed, rational_chord
-from judge.data.builders.transform import Figure, draw_point, line, typed
+from judge.data.builders.numbers import off_by_one
+from judge.data.builders.posing import EDGE_BITS, TRILLION, hair, lopsided_tangent, posed, rational_chord
+from judge.data.builders.transform import (
+    Figure,
+    draw_mirrored,
+    draw_point,
+    line,
+    moved,
+    scaled,
+    swapped,
+    typed,
+    with_radius,
+)
 from judge.data.draw import Draw
 from judge.spec.model import Case
 
@@ -155,19 +166,44 @@ def end_near_circle(
 def end_off_by_one(draw: Draw, *, size: int, numbers: str) -> Case:
     """Integers with f·f − r² = ±1, f = end − C: the root is within 1 / r of that end, far inside the band.
 
-    Two families in one parameter: (2m)² + (2m²)² = (2m² + 1)² − 1 and (2m² − 1)² + (2m)² = (2m²)² + 1.
+    Such points are everywhere on a circle (numbers.off_by_one), not only near its axes.
     """
-    m = draw.integer(isqrt(size // 4), isqrt(size // 2))
-    if draw.boolean():
-        x, y, radius, power = 2 * m, 2 * m * m, 2 * m * m + 1, -1
-    else:
-        x, y, radius, power = 2 * m * m - 1, 2 * m, 2 * m * m, 1
-    require(x * x + y * y - radius * radius == power, f"f·f − r² = {power}")
+    x, y, radius = off_by_one(draw, size, draw.sign())
+    if radius < size // 8:
+        draw.reject()  # the band is that of a large circle
     # The other end is straight across the circle or straight outwards, by and large: never along the tangent.
     factor, play = draw.choice((2, -2)), radius // 8
     other = (factor * x + draw.integer(-play, play), factor * y + draw.integer(-play, play))
     ends = ((x, y), other) if draw.boolean() else (other, (x, y))
     return posed(draw, line((0, 0), radius, *ends), poses=("axis",), centre=0, numbers=numbers)
+
+
+def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Case:
+    """A banded tangent along an axis, one end `ratio` (bounds) radii away: that coordinate is the extent."""
+    radius, away, changed = lopsided_tangent(draw, size, ratio)
+    ends = (-draw.integer(1, radius), away)
+    figure = level(radius, radius * draw.sign(), *(ends if draw.boolean() else ends[::-1]))
+    return posed(draw, with_radius(figure, changed), poses=("axis",), centre=1, **pose)
+
+
+def band_edge(draw: Draw, *, where: Sequence[str], size: int) -> Case:
+    """Exactly at the edge of the band, in doubles: a tangent by hit or miss, an end, or all of A == B.
+
+    An extent of 10¹² steps of 2⁻¹² makes its trillionth one step.
+    """
+    kind = draw.choice(where)
+    require(kind in ("hit", "miss", "end", "point"), f"{kind!r} is an edge of the band")
+    radius = draw.integer(5, size) << EDGE_BITS
+    if kind == "point":
+        figure = level(TRILLION, 0, TRILLION - 1, TRILLION - 1)
+    elif kind == "end":
+        figure = level(radius, 0, radius + 1, TRILLION)
+    else:
+        height = (radius - 1 if kind == "hit" else radius + 1) * draw.sign()
+        figure = level(radius, height, -draw.integer(1, size << EDGE_BITS), TRILLION)
+    require(figure.extent == TRILLION, "a step is a trillionth of the extent")
+    figure = scaled(draw_mirrored(draw, swapped(figure) if draw.boolean() else figure), -EDGE_BITS)
+    return moved(figure, *draw_point(draw, size)).case
 
 
 def point_segment(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
@@ -342,4 +378,6 @@ SEGMENT_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "short": short,
     "point-near-circle": point_near_circle,
     "near-far-away": near_far_away,
+    "lopsided": lopsided,
+    "band-edge": band_edge,
 }

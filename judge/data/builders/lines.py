@@ -8,10 +8,11 @@ so that Δ' is what they say, then find an f. Every recipe checks Δ' before it 
 
 from __future__ import annotations
 
+from itertools import count
 from math import gcd, isqrt
 
 from judge.data.builders import require
-from judge.data.builders.numbers import bezout, pell, pythagorean, two_squares
+from judge.data.builders.numbers import bezout, is_prime, pell, pythagorean, root_modulo_square, two_squares
 from judge.data.builders.transform import Figure, draw_point, integer, line
 from judge.data.draw import Draw
 
@@ -19,6 +20,7 @@ IntPoint = tuple[int, int]
 HIT, TANGENT, MISS = "hit", "tangent", "miss"
 KINDS = (HIT, TANGENT, MISS)
 _MISS_TRIES = 100  # about one multiple in thirty will do
+_GAP_TRIES = 60  # about one in twenty will do
 _PELL_REACH = 30  # coordinates of the directions `least_gap_at_any_size` starts from
 
 
@@ -177,6 +179,55 @@ def just_miss(draw: Draw, size: int) -> Figure:
     f = with_cross(direction, (r * r * j + step) * draw.sign(), draw.integer(-2, 1))
     figure = placed(draw_point(draw, size), r, f, direction)
     require(discriminant(figure) == -1, "Δ' = −1")
+    return figure
+
+
+def small_gap(draw: Draw, size: int, reach: int) -> Figure:
+    """Δ' = δ for a small δ up to ±`reach` that is no square: a hair, but not the least one; r is prime.
+
+    k is a root of −δ modulo r², moved by r² until a = (k² + δ)/r² is a primitive sum of two squares. r is of
+    the form 4m + 3: then one of δ and −δ has a root. |D| and r are of about `size`.
+    """
+    start = 4 * draw.integer(max(1, size // 32), max(1, size // 4)) + 3
+    r = next(n for n in count(start, 4) if is_prime(n))
+    gap = draw.integer(2, reach)
+    if isqrt(gap) ** 2 == gap or gap % r == 0:
+        draw.reject()
+    square = r * r
+    root = root_modulo_square(-gap, r)
+    if root is None:
+        gap = -gap
+        root = root_modulo_square(-gap, r)
+    require(root is not None, "one of ±δ is a square modulo r")
+    root = (root or 0) if draw.boolean() else square - (root or 0)
+    for k in range(root, root + _GAP_TRIES * square, square):
+        direction = two_squares((k * k + gap) // square)
+        if direction is not None:
+            break
+    else:
+        draw.reject()
+    f = with_cross(direction, k * draw.sign(), draw.integer(-2, 1))
+    figure = placed(draw_point(draw, size), r, f, direction)
+    require(discriminant(figure) == gap, "Δ' = δ")
+    return figure
+
+
+def slid(draw: Draw, size: int, along: int, kind: str) -> Figure:
+    """A line of any kind, A slid along it by up to `along` steps of D and at least an eighth of that.
+
+    Only b' = f·D grows: b'²/|Δ'| is about (along·|D|/r)², and b'² − a·c loses twice as many digits.
+    """
+    p, q, h = pythagorean(draw, max(5, size // 4))
+    radius = draw.integer(max(2, size // 8), size)
+    clear = max(1, radius // 8)
+    distance = {
+        TANGENT: radius * h,
+        HIT: draw.integer(0, (radius - clear) * h),
+        MISS: draw.integer((radius + clear) * h, 2 * (radius + clear) * h),
+    }[kind]
+    steps = draw.integer(max(1, along // 8), along) * draw.sign()
+    figure = placed(draw_point(draw, size), radius, with_cross((p, q), distance * draw.sign(), steps), (p, q))
+    require_kind(figure, kind)
     return figure
 
 

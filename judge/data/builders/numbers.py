@@ -40,6 +40,48 @@ def pythagorean(draw: Draw, size: int) -> tuple[int, int, int]:
     return (p, q, h) if draw.boolean() else (q, p, h)
 
 
+def off_by_one(draw: Draw, size: int, power: int) -> tuple[int, int, int]:
+    """(x, y, r) with x² + y² − r² = power, which is 1 or −1; none above `size`, x and y in any ratio.
+
+    With p·s + q·w = 2: x = (pq + sw)/2, y = (qw − ps)/2, r = (sw − pq)/2 give 1. With p·s − q·w = 1 and
+    y = pw + qs: y² + 1 = (p² + q²)(s² + w²), and r + x and r − x are these factors.
+    """
+    reach = max(4, isqrt(size if power == 1 else size // 2))
+    p, q = (draw.integer(1 + reach // 2, reach) for _ in range(2))
+    if (p + q) % 2 == 0:
+        q -= 1  # r and x are halves of sums: p and q of different parity make them whole
+    s, w, common = bezout(p, q)
+    if common != 1:
+        draw.reject()
+    back = -1 if s > 0 else 1  # s and s + back·q are of different signs, so both are at most q
+    if power == 1:
+        turns = draw.choice((0, back))
+        s, w = 2 * s + turns * q, 2 * w - turns * p
+        x, y, r = (p * q + s * w) // 2, (q * w - p * s) // 2, abs(s * w - p * q) // 2
+    else:
+        turns = back if (s + w) % 2 == 0 else 0
+        s, w = s + turns * q, -w + turns * p
+        first, second = p * p + q * q, s * s + w * w
+        x, y, r = (first - second) // 2, p * w + q * s, (first + second) // 2
+    require(x * x + y * y - r * r == power, f"x² + y² − r² = {power}")
+    return x, y, r
+
+
+def root_modulo_square(n: int, prime: int) -> int | None:
+    """A root of n modulo prime², for a prime 4m + 3, or None where there is none or n is a multiple of it.
+
+    Modulo the prime it is a power of n; Hensel's step then makes it one modulo the square.
+    """
+    require(prime % 4 == 3, "the prime is of the form 4m + 3")
+    root = pow(n, (prime + 1) // 4, prime)
+    if root == 0 or root * root % prime != n % prime:
+        return None
+    square = prime * prime
+    root -= (root * root - n) * pow(2 * root, -1, square)
+    require((root * root - n) % square == 0, "the root is one")
+    return root % square
+
+
 def is_prime(n: int) -> bool:
     """Whether n is prime, by the Miller–Rabin test; proven below 3e24, and beyond all doubt of use above."""
     if n < 2:

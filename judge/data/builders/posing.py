@@ -13,6 +13,7 @@ then takes the figure to any direction, place, size and number type:
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from judge.data.builders import require
 from judge.data.builders.numbers import pythagorean
@@ -28,11 +29,14 @@ from judge.data.builders.transform import (
     typed,
 )
 from judge.data.draw import Draw
-from judge.spec.model import Case, Point
+from judge.spec.model import Case, Number, Point
 
 POSES = ("axis", "exact", "any")
 CLEAR = 10**7  # units to a level one, for a gap that is to be just wider than 1e-7 of the extent
 WITHIN = 10**15  # and for one that is to be within 1e-12 of it
+
+TRILLION = 10**12  # units of an extent whose band is one unit wide, exactly
+EDGE_BITS = 12  # 10**12 units of 2**-12 are within the bounds, and doubles hold twice as many
 
 _SMALL_TRIPLES = 30  # bounds the hypotenuse, by which an exact turn enlarges a figure
 
@@ -99,6 +103,19 @@ def hair(draw: Draw, span: int, *, within: bool, bits: int) -> tuple[int, int]:
         return span * draw.integer(100, 300), WITHIN
     width = 2 << draw.integer(0, bits - 1)
     return span * draw.integer(width, 2 * width - 1), CLEAR
+
+
+def lopsided_tangent(draw: Draw, size: int, ratio: Sequence[int]) -> tuple[int, int, Number]:
+    """(radius, away, changed): a circle to touch, a distance of `ratio` (bounds) radii, and a radius that is
+    off by most of the band that belongs to an extent of that distance.
+    """
+    radius = draw.integer(5, size)
+    away = radius * draw.integer(*ratio)
+    gap, divisor = hair(draw, away, within=True, bits=1)
+    changed = float(radius + Fraction(gap * draw.sign(), divisor))
+    change = abs(Fraction(changed) - radius) / away
+    require(Fraction(9, 10**14) < change < Fraction(4, 10**13), "the radius is off by most of the band")
+    return radius, away, changed
 
 
 def rational_chord(draw: Draw, size: int) -> tuple[int, int, int]:

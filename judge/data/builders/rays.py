@@ -14,8 +14,8 @@ from math import isqrt, ldexp, sqrt
 from typing import Any
 
 from judge.data.builders import require
-from judge.data.builders.posing import hair, posed, rational_chord
-from judge.data.builders.transform import Figure, draw_point, ray, typed
+from judge.data.builders.posing import EDGE_BITS, TRILLION, hair, lopsided_tangent, posed, rational_chord
+from judge.data.builders.transform import Figure, draw_mirrored, draw_point, moved, ray, scaled, typed
 from judge.data.draw import Draw
 from judge.spec.model import Case, Number, Point
 
@@ -190,8 +190,35 @@ def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[i
     return _posed(draw, radius, offsets[kind] * draw.sign(), -distance, centre=0, **pose)
 
 
-def cancellation(draw: Draw, *, size: int, numbers: str) -> Case:
-    """A root so near the origin that −b ± √Δ loses its digits: f·f − r² is small, f·D is not. Integers.
+def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Case:
+    """A banded tangent along an axis, `ratio` (bounds) radii ahead: one coordinate alone makes the extent."""
+    radius, away, changed = lopsided_tangent(draw, size, ratio)
+    figure = ray((0, 0), changed, (-away, radius * draw.sign()), (draw.integer(1, _STEPS), 0))
+    return posed(draw, figure, poses=("axis",), centre=1, **pose)
+
+
+def band_edge(draw: Draw, *, where: Sequence[str], size: int) -> Case:
+    """Exactly at the edge of the band, in doubles: a tangent by hit or miss, or the origin, just inside.
+
+    An extent of 10¹² steps of 2⁻¹² makes its trillionth one step.
+    """
+    kind = draw.choice(where)
+    require(kind in ("hit", "miss", "origin"), f"{kind!r} is an edge of the band")
+    step = draw.integer(1, _STEPS) << EDGE_BITS
+    if kind == "origin":
+        figure = ray((0, 0), TRILLION, (TRILLION - 1, 0), (step * draw.sign(), 0))
+    else:
+        radius = draw.integer(1, size) << EDGE_BITS
+        height = (radius - 1 if kind == "hit" else radius + 1) * draw.sign()
+        figure = ray((0, 0), radius, (-TRILLION, height), (step, 0))
+        require(figure.extent == TRILLION, "a step is a trillionth of the extent")
+    figure = scaled(draw_mirrored(draw, figure), -EDGE_BITS)
+    return moved(figure, *draw_point(draw, size)).case
+
+
+def cancellation(draw: Draw, *, size: int, numbers: str, scale: int = 0) -> Case:
+    """A root so near the origin that −b ± √Δ loses its digits: f·f − r² is small, f·D is not. Integers,
+    times 2**scale.
 
     The origin is just outside the circle and looks across it, or just inside and looks out. Only f·f −
     r², which is exact here, knows the root; the chord is long, so that the other root is known well.
@@ -213,7 +240,7 @@ def cancellation(draw: Draw, *, size: int, numbers: str) -> Case:
         direction = (-direction[0], -direction[1])
     centre = draw_point(draw, size)
     origin = (centre[0] + f[0], centre[1] + f[1])
-    return typed(draw, ray(centre, radius, origin, direction), numbers).case
+    return typed(draw, scaled(ray(centre, radius, origin, direction), scale), numbers).case
 
 
 def _posed(
@@ -282,4 +309,6 @@ RAY_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "point-circle": point_circle,
     "far-circle": far_circle,
     "cancellation": cancellation,
+    "lopsided": lopsided,
+    "band-edge": band_edge,
 }

@@ -1,0 +1,132 @@
+"""The kill matrix: which group rejects which wrong program, and how few cases would do.
+
+Pure computing on what judging the wrong programs came to; nothing is run here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+
+from msgspec import Struct
+
+from judge.run.result import GroupResult
+from judge.spec import Group
+
+
+class Kill(Struct, frozen=True):
+    """What one group does to one wrong program: `rejected` of its `cases`, numbered from 1."""
+
+    group: str
+    rejected: tuple[int, ...]
+    cases: int
+
+    @property
+    def share(self) -> Fraction:
+        """The part of the group's cases that the program gets wrong."""
+        return Fraction(len(self.rejected), self.cases)
+
+
+class Row(Struct, frozen=True):
+    """A wrong program: its mistake, the groups whose `kills` name that, and every group's effect in order."""
+
+    file: str  # as wrong/absolute-epsilon.py
+    mistake: str
+    aimed: tuple[str, ...]
+    kills: tuple[Kill, ...]
+
+    @property
+    def killing(self) -> tuple[Kill, ...]:
+        """The groups that reject it."""
+        return tuple(kill for kill in self.kills if kill.rejected)
+
+    @property
+    def own(self) -> Kill | None:
+        """Of the groups that name its mistake and reject it, the one that does so in the largest share."""
+        named = [kill for kill in self.killing if kill.group in self.aimed]
+        return max(named, key=lambda kill: kill.share, default=None)
+
+
+class CaseName(Struct, frozen=True, order=True):
+    """A case: its group and its number in it, from 1."""
+
+    group: str
+    case: int
+
+
+class Matrix(Struct, frozen=True):
+    """All wrong programs of a problem against all its groups.
+
+    `aimless` are the groups whose `kills` name nothing, `replaceable` those of the others that are the only
+    ones to reject no program: without such a group every wrong program still dies. `cover` is a set of cases
+    that together reject every program that any case rejects, chosen greedily: no smallest one, but one that
+    is larger by a factor of the logarithm of the number of programs at most.
+    """
+
+    groups: tuple[str, ...]
+    rows: tuple[Row, ...]
+    aimless: tuple[str, ...]
+    replaceable: tuple[str, ...]
+    cover: tuple[CaseName, ...]
+
+    @property
+    def unkilled(self) -> tuple[Row, ...]:
+        """The programs that no group rejects."""
+        return tuple(row for row in self.rows if not row.killing)
+
+
+def kill_matrix(
+    groups: Sequence[Group], programs: Iterable[tuple[str, str, Sequence[GroupResult]]]
+) -> Matrix:
+    """The matrix of wrong programs, each given as its file, its mistake and the results of its groups.
+
+    A case counts as it went within its group: a program that keeps state may pass it when called alone. What
+    was never run, since the program had been given up, rejects nothing.
+    """
+    rows = tuple(_row(groups, file, mistake, results) for file, mistake, results in programs)
+    needed = {row.killing[0].group for row in rows if len(row.killing) == 1}
+    return Matrix(
+        groups=tuple(group.name for group in groups),
+        rows=rows,
+        aimless=tuple(group.name for group in groups if not group.kills),
+        replaceable=tuple(group.name for group in groups if group.kills and group.name not in needed),
+        cover=greedy_cover(_rejecting(rows)),
+    )
+
+
+def greedy_cover(rejecting: Mapping[CaseName, frozenset[int]]) -> tuple[CaseName, ...]:
+    """Cases whose programs together are all programs: each time the one with most that are still missing.
+
+    Among equals the earliest of the mapping. (Chvátal 1979: at most 1 + ln n times the least number.)
+    """
+    missing = frozenset().union(*rejecting.values())
+    chosen = []
+    while missing:
+        best = max(rejecting, key=lambda case: len(rejecting[case] & missing))
+        chosen.append(best)
+        missing -= rejecting[best]
+    return tuple(chosen)
+
+
+def _row(groups: Sequence[Group], file: str, mistake: str, results: Sequence[GroupResult]) -> Row:
+    return Row(
+        file,
+        mistake,
+        tuple(group.name for group in groups if mistake in group.kills),
+        tuple(
+            Kill(result.name, tuple(index + 1 for index in result.rejected), result.cases)
+            for result in results
+        ),
+    )
+
+
+def _rejecting(rows: Sequence[Row]) -> dict[CaseName, frozenset[int]]:
+    """For every case that rejects anything, in the order of the data, the places of the rows it rejects."""
+    found: dict[CaseName, set[int]] = {}
+    for place, row in enumerate(rows):
+        for kill in row.killing:
+            for case in kill.rejected:
+                found.setdefault(CaseName(kill.group, case), set()).add(place)
+    order = {kill.group: place for row in rows[:1] for place, kill in enumerate(row.kills)}
+    names = sorted(found, key=lambda name: (order.get(name.group, len(order)), name.case))
+    return {name: frozenset(found[name]) for name in names}

@@ -1,0 +1,162 @@
+"""Small wrong changes of a program, one at a time: what the test data should notice.
+
+    operators    + ↔ -, * ↔ /, // → /, % → *, ** → *, and ↔ or, min ↔ max
+    signs        -x → x, abs(x) → x, not x → x
+    comparisons  < ↔ <=, > ↔ >=, and every comparison by its opposite
+    constants    an int by one up and down; a float doubled and halved, one below 1e-3 times and by 10,000
+    names        a name read in a function → another one bound there that differs in one letter
+
+No tool for mutation testing judges by anything but a test suite's exit status, in the same process or one for
+every mutant; here a mutant is a submission, and it is judged as one.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+_OPERATORS = {
+    ast.Add: (ast.Sub,),
+    ast.Sub: (ast.Add,),
+    ast.Mult: (ast.Div,),
+    ast.Div: (ast.Mult,),
+    ast.FloorDiv: (ast.Div,),
+    ast.Mod: (ast.Mult,),
+    ast.Pow: (ast.Mult,),
+}
+_COMPARISONS = {
+    ast.Lt: (ast.LtE, ast.GtE),
+    ast.LtE: (ast.Lt, ast.Gt),
+    ast.Gt: (ast.GtE, ast.LtE),
+    ast.GtE: (ast.Gt, ast.Lt),
+    ast.Eq: (ast.NotEq,),
+    ast.NotEq: (ast.Eq,),
+    ast.In: (ast.NotIn,),
+    ast.NotIn: (ast.In,),
+    ast.Is: (ast.IsNot,),
+    ast.IsNot: (ast.Is,),
+}
+_CALLS = {"min": "max", "max": "min"}
+_TINY = 1e-3
+_FAR = 1e4  # a threshold is meant to lie anywhere within five powers of ten: a small step says nothing
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """A changed program; `was` and `becomes` are the one line (as `ast.unparse` writes it) that differs.
+
+    `number` counts the mutants of one file that agree in both lines, from 1.
+    """
+
+    was: str
+    becomes: str
+    number: int
+    source: str
+
+
+def mutants(source: str) -> list[Mutant]:
+    """Every mutant of a program, in the order of its text."""
+    tree = ast.parse(source)
+    before = ast.unparse(tree).splitlines()
+    seen: Counter[tuple[str, str]] = Counter()
+    found = []
+    for place, node in enumerate(ast.walk(tree)):
+        for changed in _changes(node, _names_around(tree, node)):
+            text = ast.unparse(_replaced(tree, place, changed))
+            lines = text.splitlines()
+            different = [(a, b) for a, b in zip(before, lines, strict=True) if a != b]
+            if not different:
+                continue
+            ((was, becomes),) = different
+            key = was.strip(), becomes.strip()
+            seen[key] += 1
+            found.append(Mutant(*key, seen[key], text + "\n"))
+    return found
+
+
+def _changes(node: ast.AST, names: frozenset[str]) -> Iterator[ast.expr]:
+    """What an expression may become."""
+    match node:
+        case ast.BinOp():
+            for operator in _OPERATORS.get(type(node.op), ()):
+                yield ast.BinOp(node.left, operator(), node.right)
+        case ast.BoolOp():
+            yield ast.BoolOp(ast.Or() if isinstance(node.op, ast.And) else ast.And(), node.values)
+        case ast.UnaryOp(op=ast.USub() | ast.Not()):
+            yield node.operand
+        case ast.Compare():
+            yield from _comparisons(node)
+        case ast.Call(func=ast.Name(id="abs"), args=[argument]):
+            yield argument
+        case ast.Call(func=ast.Name(id=name)) if name in _CALLS:
+            yield ast.Call(ast.Name(_CALLS[name], ast.Load()), node.args, node.keywords)
+        case ast.Constant(value=value) if type(value) in (int, float):
+            yield from (ast.Constant(other) for other in _numbers(value))
+        case ast.Name(ctx=ast.Load()):
+            other = _twin(node.id, names)
+            if other is not None:
+                yield ast.Name(other, ast.Load())
+
+
+def _comparisons(node: ast.Compare) -> Iterator[ast.Compare]:
+    for index, operator in enumerate(node.ops):
+        for other in _COMPARISONS[type(operator)]:
+            yield ast.Compare(
+                node.left, [*node.ops[:index], other(), *node.ops[index + 1 :]], node.comparators
+            )
+
+
+def _numbers(value: float) -> tuple[float, ...]:
+    if isinstance(value, int):
+        return value + 1, value - 1
+    if value == 0:
+        return (1.0,)
+    return (value * _FAR, value / _FAR) if abs(value) < _TINY else (value * 2, value / 2)
+
+
+def _twin(name: str, names: frozenset[str]) -> str | None:
+    """The first name of the same length that differs in one letter: ax for ay, dx for dy."""
+    alike = [
+        other
+        for other in sorted(names)
+        if len(other) == len(name) > 1 and sum(a != b for a, b in zip(name, other, strict=True)) == 1
+    ]
+    return alike[0] if alike else None
+
+
+def _names_around(tree: ast.Module, node: ast.AST) -> frozenset[str]:
+    """The names bound in the innermost function that a name is read in."""
+    if not isinstance(node, ast.Name):
+        return frozenset()
+    around = [
+        function
+        for function in ast.walk(tree)
+        if isinstance(function, ast.FunctionDef) and any(each is node for each in ast.walk(function))
+    ]
+    if not around:
+        return frozenset()
+    inner = min(around, key=lambda function: sum(1 for _ in ast.walk(function)))
+    bound = {argument.arg for argument in inner.args.args}
+    bound |= {
+        each.id for each in ast.walk(inner) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+    }
+    return frozenset(bound)
+
+
+def _replaced(tree: ast.Module, place: int, changed: ast.expr) -> ast.Module:
+    """A copy of the tree in which the node at that place of the walk is another one."""
+    twin = copy.deepcopy(tree)
+    target = next(node for index, node in enumerate(ast.walk(twin)) if index == place)
+    return ast.fix_missing_locations(_Exchange(target, changed).visit(twin))
+
+
+class _Exchange(ast.NodeTransformer):
+    def __init__(self, target: ast.AST, changed: ast.expr) -> None:
+        self._target = target
+        self._changed = changed
+
+    def visit(self, node: ast.AST) -> ast.AST:
+        return self._changed if node is self._target else self.generic_visit(node)

@@ -1,0 +1,93 @@
+"""The mutants of the accepted solutions: made as they say, killed, or listed as right with a reason."""
+
+from __future__ import annotations
+
+import ast
+import random
+
+import pytest
+from mutants import mutants
+from mutate import PROBLEMS, equivalents, main, mutants_of, outcomes
+
+SAMPLE = {"listed": 3, "others": 6}  # of each problem; the command judges all of them
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_cache(tmp_path_factory):
+    """The person's own cache stays out of it."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def changes(source):
+    return [(mutant.was, mutant.becomes) for mutant in mutants(source)]
+
+
+@pytest.mark.parametrize(
+    ("source", "becomes"),
+    [
+        ("a + b", ["a - b"]),
+        ("a // b", ["a / b"]),
+        ("a ** b", ["a * b"]),
+        ("a and b or c", ["(a and b) and c", "(a or b) or c"]),
+        ("max(a, b)", ["min(a, b)"]),
+        ("-a", ["a"]),
+        ("not a", ["a"]),
+        ("abs(a)", ["a"]),
+        ("a < b", ["a <= b", "a >= b"]),
+        ("a <= b > c", ["a < b > c", "a > b > c", "a <= b >= c", "a <= b <= c"]),
+        ("a == b", ["a != b"]),
+        ("a is None", ["a is not None"]),
+        ("f(3)", ["f(4)", "f(2)"]),
+        ("f(0.5)", ["f(1.0)", "f(0.25)"]),
+        ("f(1e-10)", ["f(1e-06)", "f(1e-14)"]),
+        ("f(0.0)", ["f(1.0)"]),
+        ("f('text', True, None)", []),
+    ],
+)
+def test_what_an_expression_becomes(source, becomes):
+    expected = sorted(ast.unparse(ast.parse(text)) for text in becomes)
+    assert sorted(after for _, after in changes(source)) == expected
+
+
+def test_a_name_is_exchanged_for_one_like_it_in_its_function():
+    source = "def f(dx, dy, r):\n    return g(dx) * r\n\ndef g(dz):\n    return dz\n"
+    assert ("return g(dx) * r", "return g(dy) * r") in changes(source)
+    assert not any("dz" in after and "dx" in before for before, after in changes(source))
+    assert not any(before == "return dz" for before, _ in changes(source))
+
+
+def test_equal_changes_of_equal_lines_are_numbered():
+    found = mutants("f(a + b)\nf(a + b)\n")
+    assert [(mutant.becomes, mutant.number) for mutant in found] == [("f(a - b)", 1), ("f(a - b)", 2)]
+    assert [mutant.source for mutant in found] == ["f(a - b)\nf(a + b)\n", "f(a + b)\nf(a - b)\n"]
+
+
+@pytest.fixture(scope="module", params=PROBLEMS)
+def made(request):
+    return request.param, mutants_of(request.param)
+
+
+def test_no_entry_of_the_list_is_stale(made):
+    problem, found = made
+    listed = {key for key in equivalents() if key.file.startswith(f"{problem}/")}
+    assert listed <= {key for key, _ in found}
+    assert len({key for key, _ in found}) == len(found)
+    assert len(listed) * 8 < len(found), "data that most mutants survive are no data"
+
+
+def test_a_sample_fares_as_the_list_says(made):
+    problem, found = made
+    known = equivalents()
+    chance = random.Random(problem)
+    listed = [item for item in found if item[0] in known]
+    others = [item for item in found if item[0] not in known]
+    chosen = chance.sample(listed, min(SAMPLE["listed"], len(listed)))
+    chosen += chance.sample(others, SAMPLE["others"])
+    assert [f"{each.key}: {each.fault}" for each in outcomes(problem, chosen, known) if each.fault] == []
+
+
+def test_the_command_counts_what_it_judged(capsys):
+    assert main(["exact-count", "--solution", "cross_product", "--sample", "2"]) == 0
+    assert capsys.readouterr().out == "2 mutants, 0 survivors, 0 to look at\n"

@@ -1,0 +1,98 @@
+"""The kill matrix: who kills whom, which group is needed, and a small set of cases that suffices."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from judging import make_group
+from msgspec.structs import replace
+
+from judge.report.values import percent
+from judge.report.verified import matrix_lines
+from judge.run.matrix import CaseName, greedy_cover, kill_matrix
+from judge.run.result import GroupResult
+from judge.spec import Verdict
+
+
+def group(name, *kills):
+    return replace(make_group(name), kills=kills)
+
+
+def results(cases=10, **rejected):
+    """A program's results: the places of the rejected cases of each group."""
+    return [
+        GroupResult(
+            name, Verdict.WA if places else Verdict.AC, cases, cases - len(places), None, 0.0, 0, places
+        )
+        for name, places in rejected.items()
+    ]
+
+
+GROUPS = [group("examples"), group("grid", "blind", "deaf"), group("edge", "deaf"), group("spare", "blind")]
+PROGRAMS = [
+    ("wrong/blind.py", "blind", results(examples=(), grid=(0, 1, 2), edge=(), spare=(4,))),
+    ("wrong/deaf.py", "deaf", results(examples=(), grid=(2,), edge=(5, 6), spare=())),
+    ("wrong/deaf-once.py", "deaf", results(examples=(), grid=(), edge=(6,), spare=())),
+    ("wrong/immortal.py", "dumb", results(examples=(), grid=(), edge=(), spare=())),
+]
+
+
+@pytest.fixture(scope="module")
+def matrix():
+    return kill_matrix(GROUPS, PROGRAMS)
+
+
+def test_a_row_tells_every_groups_share(matrix):
+    blind, deaf, once, immortal = matrix.rows
+    assert [kill.rejected for kill in blind.kills] == [(), (1, 2, 3), (), (5,)]
+    assert [kill.share for kill in blind.killing] == [Fraction(3, 10), Fraction(1, 10)]
+    assert (blind.aimed, deaf.aimed, immortal.aimed) == (("grid", "spare"), ("grid", "edge"), ())
+    assert [row.own and row.own.group for row in matrix.rows] == ["grid", "edge", "edge", None]
+    assert [kill.group for kill in once.killing] == ["edge"]
+
+
+def test_groups_that_do_nothing_of_their_own(matrix):
+    assert matrix.aimless == ("examples",)
+    assert matrix.replaceable == ("grid", "spare")
+    assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
+
+
+def test_the_cover_rejects_every_program_that_can_be(matrix):
+    assert matrix.cover == (CaseName("grid", 3), CaseName("edge", 7))
+    for row in matrix.rows[:3]:
+        assert any(
+            case.case in kill.rejected
+            for case in matrix.cover
+            for kill in row.kills
+            if kill.group == case.group
+        )
+
+
+def test_no_program_needs_no_case():
+    empty = kill_matrix(GROUPS, [])
+    assert (empty.rows, empty.cover, empty.unkilled) == ((), (), ())
+
+
+def test_the_greedy_choice_takes_most_first():
+    a, b, c = (CaseName("g", number) for number in (1, 2, 3))
+    assert greedy_cover({a: frozenset({1}), b: frozenset({1, 2}), c: frozenset({3})}) == (b, c)
+    assert greedy_cover({a: frozenset({1}), b: frozenset({1})}) == (a,)
+
+
+@pytest.mark.parametrize(
+    ("share", "text"),
+    [((0, 5), "0%"), ((5, 5), "100%"), ((1, 900), "1%"), ((899, 900), "99%"), ((1, 3), "33%")],
+)
+def test_a_share_is_all_or_nothing_only_where_it_is(share, text):
+    assert percent(Fraction(*share)) == text
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, None])
+def test_the_matrix_on_the_screen(matrix, width):
+    lines = ["".join(span.text for span in line) for line in matrix_lines(matrix, width)]
+    text = " ".join(" ".join(lines).split())
+    assert "deaf 20% edge, grid 10%" in text or width == 40
+    for said in ("blind", "immortal", "no group", "grid, spare", "2 cases", "3 programs", "grid 3, edge 7"):
+        assert said in text or width == 40
+    assert width is None or max(map(len, lines)) <= width
