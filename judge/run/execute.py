@@ -201,7 +201,7 @@ class _Judging:
         tally.run = True
         self._after_calls(tally)
         with self._lock:
-            self._timeouts += tally.verdict is Verdict.TLE
+            self._timeouts += tally.verdict is Verdict.TLE or tally.out_of_time
 
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:

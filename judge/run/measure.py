@@ -16,7 +16,7 @@ from judge.spec import Case, Problem, Verdict
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
-_MORE_WALL_SECONDS = 2.0
+_MORE_WALL_SECONDS = 4.0
 _AGAIN = "when it was run again to be timed"
 
 

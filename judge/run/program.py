@@ -70,6 +70,8 @@ def judge_program(box: Box, tally: Tally) -> None:
     result = box.run_program(render_group(cases), group_limits(problem, tally.usage))
     tally.usage += result.usage
     complete = result.stop is Stop.ANSWERED
+    if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
+        tally.failed(0, VERDICTS[result.stop], result.detail)
     lines = answer_lines(result.stdout, complete=complete)
     surplus = lines[len(cases) :]
     compared = lines[: len(cases) - bool(surplus)]

@@ -127,6 +127,12 @@ class Tally:
         text = wanted_text if self._mode is Mode.FUNCTION else render_target
         return text(self.group.targets[index])
 
+    @property
+    def out_of_time(self) -> bool:
+        """Whether its time is used up, whatever else it may have done: filled memory, say."""
+        left = group_limits(self.problem, self.usage)
+        return not (left.cpu_seconds and left.wall_seconds)
+
     def result(self) -> GroupResult:
         """The group's outcome; cases that were never run have not passed."""
         group = self.group.group

@@ -67,7 +67,8 @@ def overrun(done: Done, limits: Limits, printed: int, note: tuple[int, str]) -> 
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
     if printed > limits.output_bytes or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
-        return Stop.OUTPUT, text or f"wrote more than {_size(limits.output_bytes)}"
+        own = text if kind == wire.TOO_MUCH else ""  # not the error of the write that failed
+        return Stop.OUTPUT, own or f"wrote more than {_size(limits.output_bytes)}"
     return None
 
 

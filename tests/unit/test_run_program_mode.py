@@ -105,3 +105,8 @@ def test_a_file_that_reads_nothing_is_told_what_it_was_taken_for():
 
 def test_a_program_that_reads_is_not_told_about_functions():
     assert judged("input()").failure.message == "0 lines printed, 4 wanted: one for each case"
+
+
+def test_a_flood_of_lines_is_a_flood_whatever_the_lines_are():
+    result = judged("input()\nwhile True: print(1)")
+    assert (result.verdict, result.failure.message) == (Verdict.OLE, "wrote more than 1 MB")

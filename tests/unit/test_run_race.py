@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
@@ -77,9 +75,7 @@ def test_who_answers_alike_has_a_ratio(timed, source):
     ],
 )
 def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, verdict, message):
-    began = time.monotonic()
     result = timed(source.format(deed=deed))
-    assert time.monotonic() - began < 15
     assert result.verdict is verdict
     assert message in result.failure.message
     assert "when it was run again to be timed" in result.failure.message

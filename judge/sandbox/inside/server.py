@@ -141,7 +141,7 @@ class Server:
             for module in modules:
                 try:
                     __import__(module)
-                except Exception:
+                except Exception:  # not installed or broken: the submission's own import says so
                     continue
             self._code = compile(self._source, self._name, "exec", dont_inherit=True)
             gc.collect()
