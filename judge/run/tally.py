@@ -110,6 +110,7 @@ class Tally:
 
         describe = outline if self._mode is Mode.FUNCTION else line_outline
         return describe(self.problem.answer, given)
+
     def not_run(self, message: str) -> None:
         """Record that no case of it was run."""
         self.failed(0, Verdict.TLE, message)
