@@ -24,7 +24,7 @@ from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import measure
-from judge.diagnose.trial import LIMITED, Budget, Clock, Finding, Trial
+from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
 from judge.run.result import Failure, Mode
 from judge.run.tally import named_input
 from judge.sandbox import Box
@@ -143,6 +143,8 @@ class _Search:
 
     def _confirmed(self, best: Finding) -> Finding:
         """What is shown fails under the problem's own limits too; the search was less patient."""
+        if self._trial.verdict in LIMITED and self._trial.budget.left < SHORT_SECONDS:
+            return best
         return self._trial.again(best.case, best.group) or self._first
 
     def _told(self, best: Finding) -> Counterexample:

@@ -118,7 +118,10 @@ class Trial:
         return self._known[key]
 
     def again(self, case: Case, group: Group) -> Finding | None:
-        """How the case fails when it is called by itself, now and under the problem's own limits."""
+        """How the case fails when it is called by itself, now and under the problem's own limits.
+
+        A call that never ends is waited for as long as the budget lasts: what is shown says how long that was.
+        """
         return next(iter(self._try([case], group, whole=True)), None)
 
     def simplest(self, cases: Iterable[Case], group: Group, *, fair: bool = True) -> Finding | None:
@@ -181,7 +184,10 @@ class Trial:
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use; no more of a person's time than is left, unless `whole`."""
         cpu, wall, memory, output = astuple(self.problem.limits)
-        if not whole:
+        if whole and self.verdict in LIMITED:
+            patience = max(SHORT_SECONDS, round(self.budget.left, 1))
+            cpu, wall = min(cpu, patience), min(wall, patience)
+        elif not whole:
             short = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, short)
             wall = min(wall, max(SHORT_SECONDS, min(2 * short, self.budget.left)))

@@ -114,7 +114,7 @@ def _row(groups: Sequence[Group], file: str, mistake: str, results: Sequence[Gro
         mistake,
         tuple(group.name for group in groups if mistake in group.kills),
         tuple(
-            Kill(result.name, tuple(index + 1 for index in result.rejected), result.cases)
+            Kill(result.name, tuple(index + 1 for index in sorted(result.wrong)), result.cases)
             for result in results
         ),
     )

@@ -31,9 +31,8 @@ class Mode(Enum):
 class GroupResult(Struct, frozen=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
-    `wrong` says what was given where a case, counted from 0, was not answered rightly. The cases before
-    `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
-    `rejected` are the places of the cases that were run and not accepted, from 0.
+    `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. The cases
+    before `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
     """
 
     name: str
@@ -45,7 +44,6 @@ class GroupResult(Struct, frozen=True):
     points: int = 0
     reached: int = 0
     wrong: Mapping[int, Outline] = {}
-    rejected: tuple[int, ...] = ()
 
     @property
     def score(self) -> int:

@@ -46,7 +46,6 @@ class Tally:
         self._data = data
         self._mode = mode
         self._worst: float | None = None
-        self._rejected: list[int] = []
 
     def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
         """What `check` calls if it needs the exact answer of a case."""
@@ -64,7 +63,6 @@ class Tally:
                 self._worst = max(self._worst or 0.0, worst)
             return
         self.wrong[index] = self._outline(given)
-        self._rejected.append(index)
         if self.failure is None:
             self.verdict = Verdict.WA
             self.failure = Failure(
@@ -82,7 +80,7 @@ class Tally:
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
         """Record a case without an answer to compare."""
-        self._rejected.append(index)
+        self.wrong.setdefault(index, (f"stopped {verdict.value}", ()))
         if self.failure is None:
             self.verdict = verdict
             self.failure = Failure(
@@ -114,7 +112,7 @@ class Tally:
     def not_run(self, message: str) -> None:
         """Record that no case of it was run."""
         self.failed(0, Verdict.TLE, message)
-        self._rejected.clear()
+        self.wrong.clear()
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
@@ -147,7 +145,6 @@ class Tally:
             group.points,
             self.reached,
             self.wrong,
-            tuple(self._rejected),
         )
 
 

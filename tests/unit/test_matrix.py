@@ -23,7 +23,13 @@ def results(cases=10, **rejected):
     """A program's results: the places of the rejected cases of each group."""
     return [
         GroupResult(
-            name, Verdict.WA if places else Verdict.AC, cases, cases - len(places), None, 0.0, 0, places
+            name,
+            Verdict.WA if places else Verdict.AC,
+            cases,
+            cases - len(places),
+            None,
+            0.0,
+            wrong=dict.fromkeys(places, ("count", (0.0,))),
         )
         for name, places in rejected.items()
     ]
