@@ -120,7 +120,7 @@ class Trial:
     def again(self, case: Case, group: Group) -> Finding | None:
         """How the case fails when it is called by itself, now and under the problem's own limits.
 
-        A call that never ends is waited for as long as the budget lasts: what is shown says how long that was.
+        A call that never ends is waited for as long as the budget lasts; what is shown says how long.
         """
         return next(iter(self._try([case], group, whole=True)), None)
 
@@ -190,7 +190,7 @@ class Trial:
         elif not whole:
             short = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, short)
-            wall = min(wall, max(SHORT_SECONDS, min(2 * short, self.budget.left)))
+            wall = min(wall, max(SHORT_SECONDS, min(2 * short, round(self.budget.left, 1))))
         return Limits(cpu, wall, memory, output)
 
     def _asked(

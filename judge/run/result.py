@@ -31,7 +31,7 @@ class Mode(Enum):
 class GroupResult(Struct, frozen=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
-    `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. The cases
+    `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. Those
     before `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
     """
 
