@@ -12,15 +12,11 @@ from typing import Any
 
 from judge.data.builders import require
 from judge.data.builders.numbers import off_by_one
-from judge.data.builders.posing import EDGE_BITS, TRILLION, hair, lopsided_tangent, posed, rational_chord
+from judge.data.builders.posing import hair, lopsided_tangent, posed, rational_chord
 from judge.data.builders.transform import (
     Figure,
-    draw_mirrored,
     draw_point,
     line,
-    moved,
-    scaled,
-    swapped,
     typed,
     with_radius,
 )
@@ -184,26 +180,6 @@ def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Cas
     ends = (-draw.integer(1, radius), away)
     figure = level(radius, radius * draw.sign(), *(ends if draw.boolean() else ends[::-1]))
     return posed(draw, with_radius(figure, changed), poses=("axis",), centre=1, **pose)
-
-
-def band_edge(draw: Draw, *, where: Sequence[str], size: int) -> Case:
-    """Exactly at the edge of the band, in doubles: a tangent by hit or miss, an end, or all of A == B.
-
-    An extent of 10¹² steps of 2⁻¹² makes its trillionth one step.
-    """
-    kind = draw.choice(where)
-    require(kind in ("hit", "miss", "end", "point"), f"{kind!r} is an edge of the band")
-    radius = draw.integer(5, size) << EDGE_BITS
-    if kind == "point":
-        figure = level(TRILLION, 0, TRILLION - 1, TRILLION - 1)
-    elif kind == "end":
-        figure = level(radius, 0, radius + 1, TRILLION)
-    else:
-        height = (radius - 1 if kind == "hit" else radius + 1) * draw.sign()
-        figure = level(radius, height, -draw.integer(1, size << EDGE_BITS), TRILLION)
-    require(figure.extent == TRILLION, "a step is a trillionth of the extent")
-    figure = scaled(draw_mirrored(draw, swapped(figure) if draw.boolean() else figure), -EDGE_BITS)
-    return moved(figure, *draw_point(draw, size)).case
 
 
 def point_segment(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
@@ -379,5 +355,4 @@ SEGMENT_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "point-near-circle": point_near_circle,
     "near-far-away": near_far_away,
     "lopsided": lopsided,
-    "band-edge": band_edge,
 }

@@ -35,8 +35,6 @@ POSES = ("axis", "exact", "any")
 CLEAR = 10**7  # units to a level one, for a gap that is to be just wider than 1e-7 of the extent
 WITHIN = 10**15  # and for one that is to be within 1e-12 of it
 
-TRILLION = 10**12  # units of an extent whose band is one unit wide, exactly
-EDGE_BITS = 12  # 10**12 units of 2**-12 are within the bounds, and doubles hold twice as many
 
 _SMALL_TRIPLES = 30  # bounds the hypotenuse, by which an exact turn enlarges a figure
 

@@ -14,8 +14,8 @@ from math import isqrt, ldexp, sqrt
 from typing import Any
 
 from judge.data.builders import require
-from judge.data.builders.posing import EDGE_BITS, TRILLION, hair, lopsided_tangent, posed, rational_chord
-from judge.data.builders.transform import Figure, draw_mirrored, draw_point, moved, ray, scaled, typed
+from judge.data.builders.posing import hair, lopsided_tangent, posed, rational_chord
+from judge.data.builders.transform import Figure, draw_point, ray, scaled, typed
 from judge.data.draw import Draw
 from judge.spec.model import Case, Number, Point
 
@@ -197,25 +197,6 @@ def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Cas
     return posed(draw, figure, poses=("axis",), centre=1, **pose)
 
 
-def band_edge(draw: Draw, *, where: Sequence[str], size: int) -> Case:
-    """Exactly at the edge of the band, in doubles: a tangent by hit or miss, or the origin, just inside.
-
-    An extent of 10¹² steps of 2⁻¹² makes its trillionth one step.
-    """
-    kind = draw.choice(where)
-    require(kind in ("hit", "miss", "origin"), f"{kind!r} is an edge of the band")
-    step = draw.integer(1, _STEPS) << EDGE_BITS
-    if kind == "origin":
-        figure = ray((0, 0), TRILLION, (TRILLION - 1, 0), (step * draw.sign(), 0))
-    else:
-        radius = draw.integer(1, size) << EDGE_BITS
-        height = (radius - 1 if kind == "hit" else radius + 1) * draw.sign()
-        figure = ray((0, 0), radius, (-TRILLION, height), (step, 0))
-        require(figure.extent == TRILLION, "a step is a trillionth of the extent")
-    figure = scaled(draw_mirrored(draw, figure), -EDGE_BITS)
-    return moved(figure, *draw_point(draw, size)).case
-
-
 def cancellation(draw: Draw, *, size: int, numbers: str, scale: int = 0) -> Case:
     """A root so near the origin that −b ± √Δ loses its digits: f·f − r² is small, f·D is not. Integers,
     times 2**scale.
@@ -310,5 +291,4 @@ RAY_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "far-circle": far_circle,
     "cancellation": cancellation,
     "lopsided": lopsided,
-    "band-edge": band_edge,
 }
