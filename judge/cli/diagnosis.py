@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -10,10 +11,15 @@ from msgspec.structs import replace
 
 from judge.cli.submissions import Submission
 from judge.data import ProblemData
+from judge.errors import JudgeError
 from judge.report.layout import Span, Style, line
 from judge.report.screen import err
 from judge.run import Mode, Reference, Result
+from judge.run.result import Failure
 from judge.sandbox import Box, BoxFactory
+
+if TYPE_CHECKING:
+    from judge.diagnose import Counterexample
 
 no_shrink_option = click.option(
     "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
@@ -35,32 +41,39 @@ class Diagnosis(Struct, frozen=True):
     regression: Path | None = None
 
     def __call__(self, submission: Submission, result: Result, box: Box) -> Result:
-        """The result with its counterexample."""
-        from judge.diagnose import shrink  # only after a wrong answer
-
+        """The result with its counterexample; a fault in the search is told and leaves the verdict alone."""
         if result.failure is None:
             return result
+        try:
+            found = self._search(result, result.failure, box)
+        except Exception as fault:
+            told = str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
+            _note(f"no smaller case for {submission.name}: {told}")
+            return result
+        if self.regression is not None:
+            self._save(submission, result, found)
+        return result if found is None else replace(result, counterexample=found.as_json())
+
+    def _search(self, result: Result, failure: Failure, box: Box) -> Counterexample | None:
+        from judge.diagnose import shrink  # only after a wrong answer
+
         problem = self.data.problem
         with Reference(problem, self.open_box) as reference:
-            found = shrink(
+            return shrink(
                 problem,
                 self.data,
                 box,
                 result.mode,
                 result.verdict,
-                result.failure,
+                failure,
                 reference=lambda: reference.open(result.mode),
             )
-        if self.regression is not None:
-            self._save(submission, result, found)
-        return result if found is None else replace(result, counterexample=found.as_json())
 
-    def _save(self, submission: Submission, result: Result, found: object) -> None:
-        from judge.diagnose import Counterexample
+    def _save(self, submission: Submission, result: Result, found: Counterexample | None) -> None:
         from judge.diagnose.regression import add_case
 
         assert self.regression is not None
-        if not isinstance(found, Counterexample) or found.replay is None:
+        if found is None or found.replay is None:
             note = f"{submission.name} fails on no case by itself; {self.regression} is as it was"
         elif result.mode is Mode.PROGRAM:
             note = f"{submission.name} is a program, not a function; {self.regression} is as it was"
@@ -68,4 +81,8 @@ class Diagnosis(Struct, frozen=True):
             target = Path(submission.name)
             added = add_case(self.regression, target, self.data, found)
             note = f"{self.regression} {'now holds' if added else 'already held'} {found.replay}"
-        err().show([line(Span("judge:", Style.WARNING), f" {note}")])
+        _note(note)
+
+
+def _note(text: str) -> None:
+    err().show([line(Span("judge:", Style.WARNING), f" {text}")])

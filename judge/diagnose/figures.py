@@ -90,7 +90,7 @@ def _rounded(level: Level, *, is_ray: bool, floats: bool) -> Iterator[Case]:
     length = end - start
     for kept in range(1, _FINEST + 1):
         for coarse in {1, kept}:
-            fine_unit, coarse_unit = Decimal(10) ** (top + 1 - kept), Decimal(10) ** (top + 1 - coarse)
+            fine_unit, coarse_unit = _power(top + 1 - kept), _power(top + 1 - coarse)
             near = [value.quantize(fine_unit) for value in (radius, height)]
             ends = [value.quantize(coarse_unit) for value in (start, end)]
             second = length.quantize(coarse_unit) if is_ray else ends[1]
@@ -104,7 +104,7 @@ def _whole(level: Level, kept: int, is_ray: bool) -> Iterator[Case]:
     radius, height, start, end = level
     if radius == 0:
         return
-    scale = Decimal(10) ** kept / radius
+    scale = _power(kept) / radius
     one = Decimal(1)
     try:
         sized = [(value * scale).quantize(one) for value in (height, start, end)]
@@ -113,9 +113,7 @@ def _whole(level: Level, kept: int, is_ray: bool) -> Iterator[Case]:
     for places in (0, kept):
         ends = [_few(value, 1) if places else value for value in sized[1:]]
         second = ends[1] - ends[0] if is_ray else ends[1]
-        yield _case(
-            Decimal(10) ** kept, abs(sized[0]), ends[0], one if is_ray and places else second, is_ray, False
-        )
+        yield _case(_power(kept), abs(sized[0]), ends[0], one if is_ray and places else second, is_ray, False)
 
 
 def _case(radius: Decimal, height: Decimal, start: Decimal, end: Decimal, is_ray: bool, floats: bool) -> Case:
@@ -124,7 +122,7 @@ def _case(radius: Decimal, height: Decimal, start: Decimal, end: Decimal, is_ray
 
 
 def _few(value: Decimal, digits: int) -> Decimal:
-    return value.quantize(Decimal(10) ** (value.adjusted() + 1 - digits)) if value else value
+    return value.quantize(_power(value.adjusted() + 1 - digits)) if value else value
 
 
 def _number(value: Decimal, floats: bool) -> Number:
@@ -142,6 +140,11 @@ def _difference(x: Number, y: Number) -> Number:
     if isinstance(x, int) and isinstance(y, int):
         return x - y
     return float(Fraction(x) - Fraction(y))
+
+
+def _power(exponent: int) -> Decimal:
+    """10^exponent, of a single digit: what `quantize` needs, and `**` does not give."""
+    return Decimal((0, (1,), exponent))
 
 
 def _decimal(value: Fraction) -> Decimal:

@@ -3,7 +3,8 @@
 A case's numbers come from a small pool, so that many of them are equal: two equal coordinates make a line
 level, a coordinate equal to the radius makes a tangent. The pool's numbers are small integers m, or m·10^k,
 or m·10^k + n, and all may be multiplied by 10^-u. Each rung of the ladder fixes k and u; the first steps
-are the simplest.
+are the simplest. On a lone rung one coordinate of one point is m·10^k and all other numbers are small: a line
+that only just misses a tangent to a small circle at the origin is found in no other way.
 """
 
 from __future__ import annotations
@@ -22,15 +23,22 @@ _POOL = 3
 
 
 class Rung(Struct, frozen=True):
-    """One kind of simple numbers: up to `reach`, with tens of 10^`tens`, in units of 10^-`unit`."""
+    """One kind of simple numbers: up to `reach`, with tens of 10^`tens`, in units of 10^-`unit`.
+
+    With `lone`, a single coordinate has the tens.
+    """
 
     reach: int
     tens: int = 0
     unit: int = 0
     floats: bool = False
+    lone: bool = False
 
     def case(self, draw: Draw, problem: Problem) -> Case:
         """A case of such numbers; it need not keep the bounds or the promise."""
+        return self._lone(draw, problem) if self.lone else self._pooled(draw, problem)
+
+    def _pooled(self, draw: Draw, problem: Problem) -> Case:
         pool = [self._number(draw) for _ in range(_POOL)]
 
         def number(low_is_zero: bool) -> Number:
@@ -48,6 +56,22 @@ class Rung(Struct, frozen=True):
             if parameter.type in _POINTS
             else number(low_is_zero=parameter.low >= 0)
             for parameter in problem.parameters
+        )
+
+    def _lone(self, draw: Draw, problem: Problem) -> Case:
+        points = [parameter.type in _POINTS for parameter in problem.parameters]
+        far = draw.integer(0, 2 * sum(points) - 1)  # the coordinate that is far away
+        coordinates = iter(range(2 * sum(points)))
+
+        def coordinate() -> Number:
+            size = 10**self.tens if next(coordinates) == far else 1
+            return self._typed(draw.integer(size > 1, self.reach) * size * draw.sign())
+
+        return tuple(
+            (coordinate(), coordinate())
+            if is_point
+            else self._typed(draw.integer(0, self.reach) * (parameter.low >= 0))
+            for is_point, parameter in zip(points, problem.parameters, strict=True)
         )
 
     def _number(self, draw: Draw) -> int:
@@ -72,12 +96,14 @@ def ladder(problem: Problem) -> Iterator[Step]:
     yield [(Rung(1), 100), (Rung(3), 400)]
     yield [(Rung(9), 400)]
     if all(parameter.type in _INTEGERS for parameter in problem.parameters):
-        for tens in (1, 2, 3, 4, 6, 8, 10, 16, 20, 30):
+        for tens in (1, 2, 3, 4, 5, 6, 8, 10, 16, 20, 30):
             yield [(Rung(3, tens), 250)]
         return
     yield [(Rung(3, floats=True), 150), (Rung(3, unit=1), 100)]
     for tens in (2, 4, 6, 8):
         yield [(Rung(3, tens), 150), (Rung(3, tens, floats=True), 150)]
+        if tens < 6:
+            yield [(Rung(2, lone, lone=True), 150) for lone in (tens, tens + 1)]
     for unit in (9, 7, 11, 13, 5, 3):
         yield [(Rung(3, unit=unit), 150)]
     for unit in (3, 6):

@@ -240,8 +240,12 @@ class Trial:
     def _rejected(self, case: Case, group: Group, outcome: Rejection) -> Finding:
         kind = self.problem.answer
         off = "off" if outcome.where else "other"
-        got = _shape(kind, outcome.got)  # a wrong 0 is as wrong as any other number
-        way = (_shape(kind, outcome.wanted), "a number" if got == "zero" else got, off)
+        wanted, got = _shape(kind, outcome.wanted), _shape(kind, outcome.got)
+        if got.isdecimal() and got != wanted:  # of a tangent both 0 and 2 are the same mistake
+            got = "another number"
+        elif got == "zero":  # as wrong as any other
+            got = "a number"
+        way = (wanted, got, off)
         texts = outcome.wanted, outcome.got, outcome.message
         return Finding(case, group, measure(case), Verdict.WA, *texts, way)
 

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from cli_support import BROKEN, MEAN, PACK, ROOT
+from cli_support import BROKEN, FLOOR, MEAN, PACK, ROOT
 
 from judge.cli import list as list_module
 from judge.cli import run as run_module
@@ -52,6 +52,19 @@ def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
     assert [result["verdict"] for result in results] == ["JE", "AC"]
     assert results[0]["failure"]["message"] == "middle/problem.py:9: the reference fails"
     assert judge("run", "middle", "team").lines[-1] == "1 of 2 accepted  middle"
+
+
+@pytest.mark.parametrize("fault", [ProblemError("the reference fails"), ArithmeticError("too many digits")])
+def test_a_fault_in_the_search_for_a_smaller_case_leaves_the_verdict_alone(fault, judge, submit, monkeypatch):
+    def faulty(*_arguments, **_settings):
+        raise fault
+
+    monkeypatch.setattr("judge.diagnose.shrink", faulty)
+    ended = judge("run", "middle", submit(FLOOR), "--json")
+    assert (ended.status, json.loads(ended.out)["verdict"]) == (1, "WA")
+    assert ended.err.startswith("judge: no smaller case for mine.py: ")
+    assert ended.err.count("\n") == 1
+    assert str(fault) in ended.err
 
 
 def test_verify_reports_a_broken_problem_as_its_fault(judge):

@@ -14,6 +14,7 @@ from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose import shrink
+from judge.diagnose.figures import levelled
 from judge.diagnose.replay import decode
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.run import Mode, Reference, Settings, run_submission
@@ -219,3 +220,12 @@ def test_a_program_that_keeps_something_between_its_cases_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.as_json()["input"] == result.failure.input
+
+
+@pytest.mark.parametrize("name", ["count", "exact-count", "segment", "ray-nearest"])
+def test_every_case_can_be_laid_level(name):
+    """Whatever the size of its numbers; some of what comes of it is shorter."""
+    data = load_data(find_problem(name))
+    cases = [group.cases[number] for group in data.groups for number in (0, -1)]
+    shorter = [sum(measure(level) < measure(case) for level in levelled(case)) for case in cases]
+    assert sum(map(bool, shorter)) > len(cases) / 2
