@@ -16,6 +16,7 @@ from judge.cli.diagnosis import Diagnosis, no_shrink_option, save_regression_opt
 from judge.cli.naming import Naming
 from judge.cli.options import (
     chosen_groups,
+    db_option,
     group_option,
     json_option,
     problems_option,
@@ -23,6 +24,7 @@ from judge.cli.options import (
     write_json,
 )
 from judge.cli.picture import Drawing, check_svg, svg_option
+from judge.cli.recording import Recording, no_history_option
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
@@ -49,6 +51,8 @@ from judge.spec.find import find_problem
 @no_shrink_option
 @save_regression_option
 @svg_option
+@no_history_option
+@db_option
 @problems_option
 def command(
     name: str,
@@ -63,6 +67,8 @@ def command(
     unshrunk: bool,
     regression: Path | None,
     svg: Path | None,
+    unrecorded: bool,
+    db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Judge submissions on a problem.
@@ -82,7 +88,7 @@ def command(
             agree_on(regression)
         check_svg(svg, len(submissions))
         chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
-        with Containment(problem, level) as containment:
+        with Containment(problem, level) as containment, Recording(db, wanted=not unrecorded) as recording:
             containment.boot(submissions[0].source, submissions[0].name)
             data = _data(problem, seed)
             settings = containment.settings(jobs=jobs, submissions=len(submissions))
@@ -100,11 +106,14 @@ def command(
                 bar=jobs == 1,
                 naming=naming,
             )
-            for result in in_order(submissions, jobs, judge):
+            for submission, result in zip(submissions, in_order(submissions, jobs, judge), strict=True):
                 containment.warn_of(result.isolation)
                 drawing = Drawing(problem, data, result)
-                show.result(result, several=len(submissions) > 1, drawing=drawing)
-                drawing.save(svg)
+                try:
+                    show.result(result, several=len(submissions) > 1, drawing=drawing)
+                    drawing.save(svg)
+                finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
+                    recording.add(submission, result)
     except Exception as fault:
         if as_json and not isinstance(fault, UsageError | OSError):
             for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
