@@ -83,8 +83,17 @@ class Run(Struct, frozen=True):
 
     @property
     def counts(self) -> bool:
-        """Whether it says something of the person: not a fault of the judge's own."""
-        return self.verdict is not Verdict.JE
+        """Whether it says something of the person.
+
+        A fault of the judge's own does not, nor does a problem's own solution: solutions/<problem>/<kind>/.
+        """
+        return self.verdict is not Verdict.JE and not self._by_the_setter
+
+    @property
+    def _by_the_setter(self) -> bool:
+        return f"/solutions/{self.problem}/" in self.path and (
+            self.path.split("/")[-4:-2] == ["solutions", self.problem]
+        )
 
 
 class Current(Struct, frozen=True):
@@ -95,15 +104,11 @@ class Current(Struct, frozen=True):
 
 
 class Help(Struct, frozen=True):
-    """Help taken with a problem: `hints` is how many had been seen then, 0 where it was given up.
-
-    `after` is the number of the last run before it, of any problem, or 0.
-    """
+    """Help taken with a problem: `hints` is how many had been seen then, 0 where it was given up."""
 
     when: datetime
     problem: str
     hints: int
-    after: int
 
     @property
     def gave_up(self) -> bool:
@@ -226,15 +231,13 @@ class History:
     def helps(self, problem: str | None = None) -> list[Help]:
         """The help taken, with one problem or with all; oldest first."""
         where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        rows = self._rows(f"SELECT time, problem, hints, after FROM help {where} ORDER BY id", values)
-        return [Help(_when(time), name, hints, after) for time, name, hints, after in rows]
+        rows = self._rows(f"SELECT time, problem, hints FROM help {where} ORDER BY id", values)
+        return [Help(_when(time), name, hints) for time, name, hints in rows]
 
     def _help(self, problem: str, hints: int) -> None:
         with self._writing() as connection:
             connection.execute(
-                "INSERT INTO help (time, problem, hints, after)"
-                " VALUES (?, ?, ?, (SELECT coalesce(max(id), 0) FROM runs))",
-                (self._time(), problem, hints),
+                "INSERT INTO help (time, problem, hints) VALUES (?, ?, ?)", (self._time(), problem, hints)
             )
 
     def _numbers(self) -> str:

@@ -47,8 +47,7 @@ _PRACTICE = (
         id INTEGER PRIMARY KEY AUTOINCREMENT,
         time INTEGER NOT NULL,
         problem TEXT NOT NULL,
-        hints INTEGER NOT NULL,             -- how many hints had been seen; 0 where it was given up
-        after INTEGER NOT NULL              -- the last run before it
+        hints INTEGER NOT NULL              -- how many hints had been seen; 0 where it was given up
     )""",
     "CREATE INDEX help_with_a_problem ON help (problem, id)",
 )

@@ -79,6 +79,20 @@ def test_only_a_whole_problem_is_solved(history):
     assert [history.run(number).counts for number in (part, whole, fault)] == [True, True, False]
 
 
+@pytest.mark.parametrize(
+    ("path", "counts"),
+    [
+        ("/home/me/segment.py", True),
+        ("", True),
+        ("/judge/solutions/segment/accepted/a.py", False),
+        ("/judge/solutions/count/accepted/a.py", True),
+        ("/judge/solutions/segment/a.py", True),
+    ],
+)
+def test_a_problems_own_solution_says_nothing_of_the_person(path, counts, history):
+    assert history.run(history.add(past_result("segment"), b"", path)).counts is counts
+
+
 def test_the_kata_in_hand(history):
     assert history.current() is None
     history.take_up("count", "/home/me/count.py")
@@ -96,10 +110,10 @@ def test_help_taken(history):
     history.give_up("count")
     assert (history.hints_seen("count"), history.gave_up("count")) == (2, True)
     assert (history.hints_seen("segment"), history.gave_up("segment")) == (0, False)
-    assert [(each.hints, each.after, each.gave_up) for each in history.helps("count")] == [
-        (2, 1, False),
-        (1, 1, False),
-        (0, 1, True),
+    assert [(each.hints, each.gave_up) for each in history.helps("count")] == [
+        (2, False),
+        (1, False),
+        (0, True),
     ]
 
 
