@@ -9,12 +9,14 @@ from typing import Any
 import click
 from msgspec import Struct
 
+from judge.cli.init import write_stub
+from judge.cli.kata import shown
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.errors import ExitCode, UsageError
+from judge.errors import ExitCode
 from judge.kata.history import Current, History
 from judge.kata.sets import USUAL, PracticeSet, find_set
 from judge.kata.standing import Standing, State, standings
-from judge.kata.stub import file_name, make_stub
+from judge.kata.stub import file_name
 from judge.report.practice import all_passed_lines, next_lines, practice_lines
 from judge.report.screen import out
 from judge.spec import Problem
@@ -76,29 +78,10 @@ def _taken_up(history: History, problems: Sequence[Problem], found: Mapping[str,
     path = Path(current.path) if current and known else Path(file_name(problem)).absolute()
     made = not path.exists()
     if made:
-        _begin(problem, path)
+        write_stub(problem, path)
     if not known:
         history.take_up(problem.id, str(path))
-    return _Kata(Current(problem.id, str(path)), _shown(path), made)
-
-
-def _begin(problem: Problem, path: Path) -> None:
-    """Write the stub. Raises UsageError where that cannot be done."""
-    try:
-        with path.open("xb") as file:  # never over a file that is there
-            file.write(make_stub(problem).encode())
-    except OSError as fault:
-        reason = (fault.strerror or "no reason given").lower()
-        remedy = f"name another file: judge init {problem.id} FILE"
-        raise UsageError(f"cannot be written ({reason})", where=str(path), remedy=remedy) from fault
-
-
-def _shown(path: Path) -> str:
-    """The file as a person in this folder would name it."""
-    try:
-        return str(path.relative_to(Path.cwd()))
-    except (ValueError, OSError):
-        return str(path)
+    return _Kata(Current(problem.id, str(path)), shown(path), made)
 
 
 def _as_object(

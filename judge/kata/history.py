@@ -77,8 +77,8 @@ class Run(Struct, frozen=True):
         return found
 
     @property
-    def solved(self) -> bool:
-        """Whether it passed the whole problem: accepted, and no group was left out."""
+    def whole(self) -> bool:
+        """Whether it was accepted with no group left out."""
         return self.verdict is Verdict.AC and self.score >= FULL_SCORE
 
     @property
@@ -88,6 +88,11 @@ class Run(Struct, frozen=True):
         A fault of the judge's own does not, nor does a problem's own solution: solutions/<problem>/<kind>/.
         """
         return self.verdict is not Verdict.JE and not self._by_the_setter
+
+    @property
+    def solved(self) -> bool:
+        """Whether the person solved the problem with it."""
+        return self.whole and self.counts
 
     @property
     def _by_the_setter(self) -> bool:

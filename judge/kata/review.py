@@ -102,7 +102,7 @@ def sittings(runs: Sequence[Run], helps: Sequence[Help]) -> Iterator[Sitting]:
     for run in runs:
         if run.counts and run.passed and run.source_hash not in known:
             events.append(run)
-        if run.solved:
+        if run.whole:  # a model solution too, which may be copied
             known.add(run.source_hash)
     events = sorted([*helps, *events], key=_when)
     begun: list[Run | Help] = []

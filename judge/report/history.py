@@ -38,7 +38,7 @@ def history_lines(runs: Sequence[Run], width: int | None, *, more: bool = False)
         Column("× reference", right=True),
         Column("mistake or failed group", flexible=True),
     )
-    shown = len(columns) - all(run.solved for run in runs)
+    shown = len(columns) - all(run.whole for run in runs)
     rows = [_row(run)[:shown] for run in runs]
     yield from Table(columns[:shown], rows, indent=0).lines(width)
     if more:

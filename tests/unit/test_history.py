@@ -90,7 +90,8 @@ def test_only_a_whole_problem_is_solved(history):
     ],
 )
 def test_a_problems_own_solution_says_nothing_of_the_person(path, counts, history):
-    assert history.run(history.add(past_result("segment"), b"", path)).counts is counts
+    run = history.run(history.add(past_result("segment"), b"", path))
+    assert (run.counts, run.solved, run.whole) == (counts, counts, True)
 
 
 def test_the_kata_in_hand(history):
