@@ -81,7 +81,7 @@ def _due(review: Review, now: datetime) -> str:
 def _went(review: Review) -> str:
     if not review.solved:
         return "never passed"
-    return {Rating.AGAIN: "not", Rating.HARD: "hard", Rating.GOOD: "well", Rating.EASY: "easily"}[
+    return {Rating.AGAIN: "badly", Rating.HARD: "hard", Rating.GOOD: "well", Rating.EASY: "easily"}[
         review.rating
     ]
 
