@@ -34,6 +34,7 @@ from judge.spec import Verdict
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
+_AGAIN = 2.0  # seconds that breaking off may take
 _BELOW = 2  # rows that the keys take, and one to spare
 
 View = Callable[[Screen], str]
@@ -62,8 +63,10 @@ class _Board:
         self._notes = ""
         self._view: View = self._report
         self._asked = ""  # the key before, where it asks for confirmation
-        self._judging = False
         self._leaving = False
+        self._idle = threading.Event()  # not judging
+        self._idle.set()
+        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
 
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
@@ -91,9 +94,17 @@ class _Board:
         """A key, in the thread that reads them: the one that ends it does so in the middle of judging too."""
         if key in _END:
             self._leaving = True
-            if self._judging:
-                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+            while self._interrupt():  # again, if an import has swallowed it
+                self._idle.wait(_AGAIN)
         self._events.put(key)
+
+    def _interrupt(self) -> bool:
+        """Break off judging, as Ctrl-C does; whether there was something to break off."""
+        with self._turn:
+            if self._idle.is_set():
+                return False
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+            return True
 
     def _obey(self) -> Kata | None:
         while not self._leaving:
@@ -117,13 +128,14 @@ class _Board:
             problem = self._kata.problem
             redraw(screen, note_text(f"{problem.id}: {problem.title}", screen, Style.STRONG) + "\n", busy)
         notes = StringIO()
-        self._judging = True
+        self._idle.clear()
         try:
             if not self._leaving:
                 with redirect_stderr(notes):  # which would be drawn over; a progress bar does without
                     self._found = self._desk.judge()
         finally:
-            self._judging = False
+            with self._turn:
+                self._idle.set()
         self._notes = notes.getvalue()
         self._view, self._asked = self._report, ""
         self._draw()

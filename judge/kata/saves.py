@@ -11,6 +11,7 @@ from msgspec import Struct
 
 _STEP = 50  # milliseconds without a further change that end a burst of them
 _BURST = 400  # milliseconds that a burst may last
+_GRACE = 2.0  # seconds for the thread to end
 _PAUSE = 0.05  # seconds in which a file that is written on would change
 _PAUSES = 20  # of them at most
 _PATIENCE = 6  # pauses for a file that is being replaced
@@ -60,12 +61,14 @@ class Saves:
         self._thread = threading.Thread(target=self._watch, name="saves", daemon=True)
 
     def __enter__(self) -> Saves:
+        import watchfiles  # noqa: F401 - not in the thread: Ctrl-C in an import may leave its lock taken
+
         self._thread.start()
         return self
 
     def __exit__(self, *exc: object) -> None:
         self._end.set()
-        self._thread.join()
+        self._thread.join(_GRACE)
 
     def _watch(self) -> None:
         from watchfiles import watch

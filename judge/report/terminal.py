@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
 import os
+import re
 import select
 import shutil
 import threading
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from types import TracebackType
 from typing import Any
 
@@ -16,7 +19,7 @@ _HOME = "\x1b[H"
 _REST_OF_LINE = "\x1b[K"
 _REST_OF_SCREEN = "\x1b[J"
 _TOGETHER = ("\x1b[?2026h", "\x1b[?2026l")  # shown at once where the terminal knows how; ignored elsewhere
-_ESCAPE = b"\x1b"
+_SEQUENCE = re.compile(r"\x1b(\[[0-9;?]*[ -/]*[@-~]|O.|.)?")  # of an arrow, a function key, Alt and a key
 GONE = ""  # told instead of a key when nobody is there any more
 
 
@@ -66,6 +69,7 @@ class Keys:
 
         self._before = termios.tcgetattr(self._terminal)
         self._end, self._stop = os.pipe()
+        atexit.register(self._give_back)  # should a second Ctrl-C come before the first is dealt with
         self.take()
         self._thread.start()
         return self
@@ -73,15 +77,13 @@ class Keys:
     def __exit__(
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
-        import termios
-
         try:
-            termios.tcsetattr(self._terminal, termios.TCSANOW, self._before)
-        except termios.error:  # the terminal is gone
-            pass
+            self._give_back()
+            atexit.unregister(self._give_back)
         finally:
-            os.close(self._stop)
+            os.write(self._stop, b"\0")  # closing would not do: a child may hold a copy
             self._thread.join()
+            os.close(self._stop)
             os.close(self._end)
 
     def take(self) -> None:
@@ -93,6 +95,12 @@ class Keys:
         now[6] = [*now[6]]
         now[6][termios.VMIN], now[6][termios.VTIME] = 1, 0
         termios.tcsetattr(self._terminal, termios.TCSANOW, now)
+
+    def _give_back(self) -> None:
+        import termios
+
+        with suppress(termios.error):  # the terminal is gone
+            termios.tcsetattr(self._terminal, termios.TCSANOW, self._before)
 
     def _read(self) -> None:
         while True:
@@ -110,9 +118,7 @@ class Keys:
 
 
 def _keys(read: bytes) -> Sequence[str]:
-    """The keys of what was read at once: an arrow or a function key is none of ours."""
+    """The keys of what was read at once; those that send a sequence are none of ours."""
     if not read:
         return [GONE]
-    if read.startswith(_ESCAPE):
-        return []
-    return list(read.decode("ascii", "ignore").lower())
+    return list(_SEQUENCE.sub("", read.decode("ascii", "ignore")).lower())
