@@ -33,6 +33,7 @@ COMMANDS = {
     "practice": "Go through a set of katas in order.",
     "progress": "Tick off the skills that your runs have shown.",
     "due": "Say what to do again today.",
+    "report": "Write the history as one HTML page.",
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",
