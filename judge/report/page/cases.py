@@ -31,11 +31,11 @@ def kind_of(run: Run) -> Kind:
     return ("mistake", run.mistake) if run.mistake else ("verdict", run.verdict.value, *run.failed[:1])
 
 
-def anchors(problem: str, runs: Sequence[Run]) -> dict[Kind, str]:
-    """The kinds of failure of a problem that are shown, latest first, each with its place in the page."""
+def anchors(part: str, runs: Sequence[Run]) -> dict[Kind, str]:
+    """The kinds of failure shown of a problem's runs, latest first, each with its place in the page."""
     failed = (kind_of(run) for run in reversed(runs) if _failed(run))
     kinds = list(dict.fromkeys(failed))[:MOST]
-    return {kind: f"{problem}-case-{place}" for place, kind in enumerate(kinds, 1)}
+    return {kind: f"{part}-case-{place}" for place, kind in enumerate(kinds, 1)}
 
 
 def failing_cases(

@@ -71,8 +71,8 @@ def compose_page(
         tried.setdefault(run.problem, []).append(run)
     names = sorted({*by_id, *tried}, key=lambda name: (_place(by_id.get(name)), name))
     parts = {
-        name: _part(name, tried[name], by_id.get(name), sources.get(name, b""))
-        for name in names
+        name: _part(f"problem-{place}", tried[name], by_id.get(name), sources.get(name, b""))
+        for place, name in enumerate(names, 1)
         if name in tried
     }
     return Page(
@@ -131,14 +131,15 @@ def _overview(
 # -- one problem -------------------------------------------------------------------------------------------
 
 
-def _part(name: str, runs: Sequence[Run], known: Known | None, source: bytes) -> ProblemPart:
-    problem = known.problem if known else None
-    places = anchors(name, runs)
+def _part(anchor: str, runs: Sequence[Run], known: Known | None, source: bytes) -> ProblemPart:
+    """`anchor` is its place in the page: a problem's own name may be any word, of the page's own too."""
+    problem, name = known.problem if known else None, runs[0].problem
+    places = anchors(anchor, runs)
     lines = [_run_line(run, places.get(kind_of(run), "")) for run in reversed(runs[-MOST_RUNS:])]
     made = Counter(mistake for run in runs if run.mistake for mistake in run.mistake.split(" + "))
     matrix = known.matrix if known else None
     return ProblemPart(
-        anchor=name,
+        anchor=anchor,
         id=name,
         title=problem.title if problem else name,
         summary=problem.summary if problem else "This problem is not there any more.",
@@ -151,7 +152,7 @@ def _part(name: str, runs: Sequence[Run], known: Known | None, source: bytes) ->
         runs=tuple(lines[:_FIRST_RUNS]),
         earlier=tuple(lines[_FIRST_RUNS:]),
         more=len(runs) - len(lines),
-        plot=ratio_plot(name, runs, problem.time.limit if problem and problem.time else None),
+        plot=ratio_plot(anchor, runs, problem.time.limit if problem and problem.time else None),
         cases=tuple(failing_cases(problem, runs, places, known.advice if known else {})),
         cases_left_out=left_out(runs, places),
         kills=kill_table(matrix, made) if matrix else None,

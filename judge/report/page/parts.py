@@ -17,19 +17,24 @@ class Tile(Struct, frozen=True):
 
 
 class SkillLine(Struct, frozen=True):
-    """One line of the checklist of skills; `since` is when it was ticked, `share` how much of it is shown."""
+    """One line of the checklist of skills.
+
+    `state` is "shown", "part", "lost" (the latest run fails what an earlier one passed) or "open"; `share`
+    says of a part how much it is; `since` is when it was first shown whole.
+    """
 
     name: str
     about: str
-    share: str
+    state: str
+    share: str = ""
     since: datetime | None = None
     attempts: int = 0
     mistakes: tuple[str, ...] = ()
 
     @property
     def ticked(self) -> bool:
-        """Whether all that the skill asks for was passed."""
-        return self.since is not None
+        """Whether all that the skill asks for is passed."""
+        return self.state == "shown"
 
 
 class RunLine(Struct, frozen=True):
