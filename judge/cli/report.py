@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -149,6 +150,8 @@ def _check(path: Path, *, force: bool) -> None:
     try:
         if not path.parent.is_dir():
             raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
+        with suppress(FileNotFoundError):
+            path.stat()  # says at once what the questions below keep to themselves, such as a name too long
         if path.is_dir():
             raise UsageError("it is a folder", where=str(path), remedy="name a file with --out")
         if path.exists() and not path.is_file():
@@ -159,7 +162,7 @@ def _check(path: Path, *, force: bool) -> None:
                 where=str(path),
                 remedy="name another file with --out, or overwrite it with --force",
             )
-    except (OSError, ValueError) as fault:
+    except OSError as fault:
         raise _unwritable(path, fault) from fault
 
 
@@ -177,8 +180,8 @@ def _write(path: Path, page: bytes) -> None:
         raise _unwritable(path, fault) from fault
 
 
-def _unwritable(path: Path, fault: Exception) -> UsageError:
-    reason = (getattr(fault, "strerror", None) or "no such name is possible").lower()
+def _unwritable(path: Path, fault: OSError) -> UsageError:
+    reason = (fault.strerror or "it failed").lower()
     return UsageError(f"cannot be written ({reason})", where=str(path), remedy="name another file with --out")
 
 
