@@ -24,6 +24,7 @@ from judge.spec.find import problem_folders
 from judge.spec.load import load_problem
 
 if TYPE_CHECKING:
+    from judge.kata.skills import SkillProgress
     from judge.report.page.compose import Known
     from judge.run.matrix import Matrix
 
@@ -82,7 +83,8 @@ def command(
     from judge.report.page.render import render
 
     known = _known(folders, last, matrix=matrix)
-    page = render(compose_page(runs, known, sources, generated=_now(), person=person))
+    skills = _skills(folders, runs)
+    page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
     _write(path, page)
     _tell(path, page, runs, last, as_json=as_json)
     return ExitCode.ACCEPTED
@@ -108,6 +110,18 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
             advice.setdefault(mistake.name, mistake.advice)
         found.append(Known(problem, advice, _matrix(problem) if matrix else None))
     return found
+
+
+def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
+    """How every skill stands; a checklist that is broken is left out."""
+    from judge.kata.skills import assess, load_skills
+
+    try:
+        skills, problems = load_skills(folders)
+    except ProblemError as fault:
+        _note(f"the checklist is left out: {fault}")
+        return []
+    return assess(skills, runs, problems)
 
 
 def _matrix(problem: Problem) -> Matrix | None:

@@ -13,9 +13,9 @@ from msgspec.structs import replace
 from page_support import Outline, check_html, html_of, kept, known, outcome, page_of
 
 from judge.diagnose.picture.svg import style
+from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
 from judge.report.page.compose import MOST_RUNS
 from judge.report.page.kills import kill_table
-from judge.report.page.parts import SkillLine
 from judge.report.page.plot import MOST, ratio_plot
 from judge.report.page.render import _TEMPLATES, is_report
 from judge.run.matrix import Kill, Matrix, Row
@@ -25,6 +25,17 @@ from judge.spec import Verdict
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
 )
+
+
+NEED = Need("count", ("tangent",))
+
+
+def met(since, attempts, *mistakes):
+    return NeedProgress(NEED, since, (), attempts, dict.fromkeys(mistakes, 1))
+
+
+def progress(name, *needs):
+    return SkillProgress(Skill(name, f"About {name}.", (NEED,) * len(needs)), needs)
 
 
 @pytest.fixture
@@ -67,6 +78,14 @@ def test_a_group_stands_as_the_last_run_that_had_it_left_it(path):
     assert marks["small"] == ("open", "not run")
 
 
+def test_the_problems_own_solutions_are_listed_but_count_for_nothing(path):
+    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)])
+    page = page_of([replace(run, path="/judge/solutions/count/accepted/exact.py")])
+    (part,) = page.problems
+    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, 0, 0, None, 1)
+    assert "no runs of your own" in html_of([replace(run, path="/judge/solutions/count/wrong/blind.py")])
+
+
 def test_the_page_is_sound_and_the_same_every_time(path):
     results = [
         outcome(mistake="absolute-epsilon"),
@@ -77,17 +96,21 @@ def test_the_page_is_sound_and_the_same_every_time(path):
     ]
     runs = kept(path, results)
     skills = [
-        SkillLine("tangents", "Tell one point from two.", "shown", since=runs[0].when, attempts=2),
-        SkillLine("scale", "No absolute epsilon.", "part", "1 of 2 parts", mistakes=("absolute-epsilon",)),
-        SkillLine("rays", "", "open"),
-        SkillLine("ends", "", "lost", since=runs[0].when),
+        progress("tangents", met(runs[0].when, 2)),
+        progress("scale", met(runs[1].when, 1), met(None, 1, "absolute-epsilon")),
+        progress("rays", met(None, 0)),
+        progress("ends", NeedProgress(NEED, runs[0].when, ("tangent",), 3, {})),
     ]
     sources = {"count": b"x = 1\n"}
     html = html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
     outline = check_html(html)
     drawn = [svg for svg in outline.all("svg") if "case" in svg.get("aria-labelledby", "")]
     assert len(drawn) >= 3
-    assert "1 of 4" in outline.text  # skills
+    states = [line.state for line in page_of(runs, skills=skills).skills]
+    assert states == ["shown", "part", "open", "lost"]
+    for words in ("Since 1 Mar 2026, 2 runs", "On 1 of 2 problems, 2 runs; met absolute-epsilon", "Not yet"):
+        assert words in outline.text
+    assert "Shown once, but the latest run fails it, 3 runs" in outline.text
     assert "This problem is not there any more." in outline.text
     assert html == html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
 

@@ -3,6 +3,7 @@
     parts.py      what the page is made of: frozen values, ready to be shown
     record.py     a run's published result, read back
     compose.py    from runs and problems to a page
+    checklist.py  the skills
     cases.py      the failing cases worth showing, with their pictures
     plot.py       the time ratio over the attempts
     kills.py      the kill matrix as a table

@@ -15,6 +15,7 @@ from judge.diagnose.picture.shapes import Role
 from judge.diagnose.picture.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
+from judge.kata.skills import mistake_names
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
@@ -76,7 +77,6 @@ def _case(
     smallest = small is not None and small.replay is not None
     shown = small if small is not None and smallest else first
     picture = artist.picture(shown, first.group) if artist else None
-    names = run.mistake.split(" + ") if run.mistake else []
     return FailingCase(
         anchor=anchor,
         title=run.mistake or _title(run, first),
@@ -89,7 +89,7 @@ def _case(
         facts=tuple(_facts(run, shown, first, small)),
         drawings=tuple(_drawings(picture, anchor)) if picture else (),
         marks=_marks(picture) if picture else (),
-        explained=tuple(Explained(name, advice[name]) for name in names if name in advice),
+        explained=tuple(Explained(name, advice[name]) for name in mistake_names(run) if name in advice),
     )
 
 

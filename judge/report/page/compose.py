@@ -11,7 +11,9 @@ from msgspec.structs import replace
 
 from judge import __version__
 from judge.kata.history import Run
+from judge.kata.skills import SkillProgress, mistake_names
 from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
+from judge.report.page.checklist import skill_lines
 from judge.report.page.kills import kill_table
 from judge.report.page.parts import (
     GroupMark,
@@ -47,7 +49,7 @@ def compose_page(
     runs: Sequence[Run],
     known: Sequence[Known],
     sources: Mapping[str, bytes],
-    skills: Sequence[SkillLine] = (),
+    skills: Sequence[SkillProgress] = (),
     *,
     generated: datetime,
     zone: tzinfo | None = None,
@@ -59,12 +61,13 @@ def compose_page(
         runs: of all problems; one that is not in `known` any more is told of as far as its runs do.
         known: all problems, tried or not.
         sources: by problem, what the last run judged.
-        skills: the checklist; without any there is none.
+        skills: how they stand after these runs; without any there is no checklist.
         generated: when the page is made.
         zone: the zone of all times shown; None for this machine's own.
         person: whose page it is, for its heading.
     """
     runs = [_in_zone(run, zone) for run in runs]
+    checklist = tuple(skill_lines(skills, zone))
     by_id = {each.problem.id: each for each in known}
     tried: dict[str, list[Run]] = {}
     for run in runs:
@@ -82,9 +85,9 @@ def compose_page(
         version=__version__,
         first=runs[0].when,
         last=runs[-1].when,
-        tiles=tuple(_tiles(runs, names, parts, skills)),
+        tiles=tuple(_tiles(runs, names, parts, checklist)),
         overview=tuple(_overview(name, by_id.get(name), tried.get(name), parts.get(name)) for name in names),
-        skills=tuple(skills),
+        skills=checklist,
         problems=tuple(parts.values()),
         verdicts=tuple(verdict for verdict in Verdict if any(run.verdict is verdict for run in runs)),
     )
@@ -136,7 +139,8 @@ def _part(anchor: str, runs: Sequence[Run], known: Known | None, source: bytes) 
     problem, name = known.problem if known else None, runs[0].problem
     places = anchors(anchor, runs)
     lines = [_run_line(run, places.get(kind_of(run), "")) for run in reversed(runs[-MOST_RUNS:])]
-    made = Counter(mistake for run in runs if run.mistake for mistake in run.mistake.split(" + "))
+    counting = [run for run in runs if run.counts]
+    made = Counter(mistake for run in counting for mistake in mistake_names(run))
     matrix = known.matrix if known else None
     return ProblemPart(
         anchor=anchor,
@@ -144,15 +148,14 @@ def _part(anchor: str, runs: Sequence[Run], known: Known | None, source: bytes) 
         title=problem.title if problem else name,
         summary=problem.summary if problem else "This problem is not there any more.",
         tier=problem.tier.value if problem else "",
-        state="solved" if any(run.solved for run in runs) else "open",
         solved=next((run.when for run in runs if run.solved), None),
-        best=max(run.score for run in runs),
-        attempts=sum(run.counts for run in runs),
+        best=max((run.score for run in counting), default=0),
+        attempts=len(counting),
         groups=tuple(_groups(runs, problem)),
         runs=tuple(lines[:_FIRST_RUNS]),
         earlier=tuple(lines[_FIRST_RUNS:]),
         more=len(runs) - len(lines),
-        plot=ratio_plot(anchor, runs, problem.time.limit if problem and problem.time else None),
+        plot=ratio_plot(anchor, counting, problem.time.limit if problem and problem.time else None),
         cases=tuple(failing_cases(problem, runs, places, known.advice if known else {})),
         cases_left_out=left_out(runs, places),
         kills=kill_table(matrix, made) if matrix else None,

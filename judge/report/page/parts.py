@@ -159,7 +159,6 @@ class ProblemPart(Struct, frozen=True):
     title: str
     summary: str
     tier: str
-    state: str  # "solved" or "open"
     solved: datetime | None
     best: int
     attempts: int
