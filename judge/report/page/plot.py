@@ -17,7 +17,7 @@ from judge.spec import Verdict
 
 MOST = 40  # runs: more could not be told apart on a phone
 _HEIGHT = 200.0
-_LABELS = 10  # below the axis
+_PHONE = 270  # pixels that the axis has there at least
 _ROOM = 1.35  # above the highest and below the lowest
 _STEPS = ((1.0,), (1.0, 3.0), (1.0, 2.0, 5.0))
 _MOST_LEVELS = 6
@@ -33,7 +33,7 @@ def ratio_plot(name: str, runs: Sequence[Run], limit: float | None) -> Plot | No
     values = [1.0, *([limit] if limit else [])]
     values += [value for spread in spreads for value in (spread.low, spread.median, spread.high)]
     scale = _Scale(min(values) / _ROOM, max(values) * _ROOM)
-    every = ceil(len(shown) / _LABELS)
+    every = ceil(len(shown) * (8 * len(str(shown[-1].id)) + 10) / _PHONE)  # so that labels do not meet
     dots = tuple(
         Dot(
             f"{(place + 0.5) / len(shown) * 100:.2f}%",
