@@ -2,7 +2,8 @@
 
     JudgeError            anything the judge says in one line instead of a traceback
     ├── UsageError        the caller's: an unknown problem, a missing file (exit 2)
-    └── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
+    ├── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
+    └── HistoryError      the file of past runs cannot be read or written (exit 3)
 
 A submission's faults are not errors: they are verdicts.
 """
@@ -51,6 +52,12 @@ class UsageError(JudgeError):
 
 class ProblemError(JudgeError):
     """A problem's folder contradicts itself or the format."""
+
+    exit_code = ExitCode.FAULT
+
+
+class HistoryError(JudgeError):
+    """The history of runs cannot be read or written: a full disk, a newer judge's file, no database."""
 
     exit_code = ExitCode.FAULT
 

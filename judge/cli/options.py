@@ -32,6 +32,12 @@ group_option: Callable[[F], F] = click.option(
 seed_option: Callable[[F], F] = click.option(
     "--seed", type=int, metavar="N", help="Build other cases, from this seed, instead of the pinned ones."
 )
+db_option: Callable[[F], F] = click.option(
+    "--db",
+    metavar="FILE",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="The history's file, instead of $JUDGE_DB or the one in your data folder.",
+)
 
 
 def chosen_groups(problem: Problem, names: Sequence[str]) -> tuple[Group, ...]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from contextlib import nullcontext
+from collections.abc import Generator, Sequence
+from contextlib import closing, nullcontext
 from functools import partial
 from pathlib import Path
 
@@ -13,9 +13,11 @@ from msgspec.structs import replace
 
 from judge.cli.containment import Containment, isolation_option, jobs_option
 from judge.cli.diagnosis import Diagnosis, no_shrink_option, save_regression_option
+from judge.cli.kata import file_in_hand
 from judge.cli.naming import Naming
 from judge.cli.options import (
     chosen_groups,
+    db_option,
     group_option,
     json_option,
     problems_option,
@@ -23,9 +25,11 @@ from judge.cli.options import (
     write_json,
 )
 from judge.cli.picture import Drawing, check_svg, svg_option
+from judge.cli.recording import Recording, no_history_option
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
+from judge.report.kata import pointer_lines
 from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
 from judge.report.results import result_lines, summary_lines, verdict_lines
@@ -37,8 +41,8 @@ from judge.spec.find import find_problem
 
 
 @click.command("run")
-@click.argument("name", metavar="PROBLEM")
-@click.argument("files", metavar="FILE...", nargs=-1, required=True)
+@click.argument("name", metavar="[PROBLEM", required=False)
+@click.argument("files", metavar="FILE...]", nargs=-1)
 @json_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
@@ -49,9 +53,11 @@ from judge.spec.find import find_problem
 @no_shrink_option
 @save_regression_option
 @svg_option
+@no_history_option
+@db_option
 @problems_option
 def command(
-    name: str,
+    name: str | None,
     files: tuple[str, ...],
     as_json: bool,
     quiet: bool,
@@ -63,47 +69,47 @@ def command(
     unshrunk: bool,
     regression: Path | None,
     svg: Path | None,
+    unrecorded: bool,
+    db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
-    """Judge submissions on a problem.
+    """Judge submissions on a problem; without arguments, the kata in hand.
 
     A FILE that defines the problem's entry function has it called; any other is run as a program that reads
     standard input. A folder stands for the *.py in it.
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
-    show = _Json() if as_json else _Screen(brief=quiet)
+    if name is None:
+        name, *files_in_hand = file_in_hand(db)
+        files = tuple(files_in_hand)
+    elif not files:
+        named_problem(name, folders)  # whose own complaint goes first
+        remedy = f"write judge run {name} FILE, or judge run alone for the kata in hand"
+        raise UsageError("missing argument 'FILE...'", remedy=remedy)
+    show = _Json() if as_json else _Screen(brief=quiet, pointing=not unrecorded)
     try:
-        problem = _problem(name, folders)
+        problem = named_problem(name, folders)
         submissions = read_submissions(files)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
             agree_on(regression)
         check_svg(svg, len(submissions))
-        chosen = {group.name for group in chosen_groups(problem, groups)} if groups else None
-        with Containment(problem, level) as containment:
-            containment.boot(submissions[0].source, submissions[0].name)
-            data = _data(problem, seed)
-            settings = containment.settings(jobs=jobs, submissions=len(submissions))
-            wanted = regression is not None or not (unshrunk or quiet)
-            diagnosis = Diagnosis(data, containment.open_box, regression) if wanted else None
-            unseen = no_name or (quiet and not as_json)
-            naming = None if unseen else Naming(data, seed, settings, jobs)
-            judge = partial(
-                _judge,
-                problem,
-                data,
-                diagnosis,
-                groups=chosen,
-                settings=settings,
-                bar=jobs == 1,
-                naming=naming,
-            )
-            for result in in_order(submissions, jobs, judge):
-                containment.warn_of(result.isolation)
-                drawing = Drawing(problem, data, result)
-                show.result(result, several=len(submissions) > 1, drawing=drawing)
+        wish = Wish(
+            groups=groups,
+            seed=seed,
+            jobs=jobs,
+            level=level,
+            diagnosed=regression is not None or not (unshrunk or quiet),
+            named=not no_name and (as_json or not quiet),
+            regression=regression,
+            kept=not unrecorded,
+            db=db,
+        )
+        with closing(judged(problem, submissions, wish)) as drawings:
+            for drawing in drawings:
+                show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)
                 drawing.save(svg)
     except Exception as fault:
         if as_json and not isinstance(fault, UsageError | OSError):
@@ -113,11 +119,54 @@ def command(
     return show.close()
 
 
+class Wish(Struct, frozen=True):
+    """How submissions are to be judged, and what is to be done about those that fail."""
+
+    groups: tuple[str, ...] = ()  # all of them where none is named
+    seed: int | None = None
+    jobs: int = 1
+    level: str | None = None  # of isolation
+    diagnosed: bool = True  # look for the smallest failing case
+    named: bool = True  # look for the mistake
+    regression: Path | None = None
+    kept: bool = True  # in the history
+    db: Path | None = None
+
+
+def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
+    """Judge them; each result is kept in the history once the caller has done with it and asks for more.
+
+    Close it, so that it is kept as well where the caller fails. Raises JudgeError.
+    """
+    chosen = {group.name for group in chosen_groups(problem, wish.groups)} if wish.groups else None
+    with Containment(problem, wish.level) as containment, Recording(wish.db, wanted=wish.kept) as recording:
+        containment.boot(submissions[0].source, submissions[0].name)
+        data = _data(problem, wish.seed)
+        settings = containment.settings(jobs=wish.jobs, submissions=len(submissions))
+        judge = partial(
+            _judge,
+            problem,
+            data,
+            Diagnosis(data, containment.open_box, wish.regression) if wish.diagnosed else None,
+            groups=chosen,
+            settings=settings,
+            bar=wish.jobs == 1,
+            naming=Naming(data, wish.seed, settings, wish.jobs) if wish.named else None,
+        )
+        for submission, result in zip(submissions, in_order(submissions, wish.jobs, judge), strict=True):
+            containment.warn_of(result.isolation)
+            try:
+                yield Drawing(problem, data, result)
+            finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
+                recording.add(submission, result)
+
+
 def _told(fault: Exception) -> str:
     return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
 
 
-def _problem(name: str, folders: Sequence[Path]) -> Problem:
+def named_problem(name: str, folders: Sequence[Path]) -> Problem:
+    """The problem of that name. Raises UsageError, which says so where the name is a file's."""
     try:
         return find_problem(name, folders)
     except UsageError as fault:
@@ -178,10 +227,16 @@ class _Json(Struct):
         return exit_code(self.results)
 
 
+def show_result(drawing: Drawing) -> None:
+    """One result by itself, for a person."""
+    _Screen(brief=False, pointing=True).result(drawing.result, several=False, drawing=drawing)
+
+
 class _Screen(Struct):
     """Results for a person: the verdict, or the table of them, last."""
 
     brief: bool
+    pointing: bool  # to what comes after an accepted submission
     results: list[Result] = []
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
@@ -190,6 +245,8 @@ class _Screen(Struct):
         screen = out()
         if not self.brief:
             drawn = drawing.lines(screen)
+            if self.pointing and not several and result.exit_code is ExitCode.ACCEPTED:
+                drawn = pointer_lines(result.problem, screen)
             screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])
         elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))

@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Any
 
 import click
+from msgspec.structs import replace
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
+from judge.kata.check import kata_faults
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
@@ -33,7 +35,8 @@ def command(
     """Check problems from the setter's side.
 
     That every case keeps the promise, that examples agree with the reference, that the data are the pinned
-    ones, and that every solution gets the verdict its folder says. Without a name: all problems.
+    ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
+    made. Without a name: all problems.
 
     With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
     groups that are the only ones to reject no program; and a small set of cases that rejects all programs.
@@ -64,7 +67,8 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         fault = Fault(error.what, error.where or name, error.remedy or "")
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     with stages(name) as progress:
-        return verify_problem(problem, update_pins=pin, progress=progress)
+        report = verify_problem(problem, update_pins=pin, progress=progress)
+    return replace(report, faults=(*report.faults, *kata_faults(problem)))
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:

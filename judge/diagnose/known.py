@@ -1,7 +1,7 @@
 """What the known-wrong programs answer on a problem's data: judged once, in containment, and kept.
 
 <cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
-    [[file, {group: [reached, [[case, form, [number, …]], …]], …}], …]
+    [[file, {group: [reached, [[case, form, [number, …]], …], [case, …]], …}], …]
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from judge.diagnose.mistakes import Mistake
 from judge.run import Result, Settings, run_submission
 from judge.run.parallel import in_order
 
-FORMAT = 1  # raise it when the form of the file changes
+FORMAT = 2  # raise it when the form of the file changes
 
 Progress = Callable[[int, int], None]  # programs judged, programs in all
 _CODE = ("run", "sandbox", "diagnose")  # beside the packages that the data depend on
@@ -27,10 +27,14 @@ _WHAT = "the known mistakes' answers"
 
 
 class Answers(Struct, frozen=True):
-    """What a program answered wrongly in one group, by case from 0; before `reached` all is known."""
+    """What a program answered wrongly in one group, by case from 0; before `reached` all is known.
+
+    `rejected` are all cases that were run and not accepted: also what was answered rightly only once.
+    """
 
     reached: int
     wrong: Mapping[int, tuple[str, tuple[float, ...]]]
+    rejected: tuple[int, ...] = ()
 
 
 Behaviour = Mapping[str, Answers]  # by the group's name
@@ -38,7 +42,7 @@ Behaviour = Mapping[str, Answers]  # by the group's name
 
 def behaviour(result: Result) -> Behaviour:
     """What judging has found out about a program."""
-    return {group.name: Answers(group.reached, group.wrong) for group in result.groups}
+    return {group.name: Answers(group.reached, group.wrong, group.rejected) for group in result.groups}
 
 
 def known_behaviours(
@@ -88,7 +92,8 @@ def _as_plain(found: Sequence[Behaviour], mistakes: Sequence[Mistake]) -> list[A
 
 
 def _plain_answers(answers: Answers) -> list[Any]:
-    return [answers.reached, [[case, *outline] for case, outline in answers.wrong.items()]]
+    wrong = [[case, *outline] for case, outline in answers.wrong.items()]
+    return [answers.reached, wrong, list(answers.rejected)]
 
 
 def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | None:
@@ -99,9 +104,11 @@ def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | No
         return [
             {
                 name: Answers(
-                    reached, {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong}
+                    reached,
+                    {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong},
+                    tuple(rejected),
                 )
-                for name, (reached, wrong) in groups.items()
+                for name, (reached, wrong, rejected) in groups.items()
             }
             for _, groups in plain
         ]

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 
 from msgspec.structs import replace
 
 from judge.data import ProblemData
-from judge.diagnose.known import Progress, behaviour, known_behaviours
+from judge.diagnose.known import Behaviour, Progress, behaviour, known_behaviours
 from judge.diagnose.mistakes import Mistake, known_mistakes
 from judge.diagnose.naming import Known, best_match
-from judge.run import Pitfall, Result, Settings
+from judge.run import GroupResult, Pitfall, Result, Settings
+from judge.run.matrix import Matrix, kill_matrix
 from judge.spec import Verdict
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
@@ -58,6 +59,18 @@ class Namer:
         advice = tuple(mistake.advice for mistake in found)
         return replace(result, pitfall=Pitfall(names, round(match.score, 3), advice))
 
+    def matrix(self) -> Matrix:
+        """Which group rejects which known-wrong program. Raises JudgeError where these cannot be judged."""
+        mistakes, known = self._programs()
+        sizes = {each.group.name: len(each.cases) for each in self._data.groups}
+        return kill_matrix(
+            self._data.problem.groups,
+            [
+                (f"wrong/{mistake.path.name}", mistake.name, _results(each.behaviour, sizes))
+                for mistake, each in zip(mistakes, known, strict=True)
+            ],
+        )
+
     def _programs(self) -> tuple[list[Mistake], list[Known]]:
         with self._lock:
             if self._known is None:
@@ -75,3 +88,19 @@ class Namer:
                 known = [Known(each.name, does) for each, does in zip(mistakes, behaviours, strict=True)]
                 self._known = mistakes, known
             return self._known
+
+
+def _results(does: Behaviour, sizes: Mapping[str, int]) -> list[GroupResult]:
+    """What a behaviour says of the groups: how many cases of them were rejected, and which."""
+    return [
+        GroupResult(
+            name,
+            Verdict.WA if answers.rejected else Verdict.AC,
+            sizes[name],
+            sizes[name] - len(answers.rejected),
+            None,
+            0.0,
+            rejected=answers.rejected,
+        )
+        for name, answers in does.items()
+    ]

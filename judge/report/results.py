@@ -21,6 +21,7 @@ _STYLES = {
     Verdict.MLE: Style.WARNING,
     Verdict.OLE: Style.WARNING,
 }
+_FEW = 6  # rejected groups in a brief report
 _LABELS = 12  # the column where what follows a label begins
 
 
@@ -29,13 +30,18 @@ def verdict_span(verdict: Verdict) -> Span:
     return Span(verdict.value, _STYLES[verdict])
 
 
-def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
-    """One submission's report, with a drawing of its failing case if there is one; the verdict is last."""
+def result_lines(
+    result: Result, width: int | None, drawing: Iterable[Line] = (), *, brief: bool = False
+) -> Iterator[Line]:
+    """One submission's report, with a drawing of its failing case if there is one; the verdict is last.
+
+    A brief one names only the first groups that were rejected and counts the others.
+    """
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
     yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
     if result.groups:
-        yield from group_table(result.groups).lines(width)
+        yield from _brief_groups(result.groups, width) if brief else group_table(result.groups).lines(width)
         yield line()
     if result.failure:
         yield from failure_lines(result.failure, width)
@@ -59,6 +65,16 @@ def group_table(groups: Sequence[GroupResult]) -> Table:
     """One row a group: its verdict, the cases it passed, the points it earned."""
     columns = (Column("group"), Column("verdict"), Column("passed", right=True), Column("points", right=True))
     return Table(columns, [_group_row(group) for group in groups])
+
+
+def _brief_groups(groups: Sequence[GroupResult], width: int | None) -> Iterator[Line]:
+    """The first groups that were rejected, and how many there are besides."""
+    rejected = [group for group in groups if group.verdict is not Verdict.AC]
+    if rejected:
+        yield from group_table(rejected[:_FEW]).lines(width)
+    more = [f"{len(rejected) - _FEW} more rejected"] if len(rejected) > _FEW else []
+    accepted = f"{counted(len(groups) - len(rejected), 'group')} accepted"
+    yield line("  ", Span(", ".join([*more, accepted]), Style.FAINT))
 
 
 def _group_row(group: GroupResult) -> list[Cell]:

@@ -44,7 +44,14 @@ class Screen(Struct, frozen=True):
 
     def show(self, lines: Iterable[Line]) -> None:
         """Write the lines."""
-        text = "".join(f"{self._render(spans)}\n" for spans in lines)
+        self.write(self.text(lines))
+
+    def text(self, lines: Iterable[Line]) -> str:
+        """The lines as they are written there, colours and all."""
+        return "".join(f"{self._render(spans)}\n" for spans in lines)
+
+    def write(self, text: str) -> None:
+        """Write text that is laid out already; what the stream cannot encode is written out."""
         encoding = getattr(self.stream, "encoding", None) or "utf-8"
         self.stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
         self.stream.flush()

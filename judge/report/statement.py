@@ -10,14 +10,20 @@ _READABLE = 88  # columns of prose that an eye follows with ease
 
 def show_statement(text: str, screen: Screen) -> None:
     """Write the Markdown `text`, rendered where a person is looking."""
+    screen.write(statement_text(text, screen))
+
+
+def statement_text(text: str, screen: Screen) -> str:
+    """The Markdown `text` for that screen, ready to be written: rendered where a person is looking."""
     if is_terminal(screen.stream):
-        _render(text, screen)
-    else:
-        screen.show(line(row) for row in text.rstrip("\n").split("\n"))
+        return _rendered(text, screen)
+    return screen.text(line(row) for row in text.rstrip("\n").split("\n"))
 
 
-def _render(text: str, screen: Screen) -> None:
+def _rendered(text: str, screen: Screen) -> str:
     """Draw it in the colours of the person's own theme: no background, so that light and dark both serve."""
+    from io import StringIO
+
     from rich.console import Console, ConsoleOptions, RenderResult
     from rich.markdown import CodeBlock, Heading, Markdown
     from rich.padding import Padding
@@ -37,8 +43,10 @@ def _render(text: str, screen: Screen) -> None:
         elements = {**Markdown.elements, "fence": Code, "code_block": Code, "heading_open": Title}  # noqa: RUF012
 
     styles = {"markdown.code": "cyan", "markdown.h1": "bold underline", "markdown.h2": "bold"}
+    drawn = StringIO()
     console = Console(
-        file=screen.stream,
+        file=drawn,
+        force_terminal=True,
         width=min(screen.width or _READABLE, _READABLE),
         color_system="standard" if screen.colour else None,
         no_color=not screen.colour,
@@ -46,3 +54,4 @@ def _render(text: str, screen: Screen) -> None:
         theme=Theme(styles),
     )
     console.print(Statement(text, hyperlinks=False))
+    return drawn.getvalue()

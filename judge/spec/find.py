@@ -52,9 +52,17 @@ def all_problems(extra: Sequence[Path] = ()) -> list[Problem]:
 def problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
     """The folder of every problem that can be found, one of each name, none of them read yet."""
     found: dict[str, Path] = {}
-    for folder in _folders([*_near_roots(extra), *_installed_roots()]):
+    for folder in _folders(problem_roots(extra)):
         found.setdefault(folder.name, folder)
     return list(found.values())
+
+
+def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
+    """The folders of problems that are looked in, in their order. Raises as find_problem does.
+
+    Looking up the installed packs takes time: leave them out where what is wanted was found without.
+    """
+    return [*_near_roots(extra), *(_installed_roots() if installed else [])]
 
 
 def _near_roots(extra: Sequence[Path]) -> list[Path]:

@@ -53,6 +53,11 @@ def bands_beside(file: str | Path) -> MappingProxyType[str, Fraction]:
     return reader.bands(reader.file.table())
 
 
+def words_beside(folder: Path) -> dict[str, str]:
+    """What the placeholders in the texts of that problem's folder stand for. Raises ProblemError."""
+    return _words(TomlFile(folder).table())
+
+
 class _Reader:
     """The checks of one problem.toml."""
 

@@ -26,8 +26,8 @@ _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tuple[Example, ...]]:
     """The text with its placeholders filled in from `words`, and its worked examples. Raises ProblemError."""
     name = f"{problem.id}/statement.md"
-    filled = [
-        _filled(line, words, f"{name}:{number}")
+    text = [
+        filled(line, words, f"{name}:{number}")
         for number, line in enumerate(read_text(problem.folder / "statement.md").splitlines(), start=1)
     ]
     examples = tuple(
@@ -36,7 +36,7 @@ def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tup
             wanted=_wanted(wanted, f"{name}:{number}"),
             line=number,
         )
-        for number, call, wanted in _prompts(filled)
+        for number, call, wanted in _prompts(text)
     )
     if not examples and any(group.builder == EXAMPLES for group in problem.groups):
         raise ProblemError(
@@ -44,10 +44,12 @@ def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tup
             where=name,
             remedy=f"add a line >>> {problem.entry}(…) and the answer below it",
         )
-    return "\n".join(filled) + "\n", examples
+    return "\n".join(text) + "\n", examples
 
 
-def _filled(line: str, words: Mapping[str, str], where: str) -> str:
+def filled(line: str, words: Mapping[str, str], where: str) -> str:
+    """The line with its placeholders replaced from `words`. Raises ProblemError."""
+
     def word(found: re.Match[str]) -> str:
         name = found[1]
         if name not in words:

@@ -18,7 +18,12 @@ def first_run(readme: str) -> tuple[int, str]:
     (program,) = re.findall(r"^```python\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "mine.py").write_text(program, encoding="utf-8")
-        settings = {"PYTHONPATH": str(ROOT), "JUDGE_CACHE": f"{folder}/cache", "COLUMNS": _COLUMNS}
+        settings = {
+            "PYTHONPATH": str(ROOT),
+            "JUDGE_CACHE": f"{folder}/cache",
+            "JUDGE_DB": f"{folder}/history.sqlite3",
+            "COLUMNS": _COLUMNS,
+        }
         ended = subprocess.run(
             [sys.executable, "-m", "judge", "run", "count", "mine.py"],
             cwd=folder,

@@ -14,6 +14,7 @@ import pytest
 pytest.importorskip("hatchling")
 
 ROOT = Path(__file__).parents[2]
+TEMPLATES = ROOT / "judge" / "report" / "page" / "templates"
 PROBLEMS = {"count", "exact-count", "ray-nearest", "segment"}
 
 
@@ -53,6 +54,7 @@ def judge(installed, tmp_path):
 def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py"}
+    wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
             if path.is_file() and "__pycache__" not in path.parts:

@@ -19,47 +19,60 @@ _MARK = 6.0
 _LETTERS_PER_PIXEL = 1 / 7.4
 _MOST_ROWS = 6  # of one fact
 
-_STYLE = """
-.card{fill:#ffffff;stroke:#d4d4d8}
-.panel{fill:#fafafa;stroke:#d4d4d8}
-text{font:13px system-ui,'Segoe UI','DejaVu Sans',sans-serif;fill:#18181b}
-.title{font-size:16px;font-weight:600}
-.head{font-weight:600}
-.quiet{fill:#52525b}
-.halo{stroke:#fafafa;stroke-width:4;stroke-linejoin:round;paint-order:stroke}
-.circle{stroke:#1d4ed8;stroke-width:1.8;fill:none}
-.circle-area{fill:#1d4ed8;fill-opacity:.07}
-.line{stroke:#18181b;stroke-width:1.8;fill:none}
-.beyond{stroke:#a1a1aa;stroke-width:1.2;stroke-dasharray:5 4;fill:none}
-.band-area{fill:#ca8a04;fill-opacity:.22}
-.head-line{fill:#18181b}
-.case{fill:#18181b}
-.wanted{stroke:#15803d;stroke-width:2.6;fill:none}
-.got{stroke:#c2410c;stroke-width:2.6;fill:none}
-.t-wanted{fill:#15803d}
-.t-got{fill:#c2410c}
-.bar{stroke:#52525b;stroke-width:1.6;fill:none}
-.leader{stroke:#a1a1aa;stroke-width:1;fill:none}
-@media (prefers-color-scheme:dark){
-.card{fill:#18181b;stroke:#3f3f46}
-.panel{fill:#202024;stroke:#3f3f46}
-text{fill:#f4f4f5}
-.quiet{fill:#a1a1aa}
-.halo{stroke:#202024}
-.circle{stroke:#93c5fd}
-.circle-area{fill:#93c5fd;fill-opacity:.1}
-.line{stroke:#f4f4f5}
-.beyond{stroke:#71717a}
-.band-area{fill:#facc15;fill-opacity:.2}
-.head-line,.case{fill:#f4f4f5}
-.wanted{stroke:#4ade80}
-.got{stroke:#fb923c}
-.t-wanted{fill:#4ade80}
-.t-got{fill:#fb923c}
-.bar{stroke:#a1a1aa}
-.leader{stroke:#71717a}
+_LIGHT = {
+    ".card": "fill:#ffffff;stroke:#d4d4d8",
+    ".panel": "fill:#fafafa;stroke:#d4d4d8",
+    "text": "font:13px system-ui,'Segoe UI','DejaVu Sans',sans-serif;fill:#18181b",
+    ".title": "font-size:16px;font-weight:600",
+    ".head": "font-weight:600",
+    ".quiet": "fill:#52525b",
+    ".halo": "stroke:#fafafa;stroke-width:4;stroke-linejoin:round;paint-order:stroke",
+    ".circle": "stroke:#1d4ed8;stroke-width:1.8;fill:none",
+    ".circle-area": "fill:#1d4ed8;fill-opacity:.07",
+    ".line": "stroke:#18181b;stroke-width:1.8;fill:none",
+    ".beyond": "stroke:#a1a1aa;stroke-width:1.2;stroke-dasharray:5 4;fill:none",
+    ".band-area": "fill:#ca8a04;fill-opacity:.22",
+    ".head-line": "fill:#18181b",
+    ".case": "fill:#18181b",
+    ".wanted": "stroke:#15803d;stroke-width:2.6;fill:none",
+    ".got": "stroke:#c2410c;stroke-width:2.6;fill:none",
+    ".t-wanted": "fill:#15803d",
+    ".t-got": "fill:#c2410c",
+    ".bar": "stroke:#52525b;stroke-width:1.6;fill:none",
+    ".leader": "stroke:#a1a1aa;stroke-width:1;fill:none",
 }
-"""
+_DARK = {
+    ".card": "fill:#18181b;stroke:#3f3f46",
+    ".panel": "fill:#202024;stroke:#3f3f46",
+    "text": "fill:#f4f4f5",
+    ".quiet": "fill:#a1a1aa",
+    ".halo": "stroke:#202024",
+    ".circle": "stroke:#93c5fd",
+    ".circle-area": "fill:#93c5fd;fill-opacity:.1",
+    ".line": "stroke:#f4f4f5",
+    ".beyond": "stroke:#71717a",
+    ".band-area": "fill:#facc15;fill-opacity:.2",
+    ".head-line,.case": "fill:#f4f4f5",
+    ".wanted": "stroke:#4ade80",
+    ".got": "stroke:#fb923c",
+    ".t-wanted": "fill:#4ade80",
+    ".t-got": "fill:#fb923c",
+    ".bar": "stroke:#a1a1aa",
+    ".leader": "stroke:#71717a",
+}
+
+
+def style(scope: str = "", media: str = "(prefers-color-scheme:dark)") -> str:
+    """The style sheet of the drawings, for what is inside `scope`; `media` says where it is dark."""
+    light, dark = (
+        "".join(f"{_scoped(names, scope)}{{{rules}}}\n" for names, rules in table.items())
+        for table in (_LIGHT, _DARK)
+    )
+    return f"\n{light}@media {media}{{\n{dark}}}\n"
+
+
+def _scoped(names: str, scope: str) -> str:
+    return ",".join(f"{scope} {name}" if scope else name for name in names.split(","))
 
 
 def to_svg(picture: Picture) -> str:
@@ -78,7 +91,7 @@ def to_svg(picture: Picture) -> str:
         head,
         f'<title id="title">{words(title)}</title>',
         f'<desc id="desc">{words(picture.description)}</desc>',
-        f"<style>{_STYLE}</style>",
+        f"<style>{style()}</style>",
         f'<rect class="card" x="0.5" y="0.5" width="{_n(width - 1)}" height="{_n(height - 1)}" rx="8"/>',
         _text(_GAP, 32, _cut(picture.title, width - 2 * _GAP, 10.2), "title"),
         _text(_GAP, 51, _cut(picture.heading, width - 2 * _GAP), "quiet"),
@@ -91,6 +104,25 @@ def to_svg(picture: Picture) -> str:
         parts.append(_text(_GAP, y, label, "quiet"))
         parts.append(_text(_GAP + 70, y, text, kind))
     return "\n".join([*(part for part in parts if part), "</svg>"]) + "\n"
+
+
+def panel_svg(panel: Panel, name: str, description: str) -> str:
+    """One panel without its heading and its note, as an element of an HTML page.
+
+    The page has `style(scope)` once; `name` begins the ids, so that several elements stand in one page.
+    """
+    side, title, about = _n(_SIDE + 2), f"{name}-title", f"{name}-about"
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-labelledby="{words(title)} {words(about)}" '
+        f'viewBox="-1 -1 {side} {side}">'
+    )
+    parts = [
+        head,
+        f'<title id="{words(title)}">{words(panel.title)}</title>',
+        f'<desc id="{words(about)}">{words(description)}</desc>',
+        *_drawing(panel),
+    ]
+    return "\n".join([*(part for part in parts if part), "</svg>"])
 
 
 def words(text: str) -> str:
@@ -111,6 +143,14 @@ def _panel(panel: Panel, left: float, top: float) -> Iterator[str]:
     """The panel in a group of its own, whose origin is its upper left corner."""
     yield f'<g transform="translate({_n(left)} {_n(top)})">'
     yield _text(0, -10, _cut(panel.title, _SIDE, 8.4), "head")
+    yield from _drawing(panel)
+    if panel.note:
+        yield _text(0, _SIDE + _HEADING, _cut(panel.note, _SIDE), "quiet")
+    yield "</g>"
+
+
+def _drawing(panel: Panel) -> Iterator[str]:
+    """The panel's square and all that is in it."""
     yield f'<rect class="panel" width="{_n(_SIDE)}" height="{_n(_SIDE)}"/>'
     for stroke in panel.strokes:
         yield _stroke(stroke)
@@ -134,9 +174,6 @@ def _panel(panel: Panel, left: float, top: float) -> Iterator[str]:
             yield _line(label.x, label.y, *_side_of(box, label.x, label.y), "leader")
         kind = "" if mark.shared else _ROLE_TEXT[mark.role]
         yield _text(box.x, box.y + 4.5, mark.text, f"halo {kind}".strip(), middle=True)
-    if panel.note:
-        yield _text(0, _SIDE + _HEADING, _cut(panel.note, _SIDE), "quiet")
-    yield "</g>"
 
 
 _ROLE_TEXT = {Role.WANTED: "t-wanted", Role.GOT: "t-got"} | dict.fromkeys(

@@ -1,0 +1,114 @@
+"""`judge hint`: the hints to a problem, one step at a time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from judge.cli.kata import problem_in_hand
+from judge.cli.options import db_option, json_option, problems_option, write_json
+from judge.errors import ExitCode, UsageError
+from judge.report.hint import hint_text
+from judge.report.screen import out
+from judge.spec import Problem
+from judge.spec.hints import Hint, read_hints
+
+SCHEMA = 1
+
+
+@click.command("hint")
+@click.argument("name", metavar="[PROBLEM]", required=False)
+@click.option("--again", is_flag=True, help="The last one you have seen, once more.")
+@click.option("--step", type=int, metavar="N", help="This one, the first being 1.")
+@click.option("--all", "every", is_flag=True, help="All of them.")
+@json_option
+@db_option
+@problems_option
+def command(
+    name: str | None,
+    again: bool,
+    step: int | None,
+    every: bool,
+    as_json: bool,
+    db: Path | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
+    """Give the next hint to a problem, or to the kata in hand.
+
+    The first is a nudge, the last nearly everything. Which ones you have seen is remembered.
+    """
+    if again + every + (step is not None) > 1:
+        raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
+    problem = problem_in_hand(name, folders, db)
+    hints = hints_of(problem)
+    if again:
+        chosen = [hints[_last_seen(problem, hints, db) - 1]]
+    elif step is not None:
+        chosen = [_numbered(problem, hints, step)]
+    else:
+        chosen = list(hints) if every else [next_hint(problem, hints, db)]
+    for hint in chosen:
+        if as_json:
+            write_json(as_object(problem, hint, len(hints)))
+        else:
+            screen = out()
+            screen.write(hint_text(problem, hint, len(hints), screen))
+    note_seen(problem, chosen[-1], db)
+    return ExitCode.ACCEPTED
+
+
+def hints_of(problem: Problem) -> tuple[Hint, ...]:
+    """The problem's hints. Raises UsageError if it has none, ProblemError if they are broken."""
+    hints = read_hints(problem)
+    if not hints:
+        remedy = f"'judge why {problem.id}' says what its test groups probe"
+        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
+    return hints
+
+
+def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hint:
+    """The first that was not seen yet; when all were, the last."""
+    return hints[min(_seen(problem, db), len(hints) - 1)]
+
+
+def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    from judge.kata.history import History
+
+    with History.open(db) as history:
+        if hint.number > history.hints_seen(problem.id):
+            history.see_hints(problem.id, hint.number)
+
+
+def as_object(problem: Problem, hint: Hint, steps: int) -> dict[str, object]:
+    """The published object of one hint."""
+    return {
+        "schema": SCHEMA,
+        "problem": problem.id,
+        "step": hint.number,
+        "steps": steps,
+        "title": hint.title,
+        "text": hint.text,
+    }
+
+
+def _seen(problem: Problem, db: Path | None) -> int:
+    from judge.kata.history import History
+
+    with History.open(db, reading=True) as history:
+        return history.hints_seen(problem.id)
+
+
+def _last_seen(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> int:
+    seen = _seen(problem, db)
+    if not seen:
+        remedy = f"'judge hint {problem.id}' gives the first"
+        raise UsageError(f"no hint to {problem.id} was given yet", remedy=remedy)
+    return min(seen, len(hints))
+
+
+def _numbered(problem: Problem, hints: tuple[Hint, ...], step: int) -> Hint:
+    if not 1 <= step <= len(hints):
+        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {len(hints)}")
+    return hints[step - 1]

@@ -1,0 +1,72 @@
+"""`judge next`: the next kata of the path, when it is asked for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from judge.cli.init import write_stub
+from judge.cli.kata import Kata, next_problem, take_up
+from judge.cli.options import db_option, json_option, problems_option, write_json
+from judge.errors import ExitCode
+from judge.kata.stub import file_name
+from judge.report.kata import begun_lines, finished_lines, next_lines
+from judge.report.screen import out
+from judge.spec import Problem
+
+SCHEMA = 1
+
+
+@click.command("next")
+@click.option("--init", "writing", is_flag=True, help="Write its file at once, as judge init does.")
+@json_option
+@db_option
+@problems_option
+def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCode:
+    """Go on to the next kata of the path that you have not solved.
+
+    It is then in hand: judge run, judge watch and judge hint are about it. Its file is looked for in the
+    current folder, under the problem's name.
+    """
+    problem = next_problem(_current(db), folders, db)
+    screen = out()
+    if problem is None:
+        if as_json:
+            write_json(_object(None, None))
+        else:
+            screen.show(finished_lines(screen.width))
+        return ExitCode.ACCEPTED
+    name = file_name(problem)
+    kata = Kata(problem, Path(name).absolute())
+    if writing and not kata.path.exists():
+        write_stub(problem, Path(name))
+    take_up(kata, db)
+    if as_json:
+        write_json(_object(problem, kata))
+    elif kata.path.exists():
+        screen.show(begun_lines(problem, kata.name, screen.width))
+    else:
+        screen.show(next_lines(problem, screen.width))
+    return ExitCode.ACCEPTED
+
+
+def _current(db: Path | None) -> str:
+    """The kata in hand, or nothing."""
+    from judge.kata.history import History
+
+    with History.open(db, reading=True) as history:
+        current = history.current()
+    return current.problem if current else ""
+
+
+def _object(problem: Problem | None, kata: Kata | None) -> dict[str, object]:
+    """The published object; the problem is null where all are solved."""
+    return {
+        "schema": SCHEMA,
+        "problem": problem.id if problem else None,
+        "title": problem.title if problem else None,
+        "tier": problem.tier.value if problem else None,
+        "file": kata.name if kata else None,
+        "exists": bool(kata and kata.path.exists()),
+    }

@@ -1,0 +1,220 @@
+"""`judge report`: the history as one HTML page."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from contextlib import suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from judge.cli.options import db_option, json_option, problems_option, write_json
+from judge.data.atomic import replace_file
+from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
+from judge.kata.history import History, Run
+from judge.report.layout import Span, Style, line
+from judge.report.links import file_link
+from judge.report.progress import progress
+from judge.report.screen import err, out
+from judge.spec import Problem
+from judge.spec.find import problem_folders
+from judge.spec.load import load_problem
+
+if TYPE_CHECKING:
+    from judge.kata.skills import SkillProgress
+    from judge.report.page.compose import Known
+    from judge.run.matrix import Matrix
+
+SCHEMA = 1
+_USUAL = Path("judge-report.html")
+_LOOKED_AT = 2000  # bytes of a file in which a report says that it is one
+_EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
+_AT_ONCE = 4  # known-wrong programs
+
+
+@click.command("report")
+@click.option(
+    "--out",
+    "path",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    default=_USUAL,
+    help=f"Where to write the page; {_USUAL} in the current folder if not given.",
+)
+@click.option("--force", is_flag=True, help="Overwrite a file that is no report.")
+@click.option("--name", "person", metavar="NAME", default="", help="Whose report it is, for its heading.")
+@click.option(
+    "--matrix/--no-matrix",
+    default=True,
+    help="Show which test group catches which mistake; made anew where a problem has changed.",
+)
+@json_option
+@db_option
+@problems_option
+def command(
+    path: Path,
+    force: bool,
+    person: str,
+    matrix: bool,
+    as_json: bool,
+    db: Path | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
+    """Write the history as one HTML page.
+
+    It shows what was solved, every run, the time over the attempts, and for each mistake the latest case that
+    failed, drawn. The page holds all it shows: it can be sent, printed and kept. A file that is there already
+    is overwritten only if it is such a report.
+
+    Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
+    """
+    _check(path, force=force)
+    with History.open(db, reading=True) as history:
+        runs = history.runs()
+        if not runs:
+            remedy = "judge something first: judge run PROBLEM FILE"
+            raise UsageError("there are no runs to report", where=str(history.path), remedy=remedy)
+        last = {run.problem: run.id for run in runs}
+        sources = {name: history.source(number) for name, number in last.items()}
+    from judge.report.page.compose import compose_page
+    from judge.report.page.render import render
+
+    known = _known(folders, last, matrix=matrix)
+    skills = _skills(folders, runs)
+    page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
+    _write(path, page)
+    _tell(path, page, runs, last, as_json=as_json)
+    return ExitCode.ACCEPTED
+
+
+def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[Known]:
+    """Every sound problem, with the mistakes of those that were tried."""
+    from judge.diagnose import known_mistakes
+    from judge.report.page.compose import Known
+
+    found = []
+    for folder in problem_folders(folders):
+        try:
+            problem = load_problem(folder)
+        except ProblemError as fault:  # its runs are told of all the same
+            _note(f"{folder.name} is left out: {fault}")
+            continue
+        if problem.id not in tried:
+            found.append(Known(problem))
+            continue
+        advice: dict[str, str] = {}
+        for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
+            advice.setdefault(mistake.name, mistake.advice)
+        found.append(Known(problem, advice, _matrix(problem) if matrix else None))
+    return found
+
+
+def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
+    """How every skill stands; a checklist that is broken is left out."""
+    from judge.kata.skills import assess, load_skills
+
+    try:
+        skills, problems = load_skills(folders)
+    except ProblemError as fault:
+        _note(f"the checklist is left out: {fault}")
+        return []
+    return assess(skills, runs, problems)
+
+
+def _matrix(problem: Problem) -> Matrix | None:
+    """The kill matrix, as it is kept or by judging the known-wrong programs now; a fault is but a note."""
+    from judge.cli.containment import Containment
+    from judge.data import load_data
+    from judge.diagnose import Namer
+
+    try:
+        with progress(f"building {problem.id}") as advance:
+            data = load_data(problem, progress=advance)
+        with Containment(problem, None) as containment:
+            settings = containment.settings(jobs=1, submissions=1)
+            workers = min(_AT_ONCE, os.cpu_count() or 1)
+            label = f"learning the mistakes of {problem.id}"
+            namer = Namer(data, None, settings, workers, lambda: progress(label))
+            matrix = namer.matrix()
+    except JudgeError as fault:
+        _note(f"the matrix of {problem.id} is left out: {fault}")
+        return None
+    for note in (*data.notes, *namer.notes):
+        _note(note)
+    return matrix
+
+
+def _now() -> datetime:
+    given = os.environ.get(_EPOCH, "")
+    try:
+        return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
+    except (ValueError, OverflowError, OSError):
+        remedy = "set it to seconds since 1970, or unset it"
+        raise UsageError(f"{given!r} is no time", where=f"${_EPOCH}", remedy=remedy) from None
+
+
+# -- the file ----------------------------------------------------------------------------------------------
+
+
+def _check(path: Path, *, force: bool) -> None:
+    """Refuse, before anything is read, a place that cannot be written or holds something else."""
+    try:
+        if not path.parent.is_dir():
+            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
+        with suppress(FileNotFoundError):
+            path.stat()  # says at once what the questions below keep to themselves, such as a name too long
+        if path.is_dir():
+            raise UsageError("it is a folder", where=str(path), remedy="name a file with --out")
+        if path.exists() and not path.is_file():
+            raise UsageError("it is no ordinary file", where=str(path), remedy="name another with --out")
+        if path.exists() and not force and not _is_report(path):
+            raise UsageError(
+                "it is there already and is no report",
+                where=str(path),
+                remedy="name another file with --out, or overwrite it with --force",
+            )
+    except OSError as fault:
+        raise _unwritable(path, fault) from fault
+
+
+def _is_report(path: Path) -> bool:
+    from judge.report.page.render import is_report
+
+    with path.open("rb") as file:
+        return is_report(file.read(_LOOKED_AT))
+
+
+def _write(path: Path, page: bytes) -> None:
+    try:
+        replace_file(path.resolve(), page)  # where a link leads, so that the link stays one
+    except OSError as fault:
+        raise _unwritable(path, fault) from fault
+
+
+def _unwritable(path: Path, fault: OSError) -> UsageError:
+    reason = (fault.strerror or "it failed").lower()
+    return UsageError(f"cannot be written ({reason})", where=str(path), remedy="name another file with --out")
+
+
+def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *, as_json: bool) -> None:
+    if as_json:
+        write_json(
+            {
+                "schema": SCHEMA,
+                "report": str(path),
+                "bytes": len(page),
+                "runs": len(runs),
+                "problems": sorted(tried),
+            }
+        )
+        return
+    screen = out()
+    screen.stream.write(file_link(path, screen.stream) + "\n")
+    screen.stream.flush()
+
+
+def _note(text: str) -> None:
+    err().show([line(Span("judge:", Style.WARNING), f" {text}")])

@@ -1,0 +1,201 @@
+"""`judge watch`: judge a file again on every save."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from types import FrameType
+from typing import Any, NoReturn
+
+import click
+
+from judge.cli.containment import isolation_option
+from judge.cli.diagnosis import no_shrink_option
+from judge.cli.kata import Kata, file_in_hand, take_up
+from judge.cli.options import (
+    chosen_groups,
+    db_option,
+    group_option,
+    json_option,
+    problems_option,
+    seed_option,
+    write_json,
+)
+from judge.cli.picture import Drawing
+from judge.cli.recording import no_history_option
+from judge.cli.run import Wish, judged, named_problem, show_result
+from judge.cli.submissions import read_submissions
+from judge.errors import ExitCode, HistoryError, JudgeError, UsageError
+from judge.kata.saves import Mark, Saves, mark, settled
+from judge.report.layout import Span, Style, line
+from judge.report.screen import err, is_terminal, out
+from judge.report.terminal import draws
+
+_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
+_ENDINGS = ("SIGTERM", "SIGHUP")
+
+
+@click.command("watch")
+@click.argument("name", metavar="[PROBLEM", required=False)
+@click.argument("file", metavar="FILE]", required=False)
+@json_option
+@group_option
+@seed_option
+@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
+@isolation_option
+@no_shrink_option
+@no_history_option
+@db_option
+@problems_option
+def command(
+    name: str | None,
+    file: str | None,
+    as_json: bool,
+    groups: tuple[str, ...],
+    seed: int | None,
+    no_name: bool,
+    level: str | None,
+    unshrunk: bool,
+    unrecorded: bool,
+    db: Path | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
+    """Judge a file now and again on every save; without arguments, the kata in hand.
+
+    On a terminal single keys give the next kata, a hint, a list, the reasons of the failing test groups, a
+    picture of the failing case, another run, or end it. Elsewhere each result is written as judge run does.
+    """
+    kata = _kata(name, file, folders, db)
+    chosen_groups(kata.problem, groups)  # a name that is none is told before anything else
+    wish = Wish(
+        groups=groups,
+        seed=seed,
+        level=level,
+        diagnosed=not unshrunk,
+        named=not no_name,
+        kept=not unrecorded,
+        db=db,
+    )
+    if not unrecorded:
+        _take_up(kata, db)
+    with handled(dict.fromkeys(_ENDINGS, _leave)):
+        if as_json or not (draws(out()) and is_terminal(sys.stdin)):
+            _write_on(Desk(kata, wish), as_json=as_json)
+        from judge.cli.board import watch_on_screen  # what draws and reads keys, for who sits there
+
+        return watch_on_screen(kata, wish, folders)
+
+
+class Desk:
+    """A kata under watch: whether its file was saved since it was judged, and judging it."""
+
+    def __init__(self, kata: Kata, wish: Wish) -> None:
+        self.kata = kata
+        self._wish = wish
+        self._seen: Mark | None = None
+        self._looked = False
+
+    def saved(self) -> bool:
+        """Whether there is something new to judge or to tell; waits while the file is being written."""
+        if self._looked and mark(self.kata.path) == self._seen:
+            return False
+        now = settled(self.kata.path)
+        new = not self._looked or now != self._seen
+        self._seen, self._looked = now, True
+        return new
+
+    def judge(self) -> Drawing | str:
+        """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
+
+        Raises:
+            UsageError: the isolation that was demanded cannot be had.
+        """
+        name = self.kata.name
+        if self._seen is None:
+            return f"{name} is gone; it is judged again when it is back"
+        try:
+            submissions = read_submissions([name])
+        except UsageError as fault:
+            return str(fault)
+        if not submissions[0].source.strip():
+            return f"{name} is empty; it is judged when there is something in it"
+        try:
+            with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
+                return next(drawings)
+        except UsageError:
+            raise
+        except JudgeError as fault:
+            return str(fault)
+
+
+def await_event(events: SimpleQueue[str]) -> str | None:
+    """The next event, or None after a second without one."""
+    try:
+        return events.get(timeout=_LOOK)
+    except Empty:
+        return None
+
+
+@contextmanager
+def handled(handlers: Mapping[str, Callable[[int, FrameType | None], Any]]) -> Iterator[None]:
+    """Have these signals handled while the block runs."""
+    before = {name: signal.signal(getattr(signal, name), handler) for name, handler in handlers.items()}
+    try:
+        yield
+    finally:
+        for name, handler in before.items():
+            signal.signal(getattr(signal, name), handler)
+
+
+def _leave(number: int, _frame: FrameType | None) -> NoReturn:
+    """End like any program that was asked to, but after clearing up."""
+    raise SystemExit(128 + number)
+
+
+def _kata(name: str | None, file: str | None, folders: tuple[Path, ...], db: Path | None) -> Kata:
+    if name is None:
+        name, file = file_in_hand(db)
+    problem = named_problem(name, folders)
+    if file is None:
+        remedy = f"write judge watch {name} FILE, or judge watch alone for the kata in hand"
+        raise UsageError("missing argument 'FILE'", remedy=remedy)
+    path = Path(file)
+    if path.is_dir():
+        raise UsageError("this is a folder", where=file, remedy="name the file to watch")
+    try:
+        read_submissions([file])
+    except UsageError as fault:
+        if path.exists() or not path.parent.is_dir():
+            raise
+        raise UsageError(
+            "no such file", where=file, remedy=f"'judge init {problem.id} {file}' begins it"
+        ) from fault
+    return Kata(problem, path.absolute())
+
+
+def _take_up(kata: Kata, db: Path | None) -> None:
+    """Make it the kata in hand; a history that fails does not stand in the way."""
+    try:
+        take_up(kata, db)
+    except HistoryError as fault:
+        err().show([line(Span("judge:", Style.WARNING), f" not kept in the history: {fault}")])
+
+
+def _write_on(desk: Desk, *, as_json: bool) -> NoReturn:
+    """Write every result, for whoever is no terminal; ends when the process does."""
+    events: SimpleQueue[str] = SimpleQueue()
+    with Saves(desk.kata.path, lambda: events.put("saved")):
+        while True:
+            if desk.saved():
+                found = desk.judge()
+                if isinstance(found, str):
+                    err().show([line(Span("judge:", Style.WARNING), f" {found}")])
+                elif as_json:
+                    write_json(found.result.as_json())
+                else:
+                    show_result(found)
+            await_event(events)

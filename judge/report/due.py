@@ -1,0 +1,91 @@
+"""What to do again today, for the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from datetime import datetime
+
+from judge.kata.review import Rating, Review
+from judge.report.history import day
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
+from judge.report.values import counted
+
+_STYLES = {Rating.AGAIN: Style.BAD, Rating.HARD: Style.WARNING}
+
+
+def due_lines(
+    found: Sequence[Review], elsewhere: Collection[str], now: datetime, width: int | None
+) -> Iterator[Line]:
+    """The katas that are due, the longest overdue first, then those that come later.
+
+    `elsewhere` are problems of the history that are not to be found from here.
+    """
+    due = [review for review in found if review.is_due(now)]
+    later = [review for review in found if not review.is_due(now)]
+    if due:
+        yield line(Span("Today", Style.STRONG), Span(f"  {counted(len(due), 'kata')}", Style.FAINT))
+        yield from _table(due, now).lines(width)
+        yield line()
+        text = "Write it again from an empty file: a file that was accepted before counts for nothing."
+        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=2, column=2)
+        first = due[0].problem
+        yield line("  next  ", Span(f"judge init {first} {_fresh(first, now)}", Style.STRONG))
+    else:
+        yield line(Span("Nothing today.", Style.GOOD))
+    if later:
+        yield line()
+        yield line(Span("Later", Style.STRONG))
+        yield from _table(later, now).lines(width)
+    if elsewhere:
+        yield line()
+        text = f"Not to be found from here: {', '.join(sorted(elsewhere))}; see --problems."
+        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
+
+
+def nothing_lines(width: int | None) -> Iterator[Line]:
+    """Nothing was ever judged."""
+    text = "Nothing was judged yet, so nothing comes again; 'judge practice' takes up the first kata."
+    yield from hanging(Span(""), Span(text), width, indent=0, column=0)
+
+
+def _table(found: Sequence[Review], now: datetime) -> Table:
+    columns = (
+        Column("kata"),
+        Column("due"),
+        Column("recall", right=True),
+        Column("last"),
+        Column("it went"),
+        Column("sittings", right=True),
+    )
+    return Table(columns, [_row(review, now) for review in found])
+
+
+def _row(review: Review, now: datetime) -> list[Cell]:
+    return [
+        Span(review.problem, Style.STRONG),
+        _due(review, now),
+        Span(f"{review.recall:.0%}", Style.FAINT),
+        Span(day(review.last), Style.FAINT),
+        Span(_went(review), _STYLES.get(review.rating, Style.PLAIN)),
+        Span(str(review.sittings), Style.FAINT),
+    ]
+
+
+def _due(review: Review, now: datetime) -> str:
+    days = (review.due.astimezone(now.tzinfo).date() - now.date()).days
+    if days < 0:
+        return f"{counted(-days, 'day')} ago"
+    return "today" if days == 0 else f"in {counted(days, 'day')}"
+
+
+def _went(review: Review) -> str:
+    if not review.solved:
+        return "never passed"
+    return {Rating.AGAIN: "badly", Rating.HARD: "hard", Rating.GOOD: "well", Rating.EASY: "easily"}[
+        review.rating
+    ]
+
+
+def _fresh(problem: str, now: datetime) -> str:
+    """A name for a file that is not there yet."""
+    return f"{problem.replace('-', '_')}_{now:%m%d}.py"

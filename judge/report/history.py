@@ -1,0 +1,119 @@
+"""Past runs for the screen: the list of them, and what changed from one to another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from datetime import date, datetime
+
+from judge.kata.changes import Change
+from judge.kata.history import Run
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line, printable
+from judge.report.results import verdict_span
+from judge.report.values import counted, times
+
+_LABELS = 12  # the column where what follows a label begins
+_TAB = "→   "  # a tab and four spaces are not the same to Python, and must not look the same
+_STYLES = {"+": Style.GOOD, "-": Style.BAD, "@": Style.STRONG, "\\": Style.FAINT}
+
+
+def moment(when: datetime) -> str:
+    """A time as the clock on the wall shows it."""
+    return when.astimezone().strftime("%Y-%m-%d %H:%M")
+
+
+def day(when: datetime | date) -> str:
+    """A day as the calendar on the wall shows it."""
+    return (when.astimezone() if isinstance(when, datetime) else when).strftime("%Y-%m-%d")
+
+
+def history_lines(runs: Sequence[Run], width: int | None, *, more: bool = False) -> Iterator[Line]:
+    """One row a run, the latest last; `more` says that older ones are left out."""
+    columns = (
+        Column("run", right=True),
+        Column("when"),
+        Column("problem"),
+        Column("file"),
+        Column("verdict"),
+        Column("points", right=True),
+        Column("× reference", right=True),
+        Column("mistake or failed group", flexible=True),
+    )
+    shown = len(columns) - all(run.whole for run in runs)
+    rows = [_row(run)[:shown] for run in runs]
+    yield from Table(columns[:shown], rows, indent=0).lines(width)
+    if more:
+        yield line()
+        text = f"The last {counted(len(runs), 'run')}; --limit N shows more."
+        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
+
+
+def _row(run: Run) -> list[Cell]:
+    return [
+        Span(str(run.id), Style.STRONG),
+        Span(moment(run.when), Style.FAINT),
+        run.problem,
+        printable(run.submission),  # a line break in it is no line break here
+        verdict_span(run.verdict),
+        Span(str(run.score), Style.FAINT),
+        Span(_times(run.ratio), Style.FAINT),
+        run.mistake or (run.failed[0] if run.failed else ""),
+    ]
+
+
+def change_lines(change: Change, width: int | None) -> Iterator[Line]:
+    """Which runs, what changed in what they came to, and the difference of their sources."""
+    old, new = change.old, change.new
+    yield from Table((Column(""),) * 6, [_short(old), _short(new)], indent=0).lines(width)
+    yield line()
+    for label, text, style in _outcome(change):
+        yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=2, column=_LABELS)
+    yield line()
+    if change.same_source:
+        yield line("The source is the same.")
+    elif change.diff is None:
+        yield line("The sources are too long to compare.")
+    else:
+        yield from (_diff_line(text, place) for place, text in enumerate(change.diff))
+
+
+def _short(run: Run) -> list[Cell]:
+    return [
+        Span(f"run {run.id}", Style.STRONG),
+        Span(moment(run.when), Style.FAINT),
+        run.problem,
+        printable(run.submission),
+        verdict_span(run.verdict),
+        Span(counted(run.score, "point"), Style.FAINT),
+    ]
+
+
+def _outcome(change: Change) -> Iterator[tuple[str, str, Style]]:
+    """What changed, each with its label; all that stayed as it was in one line."""
+    old, new = change.old, change.new
+    pairs = [
+        ("verdict", old.verdict.value, new.verdict.value),
+        ("points", str(old.score), str(new.score)),
+        ("mistake", old.mistake or "none named", new.mistake or "none named"),
+        ("× ref.", _times(old.ratio) or "not measured", _times(new.ratio) or "not measured"),
+    ]
+    for label, before, after in pairs:
+        if before != after:
+            yield label, f"{before} → {after}", Style.PLAIN
+    if change.gained:
+        yield "gained", ", ".join(change.gained), Style.GOOD
+    if change.lost:
+        yield "lost", ", ".join(change.lost), Style.BAD
+    if old.problem != new.problem:
+        yield "problem", "not the same: their test groups are not compared", Style.WARNING
+    elif not (change.gained or change.lost):
+        yield "groups", "none gained, none lost", Style.PLAIN
+
+
+def _diff_line(text: str, place: int) -> Line:
+    """One line of the diff, never broken, so that it can be copied; the first two are the names."""
+    style = Style.STRONG if place < 2 else _STYLES.get(text[:1], Style.PLAIN)
+    return line(Span(text.replace("\t", _TAB), style))
+
+
+def _times(ratio: float | None) -> str:
+    return "" if ratio is None else times(ratio)

@@ -1,0 +1,97 @@
+"""Katas for the screen: one that was taken up, the path of them, what comes after an accepted submission."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from msgspec import Struct
+
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.screen import Screen, is_terminal
+from judge.spec import Problem
+
+
+def pointer_lines(problem: str, screen: Screen) -> list[Line]:
+    """After an accepted submission, on a terminal: where to go from there."""
+    if not is_terminal(screen.stream):
+        return []
+    text = f"judge solution {problem} explains a model solution, judge next goes on"
+    return hanging(Span("then", Style.FAINT), Span(text), screen.width, indent=2, column=8)
+
+
+def begun_lines(problem: Problem, file: str, width: int | None) -> Iterator[Line]:
+    """A kata whose stub was written, or that is there already, and the commands to go on with."""
+    yield from beside(Span(file, Style.STRONG), f"{problem.id}: {problem.title}, {problem.tier.value}", width)
+    yield line()
+    yield from command_lines(
+        {
+            "judge watch": "judges it on every save",
+            "judge run": "judges it once",
+            "judge hint": "gives the next hint",
+            f"judge show {problem.id}": "shows the statement",
+        },
+        width,
+    )
+
+
+def next_lines(problem: Problem, width: int | None) -> Iterator[Line]:
+    """The kata that is next, whose file is still to be written."""
+    head = f"{problem.id}: {problem.title}"
+    yield from beside(Span(head, Style.STRONG), problem.tier.value, width)
+    yield from hanging(Span(""), Span(problem.summary), width, indent=2, column=2)
+    yield line()
+    commands = {
+        f"judge init {problem.id}": "writes its file, to begin with",
+        f"judge show {problem.id}": "shows the statement",
+    }
+    yield from command_lines(commands, width)
+
+
+def finished_lines(width: int | None) -> list[Line]:
+    """There is no next kata."""
+    return beside(Span("Every other problem of the path is solved.", Style.GOOD), "", width)
+
+
+def command_lines(commands: dict[str, str], width: int | None) -> Iterator[Line]:
+    """Commands, each with what it does."""
+    column = 2 + max(map(len, commands)) + 2
+    for command, about in commands.items():
+        yield from hanging(Span(command), Span(about, Style.FAINT), width, indent=2, column=column)
+
+
+class Stage(Struct, frozen=True):
+    """One problem of the path, and how far the person has come with it."""
+
+    problem: Problem
+    best: int | None  # points; None where it was never tried
+    solved: bool
+    in_hand: bool
+
+    @property
+    def state(self) -> Span:
+        """How far, in a word or two."""
+        if self.solved:
+            return Span("accepted", Style.GOOD)
+        return Span("" if self.best is None else f"{self.best} points", Style.WARNING)
+
+
+def path_lines(stages: Sequence[Stage], width: int | None) -> Iterator[Line]:
+    """The path, one row a problem; the kata in hand is marked."""
+    columns = (
+        Column(""),
+        Column("problem"),
+        Column("tier"),
+        Column("so far"),
+        Column("title", flexible=True),
+    )
+    rows: list[list[Cell]] = [
+        [
+            ">" if stage.in_hand else "",
+            Span(stage.problem.id, Style.STRONG),
+            stage.problem.tier.value,
+            stage.state,
+            stage.problem.title,
+        ]
+        for stage in stages
+    ]
+    yield from Table(columns, rows, indent=0).lines(width)

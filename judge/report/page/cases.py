@@ -1,0 +1,163 @@
+"""The failing cases worth showing: of every mistake made on a problem the latest one, with its picture."""
+
+from __future__ import annotations
+
+import shlex
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from datetime import datetime
+
+from judge.data import ProblemData
+from judge.data.module import ProblemModule, load_module
+from judge.data.validate import Validator
+from judge.diagnose.picture import Picture, compose
+from judge.diagnose.picture.shapes import Role
+from judge.diagnose.picture.svg import panel_svg
+from judge.errors import JudgeError
+from judge.kata.history import Run
+from judge.kata.skills import mistake_names
+from judge.report.page.parts import Drawing, Explained, FailingCase
+from judge.report.page.record import CaseRecord, read_record
+from judge.report.values import arguments
+from judge.spec import Case, Problem, Verdict
+
+MOST = 12  # kinds of failure of one problem
+_LONGEST = 2000  # characters of a submission's own words that are shown
+
+Kind = tuple[str, ...]
+
+
+def kind_of(run: Run) -> Kind:
+    """What a failed run has in common with others: its mistake, or else its verdict and its first group."""
+    return ("mistake", run.mistake) if run.mistake else ("verdict", run.verdict.value, *run.failed[:1])
+
+
+def anchors(part: str, runs: Sequence[Run]) -> dict[Kind, str]:
+    """The kinds of failure shown of a problem's runs, latest first, each with its place in the page."""
+    failed = (kind_of(run) for run in reversed(runs) if _failed(run))
+    kinds = list(dict.fromkeys(failed))[:MOST]
+    return {kind: f"{part}-case-{place}" for place, kind in enumerate(kinds, 1)}
+
+
+def failing_cases(
+    problem: Problem | None, runs: Sequence[Run], places: Mapping[Kind, str], advice: Mapping[str, str]
+) -> Iterator[FailingCase]:
+    """The latest run of every kind in `places`, of one problem's runs, oldest first.
+
+    `advice` explains the mistakes by name. Without the problem, which may be gone, nothing is drawn.
+    """
+    times = Counter(kind_of(run) for run in runs if _failed(run))
+    latest = {kind_of(run): run for run in runs if _failed(run)}
+    artist = _Artist(problem) if problem else None
+    for kind, anchor in places.items():
+        run = latest[kind]
+        solved = next((each.when for each in runs if each.id > run.id and each.solved), None)
+        yield _case(run, anchor, times[kind], solved, artist, advice)
+
+
+def left_out(runs: Sequence[Run], places: Mapping[Kind, str]) -> int:
+    """How many kinds of failure are not shown."""
+    return len({kind_of(run) for run in runs if _failed(run)}) - len(places)
+
+
+def _failed(run: Run) -> bool:
+    return run.counts and run.verdict is not Verdict.AC
+
+
+def _case(
+    run: Run,
+    anchor: str,
+    times: int,
+    solved: datetime | None,
+    artist: _Artist | None,
+    advice: Mapping[str, str],
+) -> FailingCase:
+    record = read_record(run)
+    first, small = record.failure or CaseRecord(""), record.counterexample
+    smallest = small is not None and small.replay is not None
+    shown = small if small is not None and smallest else first
+    picture = artist.picture(shown, first.group) if artist else None
+    return FailingCase(
+        anchor=anchor,
+        title=run.mistake or _title(run, first),
+        number=run.id,
+        when=run.when,
+        verdict=run.verdict,
+        times=times,
+        overcome=solved,
+        kind=_kind(first, smallest=smallest),
+        facts=tuple(_facts(run, shown, first, small)),
+        drawings=tuple(_drawings(picture, anchor)) if picture else (),
+        marks=_marks(picture) if picture else (),
+        explained=tuple(Explained(name, advice[name]) for name in mistake_names(run) if name in advice),
+    )
+
+
+def _title(run: Run, first: CaseRecord) -> str:
+    group = f" in {first.group}" if first.group else ""
+    return f"{run.verdict.meaning}{group}".capitalize()
+
+
+def _kind(first: CaseRecord, *, smallest: bool) -> str:
+    place = f"{first.group}, case {first.case}" if first.group and first.case else ""
+    if smallest:
+        return f"Smallest case found (first failed: {place})" if place else "Smallest case found"
+    return place
+
+
+def _facts(
+    run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None
+) -> Iterable[tuple[str, str, str]]:
+    if shown.input:
+        yield "input", arguments(shown.input), "code"
+    if shown.expected is not None and shown.input:
+        yield "wanted", _cut(shown.expected), "wanted"
+        yield "got", _cut(shown.got or "no answer"), "got"
+    message = shown.message or first.message
+    if message and message != f"{shown.expected} wanted, {shown.got} given":
+        yield "why", _cut(message), ""
+    if small is not None and small.replay is None:
+        yield "note", _cut(small.message), ""
+    if shown.replay:
+        yield "again", shlex.join(["judge", "replay", shown.replay, run.submission]), "code"
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…"
+
+
+def _drawings(picture: Picture, anchor: str) -> Iterator[Drawing]:
+    for panel, name in zip(picture.panels, ("whole", "lens"), strict=False):
+        svg = panel_svg(panel, f"{anchor}-{name}", picture.description)
+        yield Drawing(svg, panel.title, panel.note)
+
+
+def _marks(picture: Picture) -> tuple[str, ...]:
+    drawn = {mark.role for panel in picture.panels for mark in panel.marks}
+    return tuple(role.value for role in (Role.WANTED, Role.GOT) if role in drawn)
+
+
+class _Artist:
+    """Draws cases of one problem; its reference is loaded with the first of them."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._module: ProblemModule | None = None
+
+    def picture(self, case: CaseRecord, group: str | None) -> Picture | None:
+        """The picture of a case, or None where there is none: the problem may have changed since."""
+        known = self._problem.group(group) if group else None
+        names = [parameter.name for parameter in self._problem.parameters]
+        if known is None or not case.input or list(case.input) != names:
+            return None
+        values: Case = tuple(tuple(v) if isinstance(v, list) else v for v in case.input.values())
+        try:
+            if self._module is None:
+                self._module = load_module(self._problem)
+            if Validator(self._problem, self._module.promise).fault(values):
+                return None
+            data = ProblemData(self._problem, (), module=self._module)
+            exact, _ = data.exact(values, known)
+        except JudgeError:  # a problem that is broken now: its runs are told of all the same
+            return None
+        return compose(self._problem, case.input, exact, wanted=case.expected, got=case.got)

@@ -1,0 +1,199 @@
+"""From the runs of a history and the problems they are of to a page. Pure: nothing is judged or read here."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from datetime import datetime, tzinfo
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge import __version__
+from judge.kata.history import Run
+from judge.kata.skills import SkillProgress, mistake_names
+from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
+from judge.report.page.checklist import skill_lines
+from judge.report.page.kills import kill_table
+from judge.report.page.parts import (
+    GroupMark,
+    OverviewLine,
+    Page,
+    ProblemPart,
+    RunLine,
+    SkillLine,
+    Tile,
+)
+from judge.report.page.plot import ratio_plot
+from judge.report.page.record import GroupRecord, read_record
+from judge.report.values import counted, times
+from judge.run.matrix import Matrix
+from judge.spec import Problem, Tier, Verdict
+
+MOST_RUNS = 300  # of one problem in its tables
+_FIRST_RUNS = 12  # that are in sight; the earlier ones are folded away
+_LONGEST_SOURCE = 12_000  # characters
+
+_TIERS = {tier.value: place for place, tier in enumerate(Tier)}
+
+
+class Known(Struct, frozen=True):
+    """What is known of a problem now: itself, its mistakes' advice by name, and its matrix if it was made."""
+
+    problem: Problem
+    advice: Mapping[str, str] = {}
+    matrix: Matrix | None = None
+
+
+def compose_page(
+    runs: Sequence[Run],
+    known: Sequence[Known],
+    sources: Mapping[str, bytes],
+    skills: Sequence[SkillProgress] = (),
+    *,
+    generated: datetime,
+    zone: tzinfo | None = None,
+    person: str = "",
+) -> Page:
+    """The page of these runs, oldest first, at least one.
+
+    Args:
+        runs: of all problems; one that is not in `known` any more is told of as far as its runs do.
+        known: all problems, tried or not.
+        sources: by problem, what the last run judged.
+        skills: how they stand after these runs; without any there is no checklist.
+        generated: when the page is made.
+        zone: the zone of all times shown; None for this machine's own.
+        person: whose page it is, for its heading.
+    """
+    runs = [_in_zone(run, zone) for run in runs]
+    checklist = tuple(skill_lines(skills, zone))
+    by_id = {each.problem.id: each for each in known}
+    tried: dict[str, list[Run]] = {}
+    for run in runs:
+        tried.setdefault(run.problem, []).append(run)
+    names = sorted({*by_id, *tried}, key=lambda name: (_place(by_id.get(name)), name))
+    parts = {
+        name: _part(f"problem-{place}", tried[name], by_id.get(name), sources.get(name, b""))
+        for place, name in enumerate(names, 1)
+        if name in tried
+    }
+    return Page(
+        title=f"Kata report: {person}" if person else "Kata report",
+        person=person,
+        generated=generated.astimezone(zone),
+        version=__version__,
+        first=runs[0].when,
+        last=runs[-1].when,
+        tiles=tuple(_tiles(runs, names, parts, checklist)),
+        overview=tuple(_overview(name, by_id.get(name), tried.get(name), parts.get(name)) for name in names),
+        skills=checklist,
+        problems=tuple(parts.values()),
+        verdicts=tuple(verdict for verdict in Verdict if any(run.verdict is verdict for run in runs)),
+    )
+
+
+def _in_zone(run: Run, zone: tzinfo | None) -> Run:
+    return replace(run, when=run.when.astimezone(zone))
+
+
+def _place(known: Known | None) -> int:
+    """Where a problem stands on the path; one that is gone, last."""
+    return _TIERS[known.problem.tier.value] if known else len(_TIERS)
+
+
+def _tiles(
+    runs: Sequence[Run], names: Sequence[str], parts: Mapping[str, ProblemPart], skills: Sequence[SkillLine]
+) -> Iterator[Tile]:
+    solved = sum(part.solved is not None for part in parts.values())
+    yield Tile(f"{solved} of {len(names)}", "problems solved")
+    if skills:
+        yield Tile(f"{sum(skill.ticked for skill in skills)} of {len(skills)}", "skills shown")
+    days = len({run.when.date() for run in runs})
+    yield Tile(f"{len(runs):,}", f"{'run' if len(runs) == 1 else 'runs'} on {counted(days, 'day')}")
+    met = [case for part in parts.values() for case in part.cases if case.explained]
+    if met:
+        gone = sum(case.overcome is not None for case in met)
+        yield Tile(f"{gone} of {len(met)}", "mistakes overcome")
+
+
+def _overview(
+    name: str, known: Known | None, runs: Sequence[Run] | None, part: ProblemPart | None
+) -> OverviewLine:
+    solved = [run.ratio for run in runs or () if run.solved and run.ratio is not None]
+    return OverviewLine(
+        id=name,
+        title=known.problem.title if known else "",
+        tier=known.problem.tier.value if known else "",
+        part=part,
+        ratio=f"{times(min(solved))} ×" if solved else "",
+        last=runs[-1].when if runs else None,
+    )
+
+
+# -- one problem -------------------------------------------------------------------------------------------
+
+
+def _part(anchor: str, runs: Sequence[Run], known: Known | None, source: bytes) -> ProblemPart:
+    """`anchor` is its place in the page: a problem's own name may be any word, of the page's own too."""
+    problem, name = known.problem if known else None, runs[0].problem
+    places = anchors(anchor, runs)
+    lines = [_run_line(run, places.get(kind_of(run), "")) for run in reversed(runs[-MOST_RUNS:])]
+    counting = [run for run in runs if run.counts]
+    made = Counter(mistake for run in counting for mistake in mistake_names(run))
+    matrix = known.matrix if known else None
+    return ProblemPart(
+        anchor=anchor,
+        id=name,
+        title=problem.title if problem else name,
+        summary=problem.summary if problem else "This problem is not there any more.",
+        tier=problem.tier.value if problem else "",
+        solved=next((run.when for run in runs if run.solved), None),
+        best=max((run.score for run in counting), default=0),
+        attempts=len(counting),
+        groups=tuple(_groups(runs, problem)),
+        runs=tuple(lines[:_FIRST_RUNS]),
+        earlier=tuple(lines[_FIRST_RUNS:]),
+        more=len(runs) - len(lines),
+        plot=ratio_plot(anchor, counting, problem.time.limit if problem and problem.time else None),
+        cases=tuple(failing_cases(problem, runs, places, known.advice if known else {})),
+        cases_left_out=left_out(runs, places),
+        kills=kill_table(matrix, made) if matrix else None,
+        source=_source(source),
+        source_name=runs[-1].submission,
+        source_run=runs[-1].id,
+    )
+
+
+def _run_line(run: Run, case: str) -> RunLine:
+    ratio = f"{times(run.ratio)} ×" if run.ratio is not None else ""
+    shown = case if run.counts and run.verdict is not Verdict.AC else ""
+    return RunLine(run.id, run.when, run.verdict, run.score, ratio, run.mistake or "", shown, run.submission)
+
+
+def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]:
+    """Every group as the latest run left it that ran it."""
+    found: dict[str, GroupRecord] = {}
+    names = [group.name for group in problem.groups] if problem else None
+    for run in reversed(runs):
+        if names is not None and all(name in found for name in names):
+            break
+        if not set(found).issuperset((*run.passed, *run.failed)):
+            for group in read_record(run).groups:
+                found.setdefault(group.name, group)
+    about = {group.name: group.about for group in problem.groups} if problem else {}
+    for name in names if names is not None else found:
+        if name not in found:
+            yield GroupMark(name, about.get(name, ""), "open", "not run")
+            continue
+        group = found[name]
+        accepted = group.verdict == Verdict.AC.value
+        detail = "" if accepted else f"{group.passed} of {group.cases}"
+        yield GroupMark(name, about.get(name, ""), "passed" if accepted else "failed", detail)
+
+
+def _source(source: bytes) -> str:
+    text = source.decode("utf-8", "backslashreplace")
+    if len(text) <= _LONGEST_SOURCE:
+        return text
+    return text[:_LONGEST_SOURCE] + "\n… (the rest is left out)"

@@ -1,0 +1,202 @@
+"""What a page is made of: values in the words and places that the templates only have to put down."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from msgspec import Struct
+
+from judge.spec import Verdict
+
+
+class Tile(Struct, frozen=True):
+    """A figure at the head of the page: `12 of 22`, `skills`."""
+
+    value: str
+    label: str
+
+
+class SkillLine(Struct, frozen=True):
+    """One line of the checklist of skills.
+
+    `state` is "shown", "part", "lost" (the latest run fails what an earlier one passed) or "open"; `share`
+    says of a part how much it is; `since` is when it was first shown whole.
+    """
+
+    name: str
+    about: str
+    state: str
+    share: str = ""
+    since: datetime | None = None
+    attempts: int = 0
+    mistakes: tuple[str, ...] = ()
+
+    @property
+    def ticked(self) -> bool:
+        """Whether all that the skill asks for is passed."""
+        return self.state == "shown"
+
+
+class RunLine(Struct, frozen=True):
+    """One run: `case` is the anchor of the failing case shown for its mistake, empty where none is."""
+
+    number: int
+    when: datetime
+    verdict: Verdict
+    score: int
+    ratio: str
+    mistake: str
+    case: str
+    submission: str
+
+
+class Dot(Struct, frozen=True):
+    """A run in the plot: `x` in percent of its width, the rest in pixels from the top."""
+
+    x: str
+    y: float
+    top: float
+    bottom: float
+    kind: str  # "ac", "tle" or "doubt" (a ratio that deserves no belief)
+    label: str  # below the axis; empty where there is no room for one
+    number: int
+
+
+class Level(Struct, frozen=True):
+    """A horizontal line of the plot and its label."""
+
+    y: float
+    label: str
+
+
+class Plot(Struct, frozen=True):
+    """The time ratio over the attempts, oldest left, on a logarithmic scale; `links` join the dots."""
+
+    name: str  # begins the ids
+    height: float
+    dots: tuple[Dot, ...]
+    links: tuple[tuple[Dot, Dot], ...]
+    levels: tuple[Level, ...]
+    limit: Level | None
+    description: str
+    left_out: int  # earlier runs that are not shown
+
+
+class Drawing(Struct, frozen=True):
+    """One panel of a picture, as an SVG element, with its heading and its note."""
+
+    svg: str
+    title: str
+    note: str
+
+
+class Explained(Struct, frozen=True):
+    """A mistake by its name, with what is wrong and what to do instead."""
+
+    name: str
+    advice: str
+
+
+class FailingCase(Struct, frozen=True):
+    """The latest failing case of one kind: a mistake, or a verdict in a group where none is named.
+
+    `overcome` is when the problem was solved after it. `kind` says what case it is.
+    """
+
+    anchor: str
+    title: str
+    number: int
+    when: datetime
+    verdict: Verdict
+    times: int  # runs that failed in this way
+    overcome: datetime | None
+    kind: str
+    facts: tuple[tuple[str, str, str], ...]  # label, text, style: "wanted", "got", "code" or ""
+    drawings: tuple[Drawing, ...]
+    marks: tuple[str, ...]  # "wanted" and "got", where the drawings show such points
+    explained: tuple[Explained, ...]
+
+
+class GroupMark(Struct, frozen=True):
+    """A test group as the latest run that had it left it: "passed", "failed", or "open" where none had."""
+
+    name: str
+    about: str
+    state: str
+    detail: str
+
+
+class KillCell(Struct, frozen=True):
+    """How much of a group rejects a program: `shade` from 0 (nothing) to 5, `own` where it is aimed at it."""
+
+    group: str
+    text: str
+    shade: int
+    own: bool
+
+
+class KillLine(Struct, frozen=True):
+    """A known-wrong program; `made` is how often a run was explained by its mistake."""
+
+    name: str
+    made: int
+    cells: tuple[KillCell, ...]
+
+
+class KillTable(Struct, frozen=True):
+    """Which group catches which mistake, and how few cases would catch all."""
+
+    groups: tuple[str, ...]
+    lines: tuple[KillLine, ...]
+    least: str
+
+
+class ProblemPart(Struct, frozen=True):
+    """One problem with runs. `earlier` are the runs after the first page of them, `more` are not shown."""
+
+    anchor: str
+    id: str
+    title: str
+    summary: str
+    tier: str
+    solved: datetime | None
+    best: int
+    attempts: int
+    groups: tuple[GroupMark, ...]
+    runs: tuple[RunLine, ...]
+    earlier: tuple[RunLine, ...]
+    more: int
+    plot: Plot | None
+    cases: tuple[FailingCase, ...]
+    cases_left_out: int
+    kills: KillTable | None
+    source: str
+    source_name: str
+    source_run: int
+
+
+class OverviewLine(Struct, frozen=True):
+    """A problem in the table of all; `part` is None where it was never tried."""
+
+    id: str
+    title: str
+    tier: str
+    part: ProblemPart | None
+    ratio: str
+    last: datetime | None
+
+
+class Page(Struct, frozen=True):
+    """The whole report."""
+
+    title: str
+    person: str
+    generated: datetime
+    version: str
+    first: datetime
+    last: datetime
+    tiles: tuple[Tile, ...]
+    overview: tuple[OverviewLine, ...]
+    skills: tuple[SkillLine, ...]
+    problems: tuple[ProblemPart, ...]
+    verdicts: tuple[Verdict, ...]  # those that occur, to be explained

@@ -1,0 +1,196 @@
+"""`judge run` keeps its runs; `judge history` and `judge diff` show them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+import threading
+from pathlib import Path
+
+import pytest
+from cli_support import FLOOR, MEAN
+
+from judge.kata.history import History
+from judge.run import Mode, Result
+from judge.spec import Verdict
+
+
+@pytest.fixture
+def two_runs(judge, submit):
+    """A wrong run and a right one of the same file."""
+    judge("run", "middle", submit(FLOOR))
+    judge("run", "middle", submit(MEAN))
+
+
+@pytest.mark.parametrize("words", [(), ("-q",), ("--json",), ("--group", "half"), ("-j", "2")])
+def test_every_run_is_kept(words, judge, submit, tmp_path):
+    shown = judge("run", "middle", submit(MEAN), submit(FLOOR, "floor.py"), *words)
+    with History.open() as history:
+        runs = history.runs()
+        assert [run.submission for run in runs] == ["mine.py", "floor.py"]
+        assert [run.path for run in runs] == [str(tmp_path / "mine.py"), str(tmp_path / "floor.py")]
+        assert [run.verdict.value for run in runs] == ["AC", "WA"]
+        assert [history.source(run.id).decode() for run in runs] == [MEAN, FLOOR]
+    if words == ("--json",):
+        assert [run.result for run in runs] == [json.loads(line) for line in shown.lines]
+
+
+def test_unless_that_is_not_wanted(judge, submit, own_history):
+    assert judge("run", "middle", submit(MEAN), "--no-history").status == 0
+    assert not own_history.exists()
+
+
+def test_into_another_file(judge, submit, own_history, tmp_path):
+    judge("run", "-q", "middle", submit(MEAN), "--db", tmp_path / "team.db")
+    assert not own_history.exists()
+    assert "middle" in judge("history", "--db", tmp_path / "team.db").out
+
+
+@pytest.mark.parametrize(("source", "status"), [(MEAN, 0), (FLOOR, 1)])
+@pytest.mark.parametrize("words", [(), ("--json",)])
+def test_a_history_that_fails_never_loses_the_verdict(source, status, words, judge, submit, tmp_path):
+    (tmp_path / "diary").write_text("Dear diary,\n")
+    name = submit(source)
+    ended = judge("run", "middle", name, submit(source, "b.py"), "--db", "diary", "--no-shrink", *words)
+    assert ended.status == status
+    assert ended.err.count("\n") == 1, "one note, however many submissions"
+    assert ended.err.startswith("judge: not kept in the history: diary: this is no history of the judge; ")
+    assert ("AC" if status == 0 else "WA") in ended.out
+    assert (tmp_path / "diary").read_text() == "Dear diary,\n"
+
+
+def test_what_was_read_from_a_pipe_has_no_path(judge, submit, tmp_path):
+    submit(MEAN)
+    os.mkfifo(tmp_path / "pipe.py")
+    writer = threading.Thread(target=(tmp_path / "pipe.py").write_text, args=(MEAN,))
+    writer.start()
+    judge("run", "-q", "middle", "pipe.py")
+    writer.join()
+    with History.open() as history:
+        assert history.run(1).path == ""
+
+
+def test_the_list(judge, two_runs):
+    head, first, second = judge("history").lines
+    assert head.split()[:6] == ["run", "when", "problem", "file", "verdict", "points"]
+    assert re.fullmatch(r"  1  \d{4}-\d\d-\d\d \d\d:\d\d  middle   mine.py  WA +\d+ .*", first)
+    assert re.search(r"^  2 .* AC +100", second)
+
+
+def test_the_last_of_many(judge, two_runs):
+    with History.open() as history:
+        for _ in range(30):
+            history.add(Result("middle", "mine.py", Mode.FUNCTION, Verdict.CE), b"(", "")
+    shown = judge("history")
+    assert [line.split()[0] for line in shown.lines[1:21]] == [str(number) for number in range(13, 33)]
+    assert shown.lines[-1] == "The last 20 runs; --limit N shows more."
+    assert len(judge("history", "--limit", 3).lines) == 4
+    assert len(judge("history", "--limit", 32).lines) == 33
+    assert len(judge("history", "--json").lines) == 32
+    assert len(judge("history", "--json", "--limit", 5).lines) == 5
+
+
+def test_as_json(judge, two_runs):
+    first, second = map(json.loads, judge("history", "--json").lines)
+    assert (first["schema"], first["run"], second["run"]) == (1, 1, 2)
+    assert (first["verdict"], second["verdict"]) == ("WA", "AC")
+    assert second["result"]["groups"][0]["verdict"] == "AC"
+    assert first["time"] < second["time"]
+    assert set(second["passed"]) == {"examples", "whole", "half"}
+    assert len(second["source"]) == 64
+
+
+def test_as_csv(judge, two_runs):
+    rows = list(csv.DictReader(io.StringIO(judge("history", "middle", "--csv").out)))
+    assert [row["verdict"] for row in rows] == ["WA", "AC"]
+    assert rows[1]["passed"] == "examples whole half"
+    assert rows[1]["run"] == "2"
+    assert judge("history", "--csv", "--json").status == 2
+
+
+def test_of_one_problem(judge, two_runs):
+    assert len(judge("history", "middle").lines) == 3
+    assert judge("history", "count").lines == ["No runs yet; 'judge run count FILE' adds one."]
+    assert "did you mean 'middle'?" in judge("history", "midle").err
+
+
+def test_nothing_yet(judge, own_history):
+    assert judge("history").lines == ["No runs yet; 'judge run PROBLEM FILE' adds one."]
+    assert judge("history", "--json").out == ""
+    assert not own_history.exists()
+
+
+def test_a_problem_that_can_no_longer_be_found(judge, two_runs, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    assert len(judge("history", "middle").lines) == 3
+
+
+def test_a_name_that_steers_the_terminal(judge, submit):
+    judge("run", "-q", "middle", submit(MEAN, "a\x1b[31m\nb.py"))
+    for words in (("history",), ("history", "--csv"), ("history", "--json"), ("diff", 1, 1)):
+        shown = judge(*words)
+        assert shown.status == 0
+        assert "\x1b" not in shown.out
+    assert r"a\x1b[31m\nb.py" in judge("history").out
+
+
+@pytest.mark.parametrize("width", [40, 80, 200])
+def test_nothing_is_wider_than_the_terminal(width, judge, two_runs, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(width))
+    for words in (("history",), ("diff", 1, 2), ("practice",), ("progress",), ("due",)):
+        for line in judge(*words).lines:
+            assert len(line) <= width, words
+
+
+def test_from_one_run_to_another(judge, two_runs):
+    lines = judge("diff", 1, 2).lines
+    assert lines[0].startswith("run 1")
+    assert "  verdict   WA → AC" in lines
+    assert "  gained    examples, half" in lines
+    assert lines[-4:] == [
+        "@@ -1,2 +1,2 @@",
+        " def middle(a, b):",
+        "-    return (a + b) // 2",
+        "+    return (a + b) / 2",
+    ]
+
+
+def test_backwards_and_to_itself(judge, two_runs):
+    assert "  lost      examples, half" in judge("diff", 2, 1).lines
+    same = judge("diff", 2, 2).lines
+    assert same[-1] == "The source is the same."
+    assert "  groups    none gained, none lost" in same
+
+
+def test_the_difference_as_json(judge, two_runs):
+    found = json.loads(judge("diff", 1, 2, "--json").out)
+    assert (found["gained"], found["lost"], found["same_source"]) == (["examples", "half"], [], False)
+    assert (found["old"]["verdict"], found["new"]["verdict"]) == ("WA", "AC")
+    assert found["diff"].startswith("--- run 1 mine.py\n+++ run 2 mine.py\n")
+    assert "passed" in found["new"]
+
+
+def test_a_tab_is_not_four_spaces(judge, submit):
+    judge("run", "-q", "middle", submit("def middle(a, b):\n\treturn (a + b) / 2\n"))
+    judge("run", "-q", "middle", submit(MEAN))
+    lines = judge("diff", 1, 2).lines
+    assert lines[-2:] == ["-→   return (a + b) / 2", "+    return (a + b) / 2"]
+
+
+def test_a_run_that_is_not_there(judge, two_runs):
+    ended = judge("diff", 1, 9)
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err == "judge: there is no run 9; they go from 1 to 2; see 'judge history'\n"
+
+
+def test_a_broken_history_is_one_line(judge, tmp_path, submit):
+    submit(MEAN)
+    Path("diary").write_text("Dear diary,\n")
+    for words in (("history",), ("diff", 1, 2), ("practice",), ("progress",), ("due",)):
+        ended = judge(*words, "--db", "diary")
+        assert (ended.status, ended.out) == (3, ""), words
+        assert ended.err.count("\n") == 1
+        assert "diary: this is no history of the judge" in ended.err

@@ -1,0 +1,146 @@
+"""`judge report`: where the page goes, what it must not overwrite, and what the command says."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+from pathlib import Path
+
+import pytest
+from cli_support import FLOOR, MEAN
+
+from judge.report.links import file_link
+
+USUAL = Path("judge-report.html")
+
+
+@pytest.fixture
+def judged(judge, submit):
+    """A history of two runs: the floor, then the mean."""
+    assert judge("run", "middle", submit(FLOOR), "--no-shrink").status == 1
+    assert judge("run", "middle", submit(MEAN)).status == 0
+
+
+def test_it_writes_the_page_and_says_where(judge, judged):
+    ended = judge("report")
+    assert (ended.status, ended.out, ended.err) == (0, "judge-report.html\n", "")
+    page = USUAL.read_text(encoding="utf-8")
+    assert "solved on" in page
+    assert "floor-division" in page
+    assert "yours, 1 ×" in page  # in the kill matrix
+    assert "(a + b) / 2" in page  # the last source
+    assert USUAL.stat().st_mode & 0o777 == 0o644
+    assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
+
+
+def test_without_the_matrix(judge, judged):
+    assert judge("report", "--no-matrix").status == 0
+    assert "yours, 1 ×" not in USUAL.read_text(encoding="utf-8")
+
+
+def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    assert judge("report").status == 0
+    first = USUAL.read_bytes()
+    assert judge("report").status == 0
+    assert USUAL.read_bytes() == first
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
+    assert "$SOURCE_DATE_EPOCH: 'soon' is no time" in judge("report").err
+
+
+def test_a_link_stays_a_link(judge, judged):
+    USUAL.symlink_to("real.html")
+    assert judge("report").status == 0
+    assert USUAL.is_symlink()
+    assert Path("real.html").is_file()
+
+
+def test_for_scripts(judge, judged):
+    ended = judge("report", "--out", "page.html", "--json")
+    assert ended.status == 0
+    told = json.loads(ended.out)
+    size = Path("page.html").stat().st_size
+    assert told == {"schema": 1, "report": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
+
+
+def test_whose_it_is(judge, judged):
+    assert judge("report", "--name", "Ada <3").status == 0
+    assert "<title>Kata report: Ada &lt;3</title>" in USUAL.read_text(encoding="utf-8")
+
+
+def test_what_is_no_report_is_not_overwritten(judge, judged):
+    USUAL.write_text("<!doctype html><title>precious</title>")
+    ended = judge("report")
+    assert ended.status == 2
+    assert ended.err == (
+        "judge: judge-report.html: it is there already and is no report; "
+        "name another file with --out, or overwrite it with --force\n"
+    )
+    assert "precious" in USUAL.read_text()
+    assert judge("report", "--force").status == 0
+    assert "precious" not in USUAL.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        (["--out", "nowhere/page.html"], "its folder does not exist; make the folder first"),
+        (["--out", "."], "it is a folder; name a file with --out"),
+        (["--out", "/dev/null", "--force"], "it is no ordinary file"),
+        (["--out", "x" * 300], "cannot be written (file name too long)"),
+        (["--db", "empty.sqlite3"], "empty.sqlite3: there are no runs to report; judge something first"),
+    ],
+)
+def test_what_cannot_be_done(judge, judged, words, wanted):
+    ended = judge("report", *words)
+    assert ended.status == 2
+    assert ended.out == ""
+    assert wanted in ended.err
+    assert ended.err.count("\n") == 1
+    assert not Path("empty.sqlite3").exists()
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_is_not_ones_own(judge, judged, tmp_path):
+    tmp_path.chmod(0o555)
+    try:
+        assert "cannot be written (permission denied)" in judge("report").err
+    finally:
+        tmp_path.chmod(0o755)
+
+
+def test_a_history_of_something_else(judge, judged):
+    Path("other.db").write_bytes(b"no database at all, whatever it says")
+    ended = judge("report", "--db", "other.db")
+    assert ended.status == 3
+    assert ended.err.startswith("judge: other.db: ")
+    assert not USUAL.exists()
+
+
+def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):
+    (tmp_path / "pack" / "broken").mkdir(parents=True)
+    (tmp_path / "pack" / "broken" / "problem.toml").write_text("title = 1")
+    ended = judge("report", "--problems", "pack")
+    assert ended.status == 0
+    assert "broken is left out: " in ended.err
+    assert USUAL.exists()
+
+
+class Terminal(io.StringIO):
+    encoding = "utf-8"
+
+    def isatty(self):
+        return True
+
+
+def test_a_terminal_gets_a_link(tmp_path, monkeypatch):
+    monkeypatch.setenv("TERM", "xterm-256color")
+    monkeypatch.chdir(tmp_path)
+    target = f"{tmp_path.as_uri()}/my%20page.html"
+    link = file_link(Path("my page.html"), Terminal())
+    assert link == f"\x1b]8;;{target}\x1b\\my page.html\x1b]8;;\x1b\\"
+    assert file_link(Path("a\x1bb\x07.html"), Terminal()).count("\x1b") == 4
+    assert file_link(Path("page.html"), io.StringIO()) == "page.html"
+    monkeypatch.setenv("TERM", "dumb")
+    assert file_link(Path("page.html"), Terminal()) == "page.html"

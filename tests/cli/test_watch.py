@@ -1,0 +1,341 @@
+"""`judge watch` on a real terminal and without one: saves, keys, a terminal that is given back as it was."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from cli_support import FLOOR, MEAN, ROOT
+
+from judge.kata.history import History
+
+pty = pytest.importorskip("pty")
+import fcntl  # noqa: E402 - where there is pty there are these
+import struct  # noqa: E402
+import termios  # noqa: E402
+
+PATIENCE = 60  # seconds for something that is bound to come
+HOME, REST = "\x1b[H", "\x1b[J"
+KEYS = "n next   h hint   l list   w why   p picture   r run again   q quit"
+
+
+class Terminal:
+    """`judge watch` on a terminal of its own."""
+
+    def __init__(self, folder, *words, columns=80, rows=30, **settings):
+        self.ours, theirs = pty.openpty()
+        self.resize(columns, rows, tell=False)
+        self.before = termios.tcgetattr(self.ours)
+        settings = {"TERM": "xterm-256color", "NO_COLOR": "1", "PYTHONPATH": str(ROOT), **settings}
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "judge", "watch", *map(str, words)],
+            cwd=folder,
+            env={**os.environ, **settings},
+            stdin=theirs,
+            stdout=theirs,
+            stderr=theirs,
+            start_new_session=True,
+            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
+        )
+        os.close(theirs)
+        self.written = ""
+
+    def resize(self, columns, rows, *, tell=True):
+        fcntl.ioctl(self.ours, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        if tell:
+            os.kill(self.process.pid, signal.SIGWINCH)
+
+    def press(self, keys):
+        os.write(self.ours, keys.encode())
+
+    def read(self, seconds=0.2):
+        """Take in what has been written; whether more may come."""
+        if select.select([self.ours], [], [], seconds)[0]:
+            try:
+                part = os.read(self.ours, 65536)
+            except OSError:  # Linux says so when the other side is closed
+                return False
+            self.written += part.decode()
+        return True
+
+    @property
+    def frame(self):
+        """What is seen: the last whole picture, without the sequences that place it."""
+        if HOME not in self.written:
+            return ""
+        last = self.written.rsplit(HOME, 1)[1]
+        if REST not in last:
+            return ""
+        return re.sub("\x1b\\[[?0-9]*[a-zA-Z]", "", last.split(REST, 1)[0]).replace("\r\n", "\n")
+
+    def sees(self, *words, without=()):
+        """Wait until the picture has all these words; its lines but the keys."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            whole = self.frame.endswith(KEYS)
+            if whole and all(word in self.frame for word in words):
+                assert not [word for word in without if word in self.frame]
+                return self.frame.rstrip().splitlines()[:-1]
+            assert self.read(), self.written
+        raise AssertionError(f"no {words} in:\n{self.frame}")
+
+    def ends(self):
+        """Wait for the end; its status."""
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and time.monotonic() < end:
+            self.read()
+        while select.select([self.ours], [], [], 0)[0] and self.read():
+            pass
+        return self.process.wait(timeout=1)
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        os.close(self.ours)
+
+
+@pytest.fixture
+def watch(tmp_path):
+    open_ones = []
+
+    def start(*words, **settings):
+        open_ones.append(Terminal(tmp_path, *words, **settings))
+        return open_ones[-1]
+
+    yield start
+    for terminal in open_ones:
+        terminal.close()
+
+
+def last(lines):
+    """The last line that is not empty, where the verdict belongs."""
+    return [line for line in lines if line.strip()][-1]
+
+
+def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
+    terminal = watch("middle", submit(FLOOR))
+    lines = terminal.sees("WA  wrong answer")
+    assert lines[0] == "mine.py  middle, its function called"
+    assert last(lines).startswith("WA  wrong answer, 40 of 100 points")
+    submit(MEAN)
+    lines = terminal.sees("AC  accepted")
+    assert last(lines).startswith("AC  accepted, 100 of 100 points")
+    assert "n goes on to the next kata" in " ".join(lines)
+    terminal.press("q")
+    assert terminal.ends() == 0
+    assert termios.tcgetattr(terminal.ours) == terminal.before
+    assert "Traceback" not in terminal.written
+    with History.open() as history:
+        assert [run.verdict.value for run in history.runs("middle")] == ["WA", "AC"]
+        assert history.current().path == str(tmp_path / "mine.py")
+
+
+def test_a_file_is_replaced_deleted_and_written_in_pieces(watch, submit, tmp_path):
+    mine = tmp_path / submit(FLOOR)
+    terminal = watch("middle", mine)
+    terminal.sees("WA  wrong answer")
+    submit(MEAN, "new")
+    (tmp_path / "new").rename(mine)  # as many editors save
+    terminal.sees("AC  accepted")
+    mine.unlink()
+    assert last(terminal.sees("is gone")) == "mine.py is gone; it is judged again when it is back"
+    mine.write_text("def middle(a, b):\n    return (a +")
+    assert last(terminal.sees("does not compile")).startswith("CE  does not compile")
+    mine.write_text("")
+    terminal.sees("is empty; it is judged when there is something in it")
+    with mine.open("a") as file:
+        for piece in (FLOOR[:20], FLOOR[20:]):
+            file.write(piece)
+            file.flush()
+    terminal.sees("WA  wrong answer")
+    terminal.press("q")
+    assert terminal.ends() == 0
+
+
+def test_the_keys(watch, submit):
+    terminal = watch("middle", submit(FLOOR))
+    terminal.sees("WA  wrong answer")
+    terminal.press("h")
+    assert terminal.sees("hint 1 of 3")[0].startswith("Half of what?")
+    terminal.press("h")
+    assert last(terminal.sees("hint 2 of 3")).startswith("WA  ")
+    terminal.press("l")
+    assert last(terminal.sees(">  middle", "40 points")).startswith("WA  ")
+    terminal.press("w")
+    assert last(terminal.sees("The worked examples of the statement.")).startswith("WA  ")
+    terminal.press("p")
+    assert last(terminal.sees("there is no failing case to draw")).startswith("WA  ")
+    terminal.press("r")
+    terminal.sees("smallest case found")
+    terminal.press("\x1b[Ax?")  # an arrow and keys that mean nothing
+    terminal.press("n")
+    assert last(terminal.sees("middle is not solved yet; n once more leaves it for now")).startswith("WA  ")
+    terminal.press("\n")
+    terminal.sees("examples, case 1", without=["once more"])
+    terminal.press("Q")
+    assert terminal.ends() == 0
+    with History.open() as history:
+        assert history.hints_seen("middle") == 2
+        assert len(history.runs("middle")) == 2
+
+
+def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, tmp_path):
+    terminal = watch("middle", submit(MEAN))
+    terminal.sees("AC  accepted")
+    terminal.press("n")
+    assert last(terminal.sees("is still to be written")).startswith("RTE  ")
+    (begun,) = set(tmp_path.glob("*.py")) - {tmp_path / "mine.py"}
+    with History.open() as history:
+        assert history.current().path == str(begun)
+    begun.write_text("x = (\n")
+    terminal.sees("CE  does not compile")
+    terminal.press("q")
+    assert terminal.ends() == 0
+
+
+def test_another_size_is_drawn_anew(watch, submit):
+    terminal = watch("middle", submit(FLOOR), rows=12)
+    lines = terminal.sees("WA  wrong answer")
+    assert "  1 group accepted" in lines
+    terminal.resize(200, 60)
+    lines = terminal.sees("whole     AC")
+    assert "  1 group accepted" not in lines
+    terminal.press("q")
+    assert terminal.ends() == 0
+
+
+@pytest.mark.parametrize(
+    ("ending", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), ("\x03", 130), ("\x04", 0)]
+)
+def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submit):
+    terminal = watch("middle", submit(MEAN))
+    terminal.sees("AC  accepted")
+    if isinstance(ending, str):
+        terminal.press(ending)
+    else:
+        os.kill(terminal.process.pid, ending)
+    assert terminal.ends() == status
+    assert termios.tcgetattr(terminal.ours) == terminal.before
+    assert "Traceback" not in terminal.written
+
+
+def test_it_ends_in_the_middle_of_judging_too(watch, submit):
+    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.5)\n    return a\n"))
+    while "judging mine.py" not in terminal.written:
+        assert terminal.read()
+    terminal.press("q")
+    assert terminal.ends() == 0
+    assert termios.tcgetattr(terminal.ours) == terminal.before
+    assert "Traceback" not in terminal.written
+    with History.open() as history:
+        assert history.runs("middle") == []
+
+
+def test_a_save_while_judging_causes_one_more_run(watch, submit):
+    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.02)\n    return a\n"))
+    while "judging mine.py" not in terminal.written:
+        assert terminal.read()
+    submit(FLOOR)
+    submit(MEAN)
+    terminal.sees("AC  accepted")
+    for _ in range(5):  # nothing follows
+        terminal.read()
+    terminal.press("q")
+    assert terminal.ends() == 0
+    with History.open() as history:
+        assert [run.verdict.value for run in history.runs("middle")][-1] == "AC"
+        assert len(history.runs("middle")) <= 2
+
+
+def test_every_picture_comes_in_one_write_and_clears_nothing_first(watch, submit):
+    terminal = watch("middle", submit(MEAN))
+    terminal.sees("AC  accepted")
+    terminal.press("l")
+    terminal.sees(">  middle")
+    terminal.press("q")
+    terminal.ends()
+    for picture in terminal.written.split("\x1b[?2026h")[1:]:
+        assert picture.startswith(HOME)
+        assert "\x1b[?2026l" in picture
+    assert "\x1b[2J" not in terminal.written
+
+
+@pytest.fixture
+def piped(tmp_path):
+    """`judge watch` without a terminal; what it writes, line by line."""
+    open_ones = []
+
+    def start(*words):
+        command = [sys.executable, "-m", "judge", "watch", *map(str, words)]
+        process = subprocess.Popen(
+            command,
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(ROOT)},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        open_ones.append(process)
+        return process
+
+    yield start
+    for process in open_ones:
+        process.kill()
+        process.communicate()
+
+
+def test_without_a_terminal_each_result_is_written(piped, submit):
+    watching = piped("middle", submit(FLOOR))
+    while not (line := watching.stdout.readline()).startswith("WA  "):
+        assert line
+    submit(MEAN)
+    while not (line := watching.stdout.readline()).startswith("AC  "):
+        assert line
+        assert "\x1b" not in line
+    watching.send_signal(signal.SIGINT)
+    out, err = watching.communicate(timeout=PATIENCE)
+    assert (watching.returncode, out, err.strip()) == (130, "", "")
+
+
+def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
+    watching = piped("middle", submit(FLOOR), "--json", "--group", "half", "--no-shrink", "--no-history")
+    assert json.loads(watching.stdout.readline())["verdict"] == "WA"
+    (tmp_path / "mine.py").unlink()
+    assert watching.stderr.readline() == "judge: mine.py is gone; it is judged again when it is back\n"
+    submit(MEAN)
+    told = json.loads(watching.stdout.readline())
+    assert (told["verdict"], [group["name"] for group in told["groups"]]) == ("AC", ["half"])
+    watching.terminate()
+    out, err = watching.communicate(timeout=PATIENCE)
+    assert (watching.returncode, out, err) == (143, "", "")
+    with History.open() as history:
+        assert (history.runs(), history.current()) == ([], None)
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        ([], "there is no kata in hand"),
+        (["middle"], "missing argument 'FILE'"),
+        (["mine.py"], "the problem comes first"),
+        (["middle", "none.py"], "none.py: no such file; 'judge init middle none.py' begins it"),
+        (["middle", "nowhere/none.py"], "there is no folder nowhere"),
+        (["middle", "."], ".: this is a folder; name the file to watch"),
+        (["middle", "mine.py", "--group", "hlaf"], "did you mean 'half'?"),
+    ],
+)
+def test_what_cannot_be_watched_is_one_line(words, wanted, judge, submit):
+    submit(MEAN)
+    ended = judge("watch", *words)
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err.count("\n") == 1
+    assert wanted in ended.err

@@ -1,0 +1,317 @@
+"""The HTML report: what it tells, that it is sound HTML, and that nothing gets out of its place."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import re
+from collections import Counter
+from datetime import timedelta, timezone
+
+import pytest
+from msgspec.structs import replace
+from page_support import Outline, check_html, html_of, kept, known, outcome, page_of
+
+from judge.diagnose.picture.svg import style
+from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
+from judge.report.page.compose import MOST_RUNS
+from judge.report.page.kills import kill_table
+from judge.report.page.plot import MOST, ratio_plot
+from judge.report.page.render import _TEMPLATES, is_report
+from judge.run.matrix import Kill, Matrix, Row
+from judge.run.result import Failure, Mode, Result
+from judge.spec import Verdict
+
+EVIL = (
+    "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
+)
+
+
+NEED = Need("count", ("tangent",))
+
+
+def met(since, attempts, *mistakes):
+    return NeedProgress(NEED, since, (), attempts, dict.fromkeys(mistakes, 1))
+
+
+def progress(name, *needs):
+    return SkillProgress(Skill(name, f"About {name}.", (NEED,) * len(needs)), needs)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "history.sqlite3"
+
+
+def test_it_tells_the_way_to_a_solved_problem(path):
+    results = [
+        outcome(mistake="forgotten-centre"),
+        outcome(verdict=Verdict.TLE, ratio=130.0),
+        outcome(mistake="forgotten-centre"),
+        outcome(verdict=Verdict.AC, ratio=1.5),
+    ]
+    page = page_of(kept(path, results), known("count", "segment"), {"count": b"def line_count(): ..."})
+    (part,) = page.problems
+    assert [line.number for line in part.runs] == [4, 3, 2, 1]
+    assert [line.mistake for line in part.runs] == ["", "forgotten-centre", "", "forgotten-centre"]
+    assert [line.ratio for line in part.runs] == ["1.5 ×", "", "130 ×", ""]
+    assert [(case.title, case.number, case.times) for case in part.cases] == [
+        ("forgotten-centre", 3, 2),
+        ("Time limit exceeded in tangent", 2, 1),
+    ]
+    assert part.cases[0].overcome is not None
+    assert part.cases[0].explained[0].advice.startswith("The circle is treated as if its centre")
+    assert [line.part is not None for line in page.overview] == [True, False]
+    assert [(tile.value, tile.label) for tile in page.tiles] == [
+        ("1 of 2", "problems solved"),
+        ("4", "runs on 1 day"),
+        ("1 of 1", "mistakes overcome"),
+    ]
+
+
+def test_a_group_stands_as_the_last_run_that_had_it_left_it(path):
+    runs = kept(path, [outcome(), outcome(verdict=Verdict.AC)])  # the second one had no group "tangent"
+    (part,) = page_of(runs).problems
+    marks = {mark.name: (mark.state, mark.detail) for mark in part.groups}
+    assert marks["grid"] == ("passed", "")
+    assert marks["tangent"] == ("failed", "41 of 90")
+    assert marks["small"] == ("open", "not run")
+
+
+def test_the_problems_own_solutions_are_listed_but_count_for_nothing(path):
+    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)])
+    page = page_of([replace(run, path="/judge/solutions/count/accepted/exact.py")])
+    (part,) = page.problems
+    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, 0, 0, None, 1)
+    assert "no runs of your own" in html_of([replace(run, path="/judge/solutions/count/wrong/blind.py")])
+
+
+def test_the_page_is_sound_and_the_same_every_time(path):
+    results = [
+        outcome(mistake="absolute-epsilon"),
+        outcome(mistake="forgotten-centre + absolute-epsilon"),
+        outcome("segment", expected="[(0.0, 1.0)]", got="[(0.0, 1.0), (0.5, 1.0)]"),
+        outcome("gone", mistake="anything"),
+        outcome(verdict=Verdict.AC, ratio=0.8),
+    ]
+    runs = kept(path, results)
+    skills = [
+        progress("tangents", met(runs[0].when, 2)),
+        progress("scale", met(runs[1].when, 1), met(None, 1, "absolute-epsilon")),
+        progress("rays", met(None, 0)),
+        progress("ends", NeedProgress(NEED, runs[0].when, ("tangent",), 3, {})),
+    ]
+    sources = {"count": b"x = 1\n"}
+    html = html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
+    outline = check_html(html)
+    drawn = [svg for svg in outline.all("svg") if "case" in svg.get("aria-labelledby", "")]
+    assert len(drawn) >= 3
+    states = [line.state for line in page_of(runs, skills=skills).skills]
+    assert states == ["shown", "part", "open", "lost"]
+    for words in ("Since 1 Mar 2026, 2 runs", "On 1 of 2 problems, 2 runs; met absolute-epsilon", "Not yet"):
+        assert words in outline.text
+    assert "Shown once, but the latest run fails it, 3 runs" in outline.text
+    assert "This problem is not there any more." in outline.text
+    assert html == html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
+
+
+def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
+    plain = Outline(html_of(kept(path, [outcome()]), sources={"count": b"x"}, person="Ada"))
+    evil = outcome(name=EVIL, mistake=EVIL, got=EVIL, message=EVIL)
+    evil = replace(evil, counterexample={"input": None, "expected": EVIL, "got": EVIL, "message": EVIL,
+                                         "replay": None})  # fmt: skip
+    runs = kept(path.with_name("other"), [evil], EVIL.encode())
+    html = html_of(runs, sources={"count": EVIL.encode()}, person=EVIL)
+    outline = check_html(html)
+    assert outline.text.count("document.title='pwned'") >= 6
+    assert "\\x00\\u202e" in outline.text
+    assert not set("\x00\u202e") & set(html)
+    assert Counter(tag for tag, _ in outline.tags)["style"] == Counter(tag for tag, _ in plain.tags)["style"]
+
+
+def test_a_problem_may_be_called_anything(path):
+    for name in ("main", "overview", 'a" onclick="b', "two words", "<b>"):
+        check_html(html_of(kept(path, [outcome(name)])))
+
+
+def test_only_the_pages_own_style_sheet_is_allowed(path):
+    html = html_of(kept(path, [outcome()]))
+    (policy,) = [m["content"] for m in Outline(html).all("meta") if "http-equiv" in m]
+    (sheet,) = re.findall("<style>(.*?)</style>", html, re.DOTALL)
+    digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
+    allowed = f"style-src 'sha256-{digest}'"
+    assert policy == f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
+
+
+def test_a_result_of_another_form_is_told_of_without_its_details(path):
+    runs = kept(path, [outcome(), outcome(verdict=Verdict.AC, ratio=1.0)])
+    broken = [replace(runs[0], packed=b"rubbish"), runs[1]]
+    (part,) = page_of(broken).problems
+    assert part.cases[0].facts == ()
+    assert part.cases[0].drawings == ()
+    check_html(html_of(broken))
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"cx": 0, "cy": 0},
+        {"cx": 0, "cy": 0, "r": -1, "A": [0, 1], "B": [1, 1]},
+        {"cx": 0, "cy": 0, "r": "1", "A": [0, 1], "B": [1, 1]},
+        {"cx": 0, "cy": 0, "r": 1, "A": 5, "B": [1]},
+        {"cx": 0, "cy": 0, "r": 1, "A": [0, 1.000000000001], "B": [1, 1.000000000001]},
+    ],
+)
+def test_a_case_that_is_none_of_the_problems_is_not_drawn(path, values):
+    (part,) = page_of(kept(path, [outcome(input=values)])).problems
+    assert part.cases[0].drawings == ()
+    assert part.cases[0].facts[0][0] == "input"
+
+
+def test_what_could_not_be_run_has_a_reason(path):
+    failed = Result("count", "mine.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError: line 3"))
+    (part,) = page_of(kept(path, [failed])).problems
+    assert part.cases[0].title == "Does not compile"
+    assert part.cases[0].facts == (("why", "SyntaxError: line 3", ""),)
+    assert part.plot is None
+
+
+def test_times_are_those_of_the_zone(path):
+    runs = kept(path, [outcome()])  # on 1 March at 9:00 UTC
+    for hours, shown in ((0, "1 Mar 2026 09:00"), (9, "1 Mar 2026 18:00"), (-10, "28 Feb 2026 23:00")):
+        html = html_of(runs, zone=timezone(timedelta(hours=hours)))
+        assert shown in Outline(html).text
+
+
+def test_a_thousand_runs_stay_a_few_megabytes(path):
+    mistakes = sorted(known("count")[0].advice)
+    results = [
+        outcome(problem, Verdict.AC, ratio=1.0 + place % 7)
+        if place % 3 == 0
+        else outcome(problem, mistake=mistakes[place % len(mistakes)])
+        for place in range(250)
+        for problem in ("count", "segment", "exact-count", "gone")
+    ]
+    runs = kept(path, results[:60])
+    many = [replace(runs[place % 60], id=place + 1) for place in range(1000)]
+    html = html_of(many, known("count", "segment", "exact-count"), {"count": b"#" * 100_000})
+    assert len(html) < 2_000_000
+    assert Outline(html).ids
+
+
+def test_long_histories_are_cut_and_say_so(path):
+    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=2.0)])
+    many = [replace(run, id=place + 1) for place in range(MOST_RUNS + 40)]
+    (part,) = page_of(many).problems
+    assert len(part.runs) + len(part.earlier) == MOST_RUNS
+    assert part.more == 40
+    assert part.plot is not None
+    assert len(part.plot.dots) == MOST
+    assert part.plot.left_out == MOST_RUNS + 40 - MOST
+
+
+def test_the_plot_holds_every_ratio_and_the_limit(path):
+    ratios = [0.02, 250.0, 7.0]
+    runs = kept(path, [outcome(verdict=Verdict.AC, ratio=ratio) for ratio in ratios] + [outcome()])
+    plot = ratio_plot("p", runs, 100.0)
+    assert plot is not None
+    assert [dot.number for dot in plot.dots] == [1, 2, 3]
+    for dot in plot.dots:
+        assert 0 <= dot.top < dot.y < dot.bottom <= plot.height
+    first, second, third = (dot.y for dot in plot.dots)
+    assert second < plot.limit.y < third < first
+    assert "from 0.02 times in run 1 to 7.0 times in run 3; least 0.02 (run 1), most 250 (run 2)" in (
+        plot.description
+    )
+    assert "The limit is 100 times." in plot.description
+    assert 2 <= len(plot.levels) <= 6
+
+
+def test_one_ratio_without_a_limit_is_a_plot_too(path):
+    plot = ratio_plot("p", kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)]), None)
+    assert plot is not None
+    assert plot.limit is None
+    assert plot.links == ()
+    assert ratio_plot("p", [], 100.0) is None
+
+
+def test_the_kill_matrix_shades_by_share_and_marks_ones_own():
+    row = Row(
+        "wrong/blind-once.py",
+        "blind",
+        ("edge",),
+        (Kill("grid", (1,), 100), Kill("edge", tuple(range(1, 101)), 100), Kill("far", (), 100)),
+    )
+    table = kill_table(Matrix(("grid", "edge", "far"), (row,), (), (), ()), Counter(blind=2))
+    (line,) = table.lines
+    assert (line.name, line.made) == ("blind-once", 2)
+    assert [(cell.text, cell.shade, cell.own) for cell in line.cells] == [
+        ("1%", 1, False),
+        ("100%", 5, True),
+        ("", 0, False),
+    ]
+    assert kill_table(Matrix((), (), (), (), ()), Counter()) is None
+
+
+def test_a_report_is_known_by_its_head(path):
+    page = html_of(kept(path, [outcome()])).encode()
+    assert is_report(page[:2000])
+    assert not is_report(b"<!doctype html><title>mine</title>")
+    assert not is_report(b"")
+
+
+def luminance(colour):
+    """The relative luminance of `#rrggbb` (WCAG 2.1)."""
+    parts = [int(colour[place : place + 2], 16) / 255 for place in (1, 3, 5)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one, other):
+    light, dark = sorted((luminance(one), luminance(other)), reverse=True)
+    return (light + 0.05) / (dark + 0.05)
+
+
+GROUNDS = {  # what each colour of text stands on
+    "ink": ("page", "paper", "tint"),
+    "quiet": ("page", "paper"),
+    "blue": ("page", "paper"),
+    "wanted": ("paper",),
+    "got": ("paper",),
+    "paper": ("blue",),
+    "edge": (),  # a dot between two words
+    **{name: (f"{name}-bg",) for name in ("good", "bad", "warn", "none")},
+    **{f"s{shade}-ink": (f"s{shade}",) for shade in range(1, 6)},
+}
+
+
+@pytest.mark.parametrize("theme", [0, 1])
+def test_text_stands_out_in_light_and_dark(theme):
+    sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
+    roots = re.findall(r":root\{(.*?)\}", sheet, re.DOTALL)
+    themes = [dict(re.findall(r"--([\w-]+):(#\w{6});", rules)) for rules in roots]
+    assert len(themes) == 2
+    used = set(re.findall(r"[{;\n]color:([^;}]+)", sheet)) - {"inherit"}
+    assert used <= {f"var(--{name})" for name in GROUNDS}
+    for name, grounds in GROUNDS.items():
+        for ground in grounds:
+            ratio = contrast(themes[theme][name], themes[theme][ground])
+            assert ratio >= 4.5, (name, ground, ratio)
+
+
+@pytest.mark.parametrize("theme", [0, 1])
+def test_the_words_in_drawings_stand_out(theme):
+    light, dark = style().split("@media")
+    rules = {}
+    for half in (light, dark)[: theme + 1]:
+        for names, fill in re.findall(r"^([.\w,-]+)\{[^}]*?fill:(#\w{6})", half, re.M):
+            rules |= dict.fromkeys(names.split(","), fill)
+    for name in ("text", ".quiet", ".t-wanted", ".t-got"):
+        assert contrast(rules[name], rules[".panel"]) >= 4.5, name
+
+
+def test_the_style_of_drawings_stays_inside_its_scope():
+    inside = style(".drawing", "screen")
+    rules = [row for row in inside.splitlines() if "{" in row and not row.startswith("@media")]
+    assert rules
+    assert all(part.startswith(".drawing ") for row in rules for part in row.split("{")[0].split(","))

@@ -1,0 +1,143 @@
+"""A stub is good Python, says what is wanted, fails its problem, and its doctests pass once it is solved."""
+
+from __future__ import annotations
+
+import ast
+import doctest
+import shutil
+import subprocess
+import sys
+import types
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+from judge.data import load_data
+from judge.errors import ProblemError
+from judge.kata.stub import file_name, make_stub
+from judge.run import Mode, run_submission
+from judge.spec import AnswerKind, ParameterType, Verdict
+from judge.spec.find import all_problems
+from judge.spec.load import load_problem
+
+ROOT = Path(__file__).parents[2]
+PROBLEMS = [problem for problem in all_problems() if problem.folder.parent == ROOT / "problems"]
+MIDDLE = load_problem(ROOT / "tests" / "fixtures" / "pack" / "problems" / "middle")
+every = pytest.mark.parametrize("problem", [*PROBLEMS, MIDDLE], ids=lambda problem: problem.id)
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path_factory, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path_factory.getbasetemp() / "stubs"))
+
+
+def doctested(source):
+    """How many of the doctests fail, how many there are, and what is said of them."""
+    module = types.ModuleType("stub")
+    exec(compile(source, "stub.py", "exec"), module.__dict__)
+    said: list[str] = []
+    runner = doctest.DocTestRunner(verbose=False)
+    for test in doctest.DocTestFinder().find(module, "stub"):
+        runner.run(test, out=said.append)
+    return runner.failures, runner.tries, "".join(said)
+
+
+@pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.id)
+def test_every_stub_fails_its_problem_and_says_why(problem):
+    result = run_submission(problem, load_data(problem), make_stub(problem).encode(), file_name(problem))
+    assert (result.verdict, result.mode, result.score) == (Verdict.RTE, Mode.FUNCTION, 0)
+    assert all(group.verdict is Verdict.RTE for group in result.groups)
+    assert f"{problem.entry} is still to be written" in result.failure.message
+
+
+@every
+def test_the_doctests_are_the_statements_examples_and_fail_as_unwritten(problem):
+    failed, tried, said = doctested(make_stub(problem))
+    assert failed == tried == len(problem.examples)
+    assert said.count(f"NotImplementedError: {problem.entry} is still to be written") == failed
+
+
+@pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.id)
+def test_the_doctests_pass_with_every_accepted_solution(problem):
+    stub = make_stub(problem)
+    for path in (problem.solutions / "accepted").glob("*.py"):
+        program = path.read_text()
+        if f"def {problem.entry}(" not in program:
+            continue
+        tree = ast.parse(stub)
+        place = next(at for at, part in enumerate(tree.body) if getattr(part, "name", None) == problem.entry)
+        documented = ast.parse(program)
+        function = next(part for part in documented.body if getattr(part, "name", None) == problem.entry)
+        function.body.insert(0, tree.body[place].body[0])
+        tree.body[place : place + 1] = documented.body
+        failed, tried, said = doctested(ast.unparse(tree))
+        assert (failed, tried) == (0, len(problem.examples)), (path, said)
+
+
+@every
+def test_it_holds_the_contract_with_its_numbers_filled_in(problem):
+    stub = make_stub(problem)
+    text = " ".join(stub.split())
+    assert " ".join(problem.summary.split()) in text
+    assert "{{" not in stub
+    for word in ("stdin", "as a program", "Function or program", "Write a function"):
+        assert word not in stub
+    for width in problem.bands.values():
+        assert f"{float(width):g}".replace("e-0", "e-") in text
+    assert max(map(len, stub.splitlines())) <= 88
+    assert stub.count("def ") == 1 + (problem.answer is not AnswerKind.COUNT)
+
+
+@pytest.mark.parametrize("tool", [["ruff", "check"], ["ruff", "format", "--check"], ["mypy", "--strict"]])
+def test_tools_find_nothing_in_any_of_them(tool, tmp_path):
+    pytest.importorskip(tool[0])
+    for problem in [*PROBLEMS, MIDDLE]:
+        (tmp_path / file_name(problem)).write_text(make_stub(problem), encoding="utf-8")
+    alone = ["--isolated"] if tool[0] == "ruff" else ["--cache-dir", str(tmp_path / "cache")]
+    names = sorted(path.name for path in tmp_path.glob("*.py"))
+    ended = subprocess.run(
+        [sys.executable, "-m", *tool, *alone, *names],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+
+
+def test_a_file_is_named_so_that_python_can_import_it():
+    assert {file_name(problem) for problem in PROBLEMS} == {
+        "count.py",
+        "segment.py",
+        "ray_nearest.py",
+        "exact_count.py",
+    }
+
+
+def test_words_that_would_end_the_docstring_do_not(tmp_path):
+    folder = tmp_path / "problems" / "middle"
+    shutil.copytree(MIDDLE.folder, folder)
+    statement = 'Give `"""` and a \\n back.\n\n- `x\\` is "\n\n>>> middle(1, 2)\n1.5\n'
+    (folder / "statement.md").write_text(statement)
+    problem = load_problem(folder)
+    tree = ast.parse(make_stub(problem))
+    (function, _) = [part for part in tree.body if isinstance(part, ast.FunctionDef)]
+    assert '`"""` and a \\n back.' in ast.get_docstring(function)
+    assert '- `x\\` is "' in ast.get_docstring(function)
+
+
+def test_a_long_signature_is_broken_as_formatters_do():
+    many = tuple(replace(MIDDLE.parameters[0], name=f"a_long_name_{at}") for at in range(3))
+    assert "\n    a_long_name_0: float, a_long_name_1: float, a_long_name_2: float\n) -> " in make_stub(
+        replace(MIDDLE, parameters=many, entry="middle_of_them_all", examples=(), statement="")
+    )
+    many += tuple(replace(each, name=f"{each.name}x", type=ParameterType.INTEGER_POINT) for each in many)
+    stub = make_stub(replace(MIDDLE, parameters=many, examples=(), statement=""))
+    assert "\n    a_long_name_2: float,\n    a_long_name_0x: IntPoint,\n" in stub
+    assert "\nIntPoint = tuple[int, int]\n" in stub
+
+
+def test_a_name_that_is_no_python_is_the_setters_fault():
+    with pytest.raises(ProblemError, match=r"no stub can be made of it.*write entry and parameters"):
+        make_stub(replace(MIDDLE, entry="mid dle", examples=(), statement=""))
