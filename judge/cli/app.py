@@ -191,7 +191,7 @@ def _hush() -> None:
 def app(ctx: click.Context) -> None:
     """Judge circle-line geometry: exact answers, contained submissions, explained mistakes.
 
-    Try `judge list`, then `judge show PROBLEM`, then `judge run PROBLEM FILE`.
+    Try `judge list`, then `judge init PROBLEM`, then `judge watch`; or `judge run PROBLEM FILE` for any file.
     """
     if ctx.invoked_subcommand is None:
         click.echo(ctx.get_help())

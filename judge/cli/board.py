@@ -13,7 +13,7 @@ from queue import SimpleQueue
 
 from judge.cli.hint import hints_of, next_hint, note_seen
 from judge.cli.init import write_stub
-from judge.cli.kata import Kata, next_problem, path_stages, take_up
+from judge.cli.kata import Kata, next_problem, take_up, the_path
 from judge.cli.picture import Drawing
 from judge.cli.run import Wish
 from judge.cli.watch import Desk, await_event, handled
@@ -22,9 +22,9 @@ from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
 from judge.report.hint import hint_text
-from judge.report.kata import path_lines
 from judge.report.layout import Style, line
 from judge.report.picture import has_room
+from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
 from judge.report.screen import Screen, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
@@ -163,7 +163,7 @@ class _Board:
             return None
         following = next_problem(problem.id, self._folders, self._wish.db)
         if following is None:
-            self._say("every other problem of the path is solved", Style.GOOD)
+            self._say("every other kata of the path is passed", Style.GOOD)
             return None
         kata = Kata(following, self._kata.path.with_name(file_name(following)))
         if not kata.path.exists():
@@ -182,8 +182,9 @@ class _Board:
 
     def path(self) -> View:
         """The path, and how far one is."""
-        stages = path_stages(self._folders, self._wish.db)
-        return lambda screen: screen.text(path_lines(stages, screen.width))
+        path, katas = the_path(self._folders, self._wish.db)
+        in_hand = self._kata.problem.id
+        return lambda screen: screen.text(practice_lines(path, katas, in_hand, screen.width))
 
     def why(self) -> View:
         """What the failing group probes, and the mistakes that it is there for."""

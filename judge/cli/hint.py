@@ -34,9 +34,10 @@ def command(
     db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
-    """Give the next hint to a problem, or to the kata in hand.
+    """Give the next hint.
 
-    The first is a nudge, the last nearly everything. Which ones you have seen is remembered.
+    To that problem, or to the kata in hand. The first is a nudge, the last nearly everything. Which ones you
+    have seen is remembered.
     """
     if again + every + (step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")

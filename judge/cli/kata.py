@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from judge.errors import UsageError
-from judge.report.kata import Stage
-from judge.spec import Problem, Tier
-from judge.spec.find import all_problems, find_problem
+from judge.spec import Problem
+from judge.spec.find import find_problem
 
 if TYPE_CHECKING:
     from judge.kata.history import Current
+    from judge.kata.sets import PracticeSet
+    from judge.kata.standing import Standing
 
 
 def kata_in_hand(db: Path | None) -> Current:
@@ -49,12 +50,6 @@ def problem_in_hand(name: str | None, folders: Sequence[Path], db: Path | None) 
     return find_problem(kata_in_hand(db).problem if name is None else name, folders)
 
 
-def path_problems(folders: Sequence[Path]) -> list[Problem]:
-    """The problems in the order in which they are best learned."""
-    tiers = list(Tier)
-    return sorted(all_problems(folders), key=lambda problem: (tiers.index(problem.tier), problem.id))
-
-
 class Kata(Struct, frozen=True):
     """A problem and the file that is to solve it, from the root."""
 
@@ -76,32 +71,31 @@ def take_up(kata: Kata, db: Path | None) -> None:
 
 
 def next_problem(after: str, folders: Sequence[Path], db: Path | None) -> Problem | None:
-    """The problem of the path that comes after that one and is not solved; failing that, the first unsolved.
+    """The problem of the path that comes after that one and is not passed; failing that, the first one.
 
-    None where all others are solved.
+    None where all others are passed.
     """
-    stages = path_stages(folders, db)
-    names = [stage.problem.id for stage in stages]
+    from judge.kata.standing import State
+
+    katas = the_path(folders, db)[1]
+    names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
-    return next(
-        (s.problem for s in [*stages[at:], *stages[:at]] if not s.solved and s.problem.id != after), None
-    )
+    for problem, standing in [*katas[at:], *katas[:at]]:
+        if standing.state is not State.PASSED and problem.id != after:
+            return problem
+    return None
 
 
-def path_stages(folders: Sequence[Path], db: Path | None) -> list[Stage]:
-    """The problems of the path in order, and how far the person has come with each."""
+def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, list[tuple[Problem, Standing]]]:
+    """The path: all katas in order, and how the person stands with each."""
     from judge.kata.history import History
+    from judge.kata.sets import USUAL, find_set
+    from judge.kata.standing import Standing, standings
 
+    path = find_set(USUAL, folders)
     with History.open(db, reading=True) as history:
-        current = history.current()
-        runs = history.runs()
-    stages = []
-    for problem in path_problems(folders):
-        own = [run for run in runs if run.problem == problem.id]
-        best = max((run.score for run in own), default=None)
-        in_hand = current is not None and current.problem == problem.id
-        stages.append(Stage(problem, best, any(run.solved for run in own), in_hand))
-    return stages
+        found = standings(history.runs())
+    return path, [(find_problem(name, folders), found.get(name, Standing())) for name in path.problems]
 
 
 def shown(path: str | Path) -> str:

@@ -24,10 +24,10 @@ SCHEMA = 1
 @db_option
 @problems_option
 def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCode:
-    """Go on to the next kata of the path that you have not solved.
+    """Go on to the next kata.
 
-    It is then in hand: judge run, judge watch and judge hint are about it. Its file is looked for in the
-    current folder, under the problem's name.
+    That is the next of the path that is not passed. It is then in hand: judge run, judge watch and judge hint
+    are about it. Its file is looked for in the current folder, under the problem's name.
     """
     problem = next_problem(_current(db), folders, db)
     screen = out()

@@ -73,10 +73,10 @@ def command(
     db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
-    """Judge submissions on a problem; without arguments, the kata in hand.
+    """Judge submissions on a problem.
 
-    A FILE that defines the problem's entry function has it called; any other is run as a program that reads
-    standard input. A folder stands for the *.py in it.
+    Without arguments, the file of the kata in hand. A FILE that defines the problem's entry function has it
+    called; any other is run as a program that reads standard input. A folder stands for the *.py in it.
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """

@@ -28,9 +28,10 @@ SCHEMA = 1
 def command(
     name: str | None, giving_up: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]
 ) -> ExitCode:
-    """Explain a model solution of a problem that you have solved, or of the kata in hand.
+    """Explain a model solution.
 
-    Before it is accepted, only with --give-up; the problem then comes back for review sooner.
+    Of that problem or the kata in hand, once you have solved it; before that only with --give-up, and the
+    problem then comes back for review sooner.
     """
     problem = problem_in_hand(name, folders, db)
     model = model_solution(problem)

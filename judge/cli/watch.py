@@ -64,10 +64,11 @@ def command(
     db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
-    """Judge a file now and again on every save; without arguments, the kata in hand.
+    """Judge a file again on every save.
 
-    On a terminal single keys give the next kata, a hint, a list, the reasons of the failing test groups, a
-    picture of the failing case, another run, or end it. Elsewhere each result is written as judge run does.
+    Without arguments, that of the kata in hand. On a terminal single keys give the next kata, a hint, a list,
+    the reasons of the failing test group, a picture of the failing case, another run, or end it. Elsewhere
+    each result is written as judge run does.
     """
     kata = _kata(name, file, folders, db)
     chosen_groups(kata.problem, groups)  # a name that is none is told before anything else

@@ -1,12 +1,10 @@
-"""Katas for the screen: one that was taken up, the path of them, what comes after an accepted submission."""
+"""Katas for the screen: one that was taken up, the next one, what comes after an accepted submission."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from msgspec import Struct
-
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.screen import Screen, is_terminal
 from judge.spec import Problem
 
@@ -49,7 +47,8 @@ def next_lines(problem: Problem, width: int | None) -> Iterator[Line]:
 
 def finished_lines(width: int | None) -> list[Line]:
     """There is no next kata."""
-    return beside(Span("Every other problem of the path is solved.", Style.GOOD), "", width)
+    text = "Every other kata of the path is passed. 'judge due' says what to do again."
+    return hanging(Span(""), Span(text, Style.GOOD), width, indent=0, column=0)
 
 
 def command_lines(commands: dict[str, str], width: int | None) -> Iterator[Line]:
@@ -57,41 +56,3 @@ def command_lines(commands: dict[str, str], width: int | None) -> Iterator[Line]
     column = 2 + max(map(len, commands)) + 2
     for command, about in commands.items():
         yield from hanging(Span(command), Span(about, Style.FAINT), width, indent=2, column=column)
-
-
-class Stage(Struct, frozen=True):
-    """One problem of the path, and how far the person has come with it."""
-
-    problem: Problem
-    best: int | None  # points; None where it was never tried
-    solved: bool
-    in_hand: bool
-
-    @property
-    def state(self) -> Span:
-        """How far, in a word or two."""
-        if self.solved:
-            return Span("accepted", Style.GOOD)
-        return Span("" if self.best is None else f"{self.best} points", Style.WARNING)
-
-
-def path_lines(stages: Sequence[Stage], width: int | None) -> Iterator[Line]:
-    """The path, one row a problem; the kata in hand is marked."""
-    columns = (
-        Column(""),
-        Column("problem"),
-        Column("tier"),
-        Column("so far"),
-        Column("title", flexible=True),
-    )
-    rows: list[list[Cell]] = [
-        [
-            ">" if stage.in_hand else "",
-            Span(stage.problem.id, Style.STRONG),
-            stage.problem.tier.value,
-            stage.state,
-            stage.problem.title,
-        ]
-        for stage in stages
-    ]
-    yield from Table(columns, rows, indent=0).lines(width)

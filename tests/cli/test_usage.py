@@ -24,7 +24,7 @@ def refused(ended, *words):
         (["rnu"], "did you mean 'run'?"),
         (["qqq"], "the commands are run, list"),
         (["--hepl"], "did you mean '--help'?"),
-        (["run"], "see 'judge run --help'"),
+        (["run"], "begin one with 'judge init PROBLEM'"),
         (["run", "middle"], "missing argument 'FILE...'"),
         (["run", "middle", "mine.py", "--jsn"], "did you mean '--json'?"),
         (["run", "middle", "mine.py", "--seed", "x"], "'x' is not a valid integer"),

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -168,7 +169,7 @@ def test_the_keys(watch, submit):
     terminal.press("h")
     assert last(terminal.sees("hint 2 of 3")).startswith("WA  ")
     terminal.press("l")
-    assert last(terminal.sees(">  middle", "40 points")).startswith("WA  ")
+    assert last(terminal.sees("The whole path", "exact-count")).startswith("WA  ")
     terminal.press("w")
     assert last(terminal.sees("The worked examples of the statement.")).startswith("WA  ")
     terminal.press("p")
@@ -187,16 +188,25 @@ def test_the_keys(watch, submit):
         assert len(history.runs("middle")) == 2
 
 
-def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, tmp_path):
-    terminal = watch("middle", submit(MEAN))
+def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):
+    shutil.copytree(pack / "problems", tmp_path / "problems")
+    shutil.copytree(pack / "problems" / "middle", tmp_path / "problems" / "mid-twin")
+    (tmp_path / "problems" / "sets").mkdir()
+    sets = 'title = "Both"\nabout = "Two."\nproblems = ["middle", "mid-twin"]\n'
+    (tmp_path / "problems" / "sets" / "path.toml").write_text(sets)
+    terminal = watch("middle", submit(MEAN), "--problems", "problems")
     terminal.sees("AC  accepted")
     terminal.press("n")
-    assert last(terminal.sees("is still to be written")).startswith("RTE  ")
-    (begun,) = set(tmp_path.glob("*.py")) - {tmp_path / "mine.py"}
+    assert last(terminal.sees("middle is still to be written")).startswith("RTE  ")
+    terminal.press("l")
+    terminal.sees("Both", "1 of 2 passed", "mid-twin  tried, in hand")
+    begun = tmp_path / "mid_twin.py"
     with History.open() as history:
         assert history.current().path == str(begun)
-    begun.write_text("x = (\n")
-    terminal.sees("CE  does not compile")
+    begun.write_text(MEAN)
+    terminal.sees("AC  accepted")
+    terminal.press("n")
+    assert last(terminal.sees("every other kata of the path is passed")).startswith("AC  ")
     terminal.press("q")
     assert terminal.ends() == 0
 
@@ -259,7 +269,7 @@ def test_every_picture_comes_in_one_write_and_clears_nothing_first(watch, submit
     terminal = watch("middle", submit(MEAN))
     terminal.sees("AC  accepted")
     terminal.press("l")
-    terminal.sees(">  middle")
+    terminal.sees("The whole path")
     terminal.press("q")
     terminal.ends()
     for picture in terminal.written.split("\x1b[?2026h")[1:]:

@@ -2,6 +2,14 @@
 
 |A + t·(B - A) - C|² = r² is a quadratic equation in t with integer coefficients; its discriminant
 counts the roots.
+
+Why it is exact: nothing but sums and products of integers, which Python holds to the last digit.
+No root has to be known to be counted, so no square root is taken and nothing is divided.
+
+Written as |A + t·D - C|² = r² with an even middle term 2·half_b·t, the discriminant is
+4·(half_b² - a·c), and a quarter of it has the same sign. For A == B a is 0 and the equation is none
+any more, which is why that is asked for first. The cross product does it in fewer multiplications:
+by Lagrange's identity half_b² - a·c = r²·a - k².
 """
 
 

@@ -1,6 +1,18 @@
 """quadratic
 
 The quadratic in t with the discriminant r²a - k² and the roots that do not cancel.
+
+First the infinite line, then the segment. Whether the line touches is decided by the distance
+|k| / |D| from the centre, in a band of 1e-10 extents: inside it there is one root, the foot of the
+perpendicular, and never two equal ones.
+
+Why r²a - k²: it equals b² - a·c by Lagrange's identity, but keeps its digits when the circle is small
+and A far away. Why q: of the two textbook roots one subtracts nearly equal numbers; q adds them and
+the other root is c / q.
+
+Then the ends. The band is a length along the line, and t counts in lengths of the segment, so the
+slack on t is the band divided by |D|. It holds for the foot of a tangent as well, which may lie
+beyond an end. The roots come in order of t, which is the order that is wanted.
 """
 
 import math
