@@ -21,8 +21,8 @@ from judge.cli.options import (
     json_option,
     problems_option,
     seed_option,
-    write_json,
 )
+from judge.cli.outputs import Outputs, chosen_format, format_option, junit_option
 from judge.cli.picture import Drawing, check_svg, svg_option
 from judge.cli.recording import Recording, no_history_option
 from judge.cli.submissions import Submission, read_submissions
@@ -42,6 +42,8 @@ from judge.spec.find import find_problem
 @click.argument("name", metavar="PROBLEM")
 @click.argument("files", metavar="FILE...", nargs=-1, required=True)
 @json_option
+@format_option
+@junit_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
@@ -58,6 +60,8 @@ def command(
     name: str,
     files: tuple[str, ...],
     as_json: bool,
+    form: str | None,
+    junit: Path | None,
     quiet: bool,
     groups: tuple[str, ...],
     seed: int | None,
@@ -78,10 +82,11 @@ def command(
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
-    show = _Json() if as_json else _Screen(brief=quiet)
+    form = chosen_format(form, as_json=as_json)
+    show = Outputs(form, _Screen(brief=quiet), junit)
     try:
         problem = _problem(name, folders)
-        submissions = read_submissions(files)
+        submissions = show.expected = read_submissions(files)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
@@ -94,7 +99,7 @@ def command(
             settings = containment.settings(jobs=jobs, submissions=len(submissions))
             wanted = regression is not None or not (unshrunk or quiet)
             diagnosis = Diagnosis(data, containment.open_box, regression) if wanted else None
-            unseen = no_name or (quiet and not as_json)
+            unseen = no_name or (quiet and show.on_screen)
             naming = None if unseen else Naming(data, seed, settings, jobs)
             judge = partial(
                 _judge,
@@ -115,15 +120,9 @@ def command(
                 finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
                     recording.add(submission, result)
     except Exception as fault:
-        if as_json and not isinstance(fault, UsageError | OSError):
-            for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
-                write_json(judge_fault(name, submission.name, _told(fault)).as_json())
+        show.fail(name, files, fault)
         raise
     return show.close()
-
-
-def _told(fault: Exception) -> str:
-    return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
 
 
 def _problem(name: str, folders: Sequence[Path]) -> Problem:
@@ -170,21 +169,6 @@ def _judge(
         raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
         return judge_fault(problem.id, name, str(fault))
-
-
-class _Json(Struct):
-    """Results for a script: each on its line as soon as it is known."""
-
-    results: list[Result] = []
-
-    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:  # noqa: ARG002 - a screen's
-        """One more result."""
-        self.results.append(result)
-        write_json(result.as_json())
-
-    def close(self) -> ExitCode:
-        """What they come to."""
-        return exit_code(self.results)
 
 
 class _Screen(Struct):
