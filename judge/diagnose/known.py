@@ -1,7 +1,7 @@
 """What the known-wrong programs answer on a problem's data: judged once, in containment, and kept.
 
 <cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
-    [[file, {group: [reached, [[case, form, [number, …]], …], [case, …]], …}], …]
+    [[file, {group: [reached, [[case, form, [number, …]], …]], …}], …]
 """
 
 from __future__ import annotations
@@ -27,14 +27,10 @@ _WHAT = "the known mistakes' answers"
 
 
 class Answers(Struct, frozen=True):
-    """What a program answered wrongly in one group, by case from 0; before `reached` all is known.
-
-    `rejected` are all cases that were run and not accepted: also what was answered rightly only once.
-    """
+    """What a program answered wrongly in one group, by case from 0; before `reached` all is known."""
 
     reached: int
     wrong: Mapping[int, tuple[str, tuple[float, ...]]]
-    rejected: tuple[int, ...] = ()
 
 
 Behaviour = Mapping[str, Answers]  # by the group's name
@@ -42,7 +38,7 @@ Behaviour = Mapping[str, Answers]  # by the group's name
 
 def behaviour(result: Result) -> Behaviour:
     """What judging has found out about a program."""
-    return {group.name: Answers(group.reached, group.wrong, group.rejected) for group in result.groups}
+    return {group.name: Answers(group.reached, group.wrong) for group in result.groups}
 
 
 def known_behaviours(
@@ -92,8 +88,7 @@ def _as_plain(found: Sequence[Behaviour], mistakes: Sequence[Mistake]) -> list[A
 
 
 def _plain_answers(answers: Answers) -> list[Any]:
-    wrong = [[case, *outline] for case, outline in answers.wrong.items()]
-    return [answers.reached, wrong, list(answers.rejected)]
+    return [answers.reached, [[case, *outline] for case, outline in answers.wrong.items()]]
 
 
 def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | None:
@@ -104,11 +99,9 @@ def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | No
         return [
             {
                 name: Answers(
-                    reached,
-                    {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong},
-                    tuple(rejected),
+                    reached, {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong}
                 )
-                for name, (reached, wrong, rejected) in groups.items()
+                for name, (reached, wrong) in groups.items()
             }
             for _, groups in plain
         ]

@@ -95,12 +95,12 @@ def _results(does: Behaviour, sizes: Mapping[str, int]) -> list[GroupResult]:
     return [
         GroupResult(
             name,
-            Verdict.WA if answers.rejected else Verdict.AC,
+            Verdict.WA if answers.wrong else Verdict.AC,
             sizes[name],
-            sizes[name] - len(answers.rejected),
+            sizes[name] - len(answers.wrong),
             None,
             0.0,
-            rejected=answers.rejected,
+            wrong=answers.wrong,
         )
         for name, answers in does.items()
     ]
