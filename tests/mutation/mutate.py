@@ -29,7 +29,9 @@ from judge.spec.load import load_problem
 
 ROOT = Path(__file__).resolve().parents[2]
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")
-PROBLEMS = tuple(sorted(folder.name for folder in (ROOT / "problems").iterdir() if folder.is_dir()))
+PROBLEMS = tuple(
+    sorted(folder.name for folder in (ROOT / "problems").iterdir() if (folder / "problem.toml").is_file())
+)
 FIRST = 4  # groups that are judged first: most mutants die there
 _LIMITS = {"cpu_seconds": 1.0, "wall_seconds": 5.0}  # for a group: a mutant may well be an endless loop
 
