@@ -22,8 +22,8 @@ from judge.cli.options import (
     json_option,
     problems_option,
     seed_option,
-    write_json,
 )
+from judge.cli.outputs import Outputs, chosen_format, format_option, junit_option
 from judge.cli.picture import Drawing, check_svg, svg_option
 from judge.cli.recording import Recording, no_history_option
 from judge.cli.submissions import Submission, read_submissions
@@ -44,6 +44,8 @@ from judge.spec.find import find_problem
 @click.argument("name", metavar="[PROBLEM", required=False)
 @click.argument("files", metavar="FILE...]", nargs=-1)
 @json_option
+@format_option
+@junit_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
@@ -60,6 +62,8 @@ def command(
     name: str | None,
     files: tuple[str, ...],
     as_json: bool,
+    form: str | None,
+    junit: Path | None,
     quiet: bool,
     groups: tuple[str, ...],
     seed: int | None,
@@ -87,10 +91,11 @@ def command(
         named_problem(name, folders)  # whose own complaint goes first
         remedy = f"write judge run {name} FILE, or judge run alone for the kata in hand"
         raise UsageError("missing argument 'FILE...'", remedy=remedy)
-    show = _Json() if as_json else _Screen(brief=quiet, pointing=not unrecorded)
+    form = chosen_format(form, as_json=as_json)
+    show = Outputs(form, _Screen(brief=quiet, pointing=not unrecorded), junit)
     try:
         problem = named_problem(name, folders)
-        submissions = read_submissions(files)
+        submissions = show.expected = read_submissions(files)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
@@ -102,7 +107,7 @@ def command(
             jobs=jobs,
             level=level,
             diagnosed=regression is not None or not (unshrunk or quiet),
-            named=not no_name and (as_json or not quiet),
+            named=not no_name and not (quiet and show.on_screen),
             regression=regression,
             kept=not unrecorded,
             db=db,
@@ -112,9 +117,7 @@ def command(
                 show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)
                 drawing.save(svg)
     except Exception as fault:
-        if as_json and not isinstance(fault, UsageError | OSError):
-            for submission in read_submissions(files)[len(show.results) :]:  # a script misses none
-                write_json(judge_fault(name, submission.name, _told(fault)).as_json())
+        show.fail(name, files, fault)
         raise
     return show.close()
 
@@ -159,10 +162,6 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
                 yield Drawing(problem, data, result)
             finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
                 recording.add(submission, result)
-
-
-def _told(fault: Exception) -> str:
-    return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
 
 
 def named_problem(name: str, folders: Sequence[Path]) -> Problem:
@@ -210,21 +209,6 @@ def _judge(
         raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
         return judge_fault(problem.id, name, str(fault))
-
-
-class _Json(Struct):
-    """Results for a script: each on its line as soon as it is known."""
-
-    results: list[Result] = []
-
-    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:  # noqa: ARG002 - a screen's
-        """One more result."""
-        self.results.append(result)
-        write_json(result.as_json())
-
-    def close(self) -> ExitCode:
-        """What they come to."""
-        return exit_code(self.results)
 
 
 def show_result(drawing: Drawing) -> None:

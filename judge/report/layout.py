@@ -28,11 +28,19 @@ class Style(Enum):
     WARNING = "warning"
 
 
+class Link(Struct, frozen=True):
+    """A file that a piece of text stands for, and a line in it from 1 (0: no line)."""
+
+    path: str
+    line: int = 0
+
+
 class Span(Struct, frozen=True):
-    """A run of text in one style."""
+    """A run of text in one style; a terminal that can opens its link when it is clicked."""
 
     text: str
     style: Style = Style.PLAIN
+    link: Link | None = None
 
 
 Line = tuple[Span, ...]
@@ -156,8 +164,8 @@ def hanging(label: Span, text: Span, width: int | None, *, indent: int, column: 
     first, *rest = wrap(text.text, room)
     under = " " * column
     return [
-        line(" " * indent, label, gap, Span(first, text.style)),
-        *(line(under, Span(row, text.style)) for row in rest),
+        line(" " * indent, label, gap, Span(first, text.style, text.link)),
+        *(line(under, Span(row, text.style, text.link)) for row in rest),
     ]
 
 
@@ -165,10 +173,12 @@ def beside(head: Span, aside: str, width: int | None) -> list[Line]:
     """`head` and a quiet remark to its right, or below it where there is no room."""
     remark = Span(aside, Style.FAINT)
     if not aside:
-        return [line(Span(row, head.style)) for row in wrap(head.text, width)]
+        return [line(Span(row, head.style, head.link)) for row in wrap(head.text, width)]
     if width is None or cells(head.text) + _GAP + cells(aside) <= width:
         return [line(head, " " * _GAP, remark)]
-    return [line(Span(row, span.style)) for span in (head, remark) for row in wrap(span.text, width)]
+    return [
+        line(Span(row, span.style, span.link)) for span in (head, remark) for row in wrap(span.text, width)
+    ]
 
 
 class Column(Struct, frozen=True):
@@ -236,7 +246,9 @@ class Table(Struct, frozen=True):
                 for span, column in zip(rest, self.columns[1:], strict=True)
                 if span.text
             ]
-            laid += [line(" " * self.indent, Span(text, name.style)) for text in wrap(name.text, room)]
+            laid += [
+                line(" " * self.indent, Span(text, name.style, name.link)) for text in wrap(name.text, room)
+            ]
             laid += [line(under, text) for text in wrap(", ".join(said), room)]
         return laid
 
@@ -264,7 +276,7 @@ class Table(Struct, frozen=True):
             for index, column in enumerate(columns):
                 text = column[level] if level < len(column) else ""
                 filled = pad(text, widths[index], right=self.columns[index].right)
-                parts += [Span(filled, row[index].style), " " * _GAP]
+                parts += [Span(filled, row[index].style, row[index].link), " " * _GAP]
             lines.append(_without_trail(line(*parts)))
         return lines
 
@@ -289,5 +301,5 @@ def _without_trail(laid: Line) -> Line:
     while spans and not (text := spans[-1].text.rstrip(" ")):
         spans.pop()
     if spans:
-        spans[-1] = Span(text, spans[-1].style)
+        spans[-1] = Span(text, spans[-1].style, spans[-1].link)
     return tuple(spans)

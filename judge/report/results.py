@@ -6,7 +6,8 @@ import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line, pad
+from judge.report.layout import Cell, Column, Line, Link, Span, Style, Table, beside, hanging, line, pad
+from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
 from judge.spec.verdict import Verdict
@@ -38,13 +39,15 @@ def result_lines(
     A brief one names only the first groups that were rejected and counts the others.
     """
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
-    yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
+    link = Link(result.submission)
+    yield from beside(Span(result.submission, Style.STRONG, link), f"{result.problem}{mode}", width)
     yield line()
     if result.groups:
         yield from _brief_groups(result.groups, width) if brief else group_table(result.groups).lines(width)
         yield line()
     if result.failure:
         yield from failure_lines(result.failure, width)
+        yield from place_lines(result, width)
         yield line()
     if result.counterexample:
         yield from counterexample_lines(result, result.counterexample, width)
@@ -92,7 +95,7 @@ def _group_row(group: GroupResult) -> list[Cell]:
 def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
     """The failing case: where it is, what went in, what was wanted and got, and why: how far off it is."""
     if failure.group is not None:
-        yield line("  ", Span(_place(failure), Style.STRONG))
+        yield line("  ", Span(failure_place(failure), Style.STRONG))
     rows = [
         ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
         ("wanted", failure.expected, Style.GOOD),
@@ -102,6 +105,15 @@ def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
     for label, text, style in rows:
         if text:
             yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+
+
+def place_lines(result: Result, width: int | None) -> Iterator[Line]:
+    """The line at fault of a file that does not compile or raised, as terminals and editors open it."""
+    place = fault_place(result)
+    if place is not None:
+        text = f"{result.submission}:{place.line}" + (f":{place.column}" if place.column else "")
+        shown = Span(text, link=Link(result.submission, place.line))
+        yield from hanging(Span("at", Style.FAINT), shown, width, indent=4, column=_LABELS)
 
 
 def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
@@ -196,16 +208,16 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
 
 def _summary_row(result: Result) -> list[Cell]:
     return [
-        result.submission,
+        Span(result.submission, link=Link(result.submission)),
         verdict_span(result.verdict),
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),
         Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
-        _place(result.failure),
+        failure_place(result.failure),
     ]
 
 
-def _place(failure: Failure | None) -> str:
+def failure_place(failure: Failure | None) -> str:
     """Where a failure is, or what it is where it has no place."""
     if failure is None:
         return ""

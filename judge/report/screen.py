@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import IO
 
 from msgspec import Struct
 
-from judge.report.layout import Line, Style, printable
+from judge.report.layout import Line, Link, Style, printable
 
 # Only the sixteen colours of the person's own theme, so that light and dark backgrounds both serve.
 _CODES = {
@@ -21,16 +22,20 @@ _CODES = {
     Style.WARNING: "\x1b[33m",
 }
 _RESET = "\x1b[0m"
+_LINK = "\x1b]8;;{}\x1b\\"  # OSC 8: what follows is a link to this address, up to one without an address
 _LEAST_WIDTH = 20
 _USUAL_WIDTH = 80  # of a terminal that does not tell
 
 
 class Screen(Struct, frozen=True):
-    """Where a person reads: a stream, whether it takes colour, and its width (None: nothing to wrap for)."""
+    """Where a person reads: a stream, whether it takes colour, its width (None: nothing to wrap for), and
+    whether it can be clicked on.
+    """
 
     stream: IO[str]
     colour: bool
     width: int | None
+    links: bool = False
 
     @classmethod
     def of(cls, stream: IO[str], environment: Mapping[str, str] | None = None) -> Screen:
@@ -40,7 +45,8 @@ class Screen(Struct, frozen=True):
         settings = os.environ if environment is None else environment
         terminal = is_terminal(stream)
         colour = terminal and not settings.get("NO_COLOR") and settings.get("TERM") != "dumb"
-        return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")))
+        links = colour and settings.get("TERM") != "linux"  # old consoles of it show the address
+        return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")), links)
 
     def show(self, lines: Iterable[Line]) -> None:
         """Write the lines."""
@@ -60,6 +66,9 @@ class Screen(Struct, frozen=True):
         parts = []
         for span in spans:
             text = printable(span.text)
+            if self.links and span.link and text.strip() and (target := _address(span.link)):
+                end = len(text.rstrip(" "))  # the filling of a column is no part of it
+                text = f"{_LINK.format(target)}{text[:end]}{_LINK.format('')}{text[end:]}"
             code = _CODES[span.style] if self.colour and text.strip() else ""
             parts.append(f"{code}{text}{_RESET}" if code else text)
         return "".join(parts)
@@ -93,3 +102,12 @@ def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
     except (OSError, ValueError):  # a stream that only says it is a terminal
         found = 0
     return max(found, _LEAST_WIDTH) if found else _USUAL_WIDTH
+
+
+def _address(link: Link) -> str:
+    """The link as an address, with this machine's name so that nobody opens a file of their own for it."""
+    try:
+        path = Path(link.path).absolute().as_uri().removeprefix("file://")
+    except OSError:  # the current folder is gone
+        return ""
+    return f"file://{os.uname().nodename}{path}" + (f"#{link.line}" if link.line else "")

@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from judge.report.layout import Span, Style, line
+from judge.report.layout import Column, Link, Span, Style, Table, line
 from judge.report.screen import Screen, is_terminal
 
 
@@ -56,3 +56,56 @@ def test_a_closed_stream_is_nobodys():
     stream = io.StringIO()
     stream.close()
     assert not is_terminal(stream)
+
+
+@pytest.mark.parametrize(
+    ("stream", "settings", "links"),
+    [
+        (Terminal(), {}, True),
+        (Terminal(), {"NO_COLOR": "1"}, False),
+        (Terminal(), {"TERM": "dumb"}, False),
+        (Terminal(), {"TERM": "linux"}, False),
+        (io.StringIO(), {}, False),
+    ],
+)
+def test_who_can_be_clicked_on(stream, settings, links):
+    assert Screen.of(stream, settings).links is links
+
+
+def shown(laid, *, links):
+    stream = io.StringIO()
+    Screen(stream, False, None, links).show(laid)
+    return stream.getvalue()
+
+
+def test_a_link_goes_to_the_line_of_the_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    laid = [line("at ", Span("a b.py:3  ", link=Link("a b.py", 3)))]
+    assert shown(laid, links=False) == "at a b.py:3  \n"
+    address, text = shown(laid, links=True).removeprefix("at \x1b]8;;").split("\x1b\\", 1)
+    assert address.startswith("file://")
+    assert address.endswith(f"{tmp_path.as_posix()}/a%20b.py#3")
+    assert text == "a b.py:3\x1b]8;;\x1b\\  \n"
+
+
+def test_a_tables_cell_keeps_its_link_and_an_empty_one_has_none():
+    table = Table((Column("name"), Column("why", flexible=True)), [[Span("x", link=Link("/x")), "word " * 9]])
+    written = shown(table.lines(40), links=True)
+    assert written.count("\x1b]8;;file://") == 1
+    assert "/x\x1b\\x\x1b]8;;\x1b\\" in written
+
+
+def test_a_name_cannot_end_its_link(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    evil = "\x1b\\\x07.py"
+    written = shown([line(Span(evil, link=Link(evil)))], links=True)
+    assert written.count("\x1b") == 4  # two links' beginnings and ends
+    assert "\x07" not in written
+
+
+def test_without_a_current_folder_there_is_no_link(tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    assert shown([line(Span("x", link=Link("x.py")))], links=True) == "x\n"

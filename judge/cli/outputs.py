@@ -1,0 +1,153 @@
+"""Where the results of `judge run` go: to the screen, as JSON or as annotations, and into a JUnit file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Protocol
+
+import click
+
+from judge.cli.options import write_json
+from judge.cli.picture import Drawing
+from judge.cli.submissions import Submission, read_submissions
+from judge.data.atomic import replace_file
+from judge.errors import ExitCode, JudgeError, UsageError
+from judge.run import Result, exit_code, judge_fault
+
+TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
+_LOOKED_AT = 2000  # bytes of a file in which JUnit XML says that it is that
+
+format_option = click.option(
+    "--format",
+    "form",
+    metavar="FORMAT",
+    type=click.Choice(FORMATS),
+    help="text, json (as --json) or github: annotations at the file's lines.",
+)
+junit_option = click.option(
+    "--junit",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write the results into a JUnit XML file too.",
+)
+
+
+def chosen_format(form: str | None, *, as_json: bool) -> str:
+    """The format that the options come to. Raises UsageError where they contradict each other."""
+    if as_json and form not in (None, JSON):
+        raise UsageError(f"--json and --format {form} contradict each other", remedy="leave one out")
+    return JSON if as_json else form or TEXT
+
+
+class Sink(Protocol):
+    """One way of writing results on standard output."""
+
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
+        """One more result, of one or several."""
+        ...
+
+    def close(self) -> ExitCode:
+        """Write what comes last; what the results come to."""
+        ...
+
+
+class Outputs:
+    """Receives each result and hands it on: to `screen`, or as what `form` asks for, and into a JUnit file.
+
+    `expected` are the submissions that results are to come of, once they have been read. Raises UsageError,
+    before anything is judged, where the JUnit file cannot be written.
+    """
+
+    def __init__(self, form: str, screen: Sink, junit: Path | None) -> None:
+        _check_junit(junit)
+        self.on_screen = form == TEXT and junit is None  # and nowhere else
+        self.expected: Sequence[Submission] = ()
+        self._form = form
+        self._screen = screen
+        self._junit = junit
+        self._results: list[Result] = []
+
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
+        """One more result, of one or several, in the order of the submissions."""
+        if self._form == TEXT:
+            self._screen.result(result, several=several, drawing=drawing)
+        self._write(result, drawing.problem.entry)
+
+    def fail(self, problem: str, files: Sequence[str], fault: Exception) -> None:
+        """The judge itself failed: a script misses no submission, each that is left has that for its result.
+
+        A wrong use of the command line, or an output that nobody takes, is no such fault.
+        """
+        if isinstance(fault, UsageError | OSError) or self.on_screen:
+            return
+        told = str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
+        self.expected = self.expected or read_submissions(files)
+        for submission in self.expected[len(self._results) :]:
+            self._write(judge_fault(problem, submission.name, told), "")
+        self._save()
+
+    def close(self) -> ExitCode:
+        """Write what comes last; what the results come to."""
+        if self._form == TEXT:
+            self._screen.close()
+        self._save()
+        return exit_code(self._results)
+
+    def _write(self, result: Result, entry: str) -> None:
+        """Keep one more result for the file, and write it where a script reads."""
+        source = self.expected[len(self._results)].source
+        self._results.append(result)
+        if self._form == JSON:
+            write_json(result.as_json())
+        elif self._form == GITHUB:
+            from judge.report.github import annotation  # only who asks for it waits for it
+
+            text = annotation(result, source, entry, os.environ)
+            encoding = sys.stdout.encoding or "utf-8"
+            sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
+            sys.stdout.flush()
+
+    def _save(self) -> None:
+        if self._junit is None:
+            return
+        from judge.report.junit import junit  # only who asks for it waits for it
+
+        try:
+            replace_file(self._junit, junit(self._results))
+        except OSError as fault:
+            raise _unwritable(self._junit, fault) from fault
+
+
+def _check_junit(path: Path | None) -> None:
+    """Refuse to write over a file that is no JUnit XML, such as a submission named by a slip."""
+    if path is None:
+        return
+    try:
+        if not path.parent.is_dir():
+            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
+        if path.exists() and not _is_junit(path):
+            raise UsageError(
+                "it is there already and is no JUnit XML",
+                where=str(path),
+                remedy="name another file with --junit",
+            )
+    except OSError as fault:
+        raise _unwritable(path, fault) from fault
+
+
+def _is_junit(path: Path) -> bool:
+    if not path.is_file():  # a pipe would be waited for
+        return False
+    with path.open("rb") as file:
+        start = file.read(_LOOKED_AT)
+    return b"<testsuite" in start or not start.strip()
+
+
+def _unwritable(path: Path, fault: OSError) -> UsageError:
+    reason = (fault.strerror or "it failed").lower()
+    return UsageError(
+        f"cannot be written ({reason})", where=str(path), remedy="name another file with --junit"
+    )

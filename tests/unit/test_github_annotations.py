@@ -1,0 +1,146 @@
+"""GitHub's annotations: one command for each submission, and nothing of it can begin another."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from judge.report.github import annotation
+from judge.report.places import Place, annotated_place, fault_place
+from judge.run import Failure, GroupResult, Mode, Pitfall, Result, judge_fault
+from judge.spec import Verdict
+
+COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
+SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"
+
+
+def result(verdict: Verdict, message: str = "", **changes) -> Result:
+    groups = () if verdict in (Verdict.CE, Verdict.JE) else (GroupResult("grid", verdict, 2, 1, None, 0.0),)
+    failure = Failure(message, groups[0].name if groups else None, 7 if groups else None) if message else None
+    return Result("count", changes.pop("name", "mine.py"), Mode.FUNCTION, verdict, groups, failure, **changes)
+
+
+def parts(text: str) -> tuple[str, dict[str, str], list[str]]:
+    """The command's name, its properties and the lines of its message, as GitHub reads them."""
+    assert "\n" not in text
+    assert "\r" not in text
+    found = COMMAND.fullmatch(text)
+    assert found, text
+    properties = dict(each.split("=", 1) for each in found[2].split(","))
+    return found[1], {name: plain(value) for name, value in properties.items()}, plain(found[3]).split("\n")
+
+
+def plain(text: str) -> str:
+    for code, character in (("%2C", ","), ("%3A", ":"), ("%0A", "\n"), ("%0D", "\r"), ("%25", "%")):
+        text = text.replace(code, character)
+    return text
+
+
+def test_an_accepted_one_is_a_notice_at_its_function():
+    kind, properties, (said,) = parts(annotation(result(Verdict.AC), SOURCE, "solve", {}))
+    assert kind == "notice"
+    assert properties == {"file": "mine.py", "line": "3", "title": "count: AC"}
+    assert said.startswith("AC  accepted")
+
+
+def test_a_wrong_answer_is_an_error_with_the_case():
+    failure = Failure("2 wanted, 1 given", "grid", 7, {"cx": 1, "A": [0, 1]}, "2", "1")
+    wrong = Result(
+        "count",
+        "mine.py",
+        Mode.FUNCTION,
+        Verdict.WA,
+        (GroupResult("grid", Verdict.WA, 2, 1, None, 0.0), GroupResult("band", Verdict.WA, 2, 0, None, 0.0)),
+        failure,
+        counterexample={
+            "input": {"cx": 0, "A": [0, 0]},
+            "expected": "2",
+            "got": "1",
+            "message": "2 wanted, 1 given",
+            "replay": "count:grid:v0:abc",
+        },
+        pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
+    )
+    kind, properties, lines = parts(annotation(wrong, SOURCE, "solve", {}))
+    assert kind == "error"
+    assert properties == {"file": "mine.py", "line": "3", "title": "count: WA in grid, case 7"}
+    for line in (
+        "input: cx=1, A=(0, 1)",
+        "wanted: 2",
+        "got: 1",
+        "why: 2 wanted, 1 given",
+        "again: judge replay count:grid:v0:abc",
+        "likely naive: Do not.",
+        "groups that fail: grid, band",
+    ):
+        assert line in lines
+
+
+def test_the_judges_own_fault_has_no_line():
+    kind, properties, lines = parts(annotation(judge_fault("count", "mine.py", "it fails"), SOURCE, "", {}))
+    assert (kind, "line" in properties) == ("error", False)
+    assert "why: it fails" in lines
+
+
+@pytest.mark.parametrize(
+    "evil",
+    ["a::error file=x::b", "100%, 5%0A", "x\n::stop-commands::y", "\r::warning::", "##[error]", "\x1b[31m"],
+)
+def test_nothing_of_a_submission_becomes_a_command(evil):
+    text = annotation(result(Verdict.RTE, evil, name=evil), SOURCE, "solve", {})
+    _, properties, lines = parts(text)
+    written_out = evil.replace("\n", r"\n").replace("\r", r"\r").replace("\x1b", r"\x1b")
+    assert properties["file"] == written_out
+    assert f"why: {written_out}" in lines
+
+
+def test_a_path_is_told_from_the_root_of_the_repository(tmp_path, monkeypatch):
+    (tmp_path / "team").mkdir()
+    monkeypatch.chdir(tmp_path / "team")
+    for root, wanted in ((str(tmp_path), "team/mine.py"), ("/elsewhere", "mine.py"), ("", "mine.py")):
+        text = annotation(result(Verdict.AC), SOURCE, "solve", {"GITHUB_WORKSPACE": root})
+        assert parts(text)[1]["file"] == wanted
+
+
+@pytest.mark.parametrize(
+    ("verdict", "message", "place"),
+    [
+        (Verdict.CE, "SyntaxError: bad (line 2, column 9): f(line 3)", Place(2, 9)),
+        (Verdict.CE, "the file is not UTF-8: byte 0xff (line 4); save it as UTF-8", Place(4)),
+        (Verdict.CE, "source code string cannot contain null bytes", None),
+        (Verdict.RTE, "ValueError: at (line 9) (line 4)", Place(4)),
+        (Verdict.RTE, "ValueError: x (line 4), after 0 lines of 13", Place(4)),
+        (
+            Verdict.RTE,
+            "ValueError: x (line 4); it was run as a program because it defines no f; is g (line 9) meant",
+            Place(4),
+        ),
+        (Verdict.RTE, "killed by SIGSEGV", None),
+        (Verdict.WA, "the str 'a (line 4)'", None),
+    ],
+)
+def test_the_place_of_a_fault(verdict, message, place):
+    assert fault_place(result(verdict, message)) == place
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        (SOURCE, 3),
+        (b"x = 1\nasync  def solve(a): pass", 2),
+        (b"import f\n\nsolve = f.g\n", 3),
+        (b"import f\nsolve: object = f.g\n", 2),
+        (b"def solver(a): pass\n", 1),
+        (b"class A:\n    def solve(self): pass\n", 1),
+        (b"\xff\xfe", 1),
+        (b"", 1),
+    ],
+)
+def test_without_a_fault_it_is_the_entry_functions_line(source, line):
+    assert annotated_place(result(Verdict.WA, "x"), source, "solve") == Place(line)
+
+
+def test_a_line_that_the_file_does_not_have_is_not_believed():
+    assert annotated_place(result(Verdict.RTE, "x (line 99)"), SOURCE, "solve") == Place(3)
+    assert annotated_place(result(Verdict.RTE, "x (line 4)"), SOURCE, "solve") == Place(4)

@@ -1,0 +1,132 @@
+"""The JUnit file: what CI servers accept, whatever a submission says or is called."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree as Xml
+
+import pytest
+
+from judge.report.junit import junit
+from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
+from judge.spec import Verdict
+
+# What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
+# element its required attributes, the others, and its children in their order.
+SHAPE = {
+    "testsuites": (set(), {"name", "time", "tests", "failures", "errors"}, ["testsuite"]),
+    "testsuite": (
+        {"name", "tests", "failures", "errors", "skipped"},
+        {"time", "group"},
+        ["properties", "testcase"],
+    ),
+    "properties": (set(), set(), ["property"]),
+    "property": ({"name", "value"}, set(), []),
+    "testcase": ({"name", "time"}, {"classname", "group"}, ["failure", "skipped", "error", "system-out"]),
+    "failure": ({"type"}, {"message"}, []),
+    "error": ({"type"}, {"message"}, []),
+}
+TIME = re.compile(r"[0-9]+\.[0-9]{0,3}")
+EVIL = "a\x00\x08\x1b[31m]]>\n<!-- & \ud800 \ufffe </failure><system-out>'\" \u202e"
+
+
+def read(*results: Result) -> Xml.Element:
+    root = Xml.fromstring(junit(list(results)))
+    for element in root.iter():
+        required, optional, children = SHAPE[element.tag]
+        assert required <= set(element.attrib) <= required | optional, element.tag
+        order = [children.index(child.tag) for child in element]
+        assert order == sorted(order), element.tag
+        if "time" in element.attrib:
+            assert TIME.fullmatch(element.attrib["time"])
+    return root
+
+
+def group(name: str, verdict: Verdict, passed: int = 0) -> GroupResult:
+    return GroupResult(name, verdict, 10, passed, None, 0.0625, 50)
+
+
+ACCEPTED = Result(
+    "count",
+    "team/a.py",
+    Mode.FUNCTION,
+    Verdict.AC,
+    (group("grid", Verdict.AC, 10), group("tangent", Verdict.AC, 10)),
+    time=Timing(0.125, 0.25, Ratio(1.25, 1.0, 1.5, 5)),
+)
+REJECTED = Result(
+    "count",
+    "b.py",
+    Mode.FUNCTION,
+    Verdict.WA,
+    (group("grid", Verdict.AC, 10), group("tangent", Verdict.WA, 9), group("band", Verdict.TLE)),
+    Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": [0, 2.5]}, "2", "1"),
+    pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
+)
+
+
+def test_a_suite_for_each_submission_and_a_case_for_each_group():
+    root = read(ACCEPTED, REJECTED)
+    assert dict(root.attrib) == {
+        "name": "judge",
+        "tests": "5",
+        "failures": "2",
+        "errors": "0",
+        "time": "0.125",
+    }
+    first, second = root
+    assert (first.get("name"), first.get("tests"), first.get("failures")) == ("count team/a.py", "2", "0")
+    assert [(case.get("name"), case.get("time")) for case in second.iter("testcase")] == [
+        ("grid", "0.062"),
+        ("tangent", "0.062"),
+        ("band", "0.062"),
+    ]
+    assert {case.get("classname") for case in first.iter("testcase")} == {"count.team/a_py"}
+    properties = {each.get("name"): each.get("value") for each in first.iter("property")}
+    assert properties["verdict"] == "AC"
+    assert properties["score"] == "100"
+    assert properties["ratio"] == "1.250"
+
+
+def test_a_failure_tells_the_case_what_was_wanted_and_what_was_given():
+    (_, tangent, band) = read(REJECTED).iter("testcase")
+    (failure,) = tangent
+    assert (failure.tag, failure.get("type")) == ("failure", "WA")
+    assert failure.get("message") == "tangent, case 3: 2 wanted, 1 given"
+    for words in ("9 of 10 cases passed", "input   cx=1, A=(0, 2.5)", "wanted  2", "got     1", "naive"):
+        assert words in failure.text
+    assert [(each.get("type"), each.get("message")) for each in band] == [
+        ("TLE", "time limit exceeded: 0 of 10 cases passed")
+    ]
+
+
+def test_the_judges_own_fault_is_an_error():
+    root = read(judge_fault("count", "a.py", "the reference fails"))
+    assert (root.get("errors"), root.get("failures"), root.get("tests")) == ("1", "0", "1")
+    (case,) = root.iter("testcase")
+    (error,) = case
+    assert (case.get("name"), error.tag, error.get("type")) == ("judge", "error", "JE")
+    assert error.get("message") == "the reference fails"
+
+
+def test_what_does_not_compile_is_one_failed_case():
+    compiled = Result("count", "a.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError (line 2)"))
+    (case,) = read(compiled).iter("testcase")
+    assert (case.get("name"), case[0].tag, case[0].get("type")) == ("compile", "failure", "CE")
+
+
+@pytest.mark.parametrize("verdict", [Verdict.WA, Verdict.RTE, Verdict.CE, Verdict.JE])
+def test_nothing_of_a_submission_breaks_the_document(verdict):
+    groups = () if verdict in (Verdict.CE, Verdict.JE) else (group("grid", verdict),)
+    failure = Failure(EVIL, "grid" if groups else None, 1, {"cx": 1}, "2", EVIL)
+    result = Result("count", EVIL, Mode.FUNCTION, verdict, groups, failure)
+    root = read(result)
+    assert len(list(root.iter("system-out"))) == 0
+    (case,) = root.iter("testcase")
+    assert r"\x00\x08\x1b[31m]]>" in case[0].text
+    assert r"<!-- & \ud800 \ufffe </failure><system-out>" in case[0].text
+    assert case[0].get("message").endswith("'\" \\u202e")
+
+
+def test_no_submissions_at_all():
+    assert read().get("tests") == "0"
