@@ -53,7 +53,7 @@ def judge(installed, tmp_path):
 
 def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
-    wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py"}
+    wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/run.json"}
     wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
@@ -72,6 +72,7 @@ def test_it_holds_nothing_else(wheel):
 def test_the_console_script(installed):
     (entry_points,) = installed.glob("*.dist-info/entry_points.txt")
     assert "judge = judge.cli:main" in entry_points.read_text()
+    assert "[pytest11]\njudge = judge.pytest_plugin" in entry_points.read_text()
 
 
 def test_it_is_the_unpacked_one_that_runs(installed, tmp_path):
