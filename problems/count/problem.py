@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from judge.compare.answers import Count
 from judge.data.builders import counting
+from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
 from judge.spec.load import bands_beside
 from judge.spec.model import Number, Point
@@ -29,6 +30,7 @@ BUILDERS = {
     "off_segment": counting.off_segment,
     "scattered": counting.scattered,
 }
+IMAGES = mirror_images
 
 _line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
 

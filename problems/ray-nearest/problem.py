@@ -6,12 +6,14 @@ from functools import lru_cache
 
 from judge.compare.answers import Parameter
 from judge.data.builders.rays import RAY_BUILDERS
+from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
 from judge.spec.load import bands_beside
 from judge.spec.model import Number, Point
 
 BANDS = Bands(**bands_beside(__file__))
 BUILDERS = RAY_BUILDERS
+IMAGES = mirror_images
 
 _line = lru_cache(1)(CircleLine.ray)  # the promise and the reference ask for one case in turn
 

@@ -6,12 +6,14 @@ from functools import lru_cache
 
 from judge.compare.answers import Points
 from judge.data.builders.endpoints import SEGMENT_BUILDERS
+from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
 from judge.spec.load import bands_beside
 from judge.spec.model import Number, Point
 
 BANDS = Bands(**bands_beside(__file__))
 BUILDERS = SEGMENT_BUILDERS
+IMAGES = mirror_images
 
 _line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
 
