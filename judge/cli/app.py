@@ -22,6 +22,7 @@ COMMANDS = {
     "list": "List the problems.",
     "show": "Show a problem: its statement, parameters and test groups.",
     "why": "Say what the test groups probe, and which mistakes they are there for.",
+    "stress": "Judge a submission on fresh cases until the time is up or something breaks.",
     "replay": "Judge a submission on one case, by its replay id.",
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",

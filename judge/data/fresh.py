@@ -45,8 +45,8 @@ class Fresh:
     def __init__(self, problem: Problem, module: ProblemModule, groups: Sequence[Group], seed: int) -> None:
         """Raises ProblemError for a builder or parameters that do not exist, UsageError if none is left."""
         self._problem = problem
-        self._module = module
-        self._seed = seed
+        self.module = module
+        self.seed = seed
         self._validator = Validator(problem, module.promise)
         # The statement's examples are what they are.
         self.groups = tuple(group for group in groups if group.builder != EXAMPLES)
@@ -78,7 +78,7 @@ class Fresh:
         return tuple(draw.choices)
 
     def _text(self, number: int, group: Group) -> str:
-        return f"{self._seed}/{number}/{group.name}"
+        return f"{self.seed}/{number}/{group.name}"
 
     def _series(self, number: int, group: Group, builder: Callable[[Draw], Any]) -> Series:
         seed = self._text(number, group)
@@ -90,11 +90,11 @@ class Fresh:
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
             for place in range(BUILT):
                 case = new_case(self._problem, group, builder, self._validator, lambda _: draw, place + 1)
-                target = compile_answer(self._module.reference(*case), group.tolerance)
+                target = compile_answer(self.module.reference(*case), group.tolerance)
                 starts.append(len(cases))
                 cases.append(case)
                 targets.append(target)
-                if self._module.images is not None:
+                if self.module.images is not None:
                     self._add_images(case, target, chance, cases, targets)
         return Series(number, GroupData(group, cases, targets), starts)
 
@@ -102,10 +102,10 @@ class Fresh:
         self, case: Case, target: AnyTarget, chance: Draw, cases: list[Case], targets: list[AnyTarget]
     ) -> None:
         """Add some of the case's images, those that are within the bounds."""
-        assert self._module.images is not None
+        assert self.module.images is not None
         first, step = chance.integer(0, 6), chance.integer(1, 6)
         chosen = [SYMMETRIES[(first + step * place) % 7] for place in range(IMAGES_EACH)]  # 7 is prime
-        for image, mirrored in self._module.images(case, target, chosen):
+        for image, mirrored in self.module.images(case, target, chosen):
             if self._validator.bounds(image) is None:
                 cases.append(image)
                 targets.append(mirrored)
