@@ -164,7 +164,7 @@ class _Asked(Struct, frozen=True):
     def _run(self, data: ProblemData, fresh: Fresh, box: Box) -> Stressed:
         whole = math.ceil(self.seconds)
         source, name = self.submission.source, self.submission.name
-        with stages(name) as stage:
+        with stages(Path(name).name) as stage:
 
             def tell(cases: int, seconds: float) -> None:
                 if stage:

@@ -34,21 +34,21 @@ def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] 
 
 def _verdict_lines(stressed: Stressed, width: int | None) -> list[Line]:
     verdict = stressed.result.verdict
-    label = verdict_span(verdict)
-    if verdict is Verdict.CE:
-        parts = [verdict.meaning]
-    else:
-        how = (
-            f"{counted(stressed.cases, 'case')} in {seconds(stressed.seconds)}, {stressed.rate:,.0f} a second"
-        )
-        if verdict is not Verdict.AC:
-            end = f"{verdict.meaning} among {how}"
-        elif stressed.interrupted:
-            label, end = Span("interrupted", Style.WARNING), f"nothing broke in {how}"
-        else:
-            end = f"nothing broke in {how}"
-        images = stressed.cases - stressed.built
-        share = f"{stressed.built:,} built" + (f" and {images:,} mirror images of these" if images else "")
-        groups = counted(len(stressed.result.groups), "group")
-        parts = [end, f"{share}, from {groups}", f"seed {stressed.seed}"]
-    return hanging(label, Span("; ".join(parts)), width, indent=0, column=len(label.text) + 2)
+    label, what = verdict_span(verdict), verdict.meaning
+    if verdict is Verdict.AC:
+        label, what = (Span("interrupted", Style.WARNING) if stressed.interrupted else label), "nothing broke"
+    parts = [what] if verdict is Verdict.CE else [f"{what}: {_amount(stressed)}", *_origin(stressed)]
+    return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
+
+
+def _amount(stressed: Stressed) -> str:
+    rate = f"{stressed.rate:,.0f} a second"
+    return f"{counted(stressed.cases, 'case')} in {seconds(stressed.seconds)} ({rate})"
+
+
+def _origin(stressed: Stressed) -> list[str]:
+    """Where the cases came from, so that nobody takes images for built ones, and how to have them again."""
+    images = stressed.cases - stressed.built
+    built = f"{stressed.built:,} built" + (f" and {images:,} mirror images of these" if images else "")
+    groups = counted(len(stressed.result.groups), "group")
+    return [f"{built}, from {groups}", f"again with --seed {stressed.seed}"]

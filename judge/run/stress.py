@@ -207,7 +207,10 @@ class _Run:
                 self._failure = replace(
                     tally.failure, case=None if place is None else total.result.cases + place
                 )
-            reached = max(tally.reached, tally.passed)
+            first = (
+                tally.failure.case if tally.failure else None
+            )  # of a program that broke, the one it broke at
+            reached = max(tally.reached, first or 0)
             total.add(tally.result(), reached)
             self.cases += reached
             self.built += bisect_left(series.starts, reached)
