@@ -123,7 +123,7 @@ def _rational(p: int, s: int, tolerance: Tolerance, unit: Surd) -> Measure | Non
     except OverflowError:
         return None
     mantissa, exponent = frexp(nearest)
-    if abs(exponent) > _HUGE:
+    if not nearest or abs(exponent) > _HUGE:
         return None
     top, bottom = nearest.as_integer_ratio()
     away = p * bottom - top * s

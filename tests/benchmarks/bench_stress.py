@@ -1,11 +1,11 @@
-"""The stress figure: cases a second on one core, problem by problem: python tests/benchmarks/bench_stress.py [SECONDS]
+"""The stress figure, problem by problem: python tests/benchmarks/bench_stress.py [SECONDS]
 
-Each row is `judge stress` in function mode on the problem's `quadratic.py`, in this process and the box's, both
-pinned to one core: building the cases, proving and solving them exactly, calling the submission, deciding on its
-answers. `built` are those a builder made; the others are their mirror images.
+How many cases a second `judge stress` manages in function mode on the problem's `quadratic.py`, with this
+process and the box's pinned to one core: building the cases, proving and solving them exactly, calling the
+submission, deciding on its answers. `built` are those that a builder made; the others are mirror images.
 
-So that a busy or slow machine shows as such, a fixed loop of pure Python runs before and after each: `× yard` is
-the time of a case as a multiple of the time of one round of that loop.
+So that a busy or a slow machine shows as such, a fixed loop of pure Python runs before and after each. The
+last column is the time of a case as a multiple of the time of one round of that loop.
 """
 
 from __future__ import annotations
@@ -56,19 +56,16 @@ def main() -> None:
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else SECONDS
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-    print(
-        f"{'problem':<12} {'verdict':<8} {'cases':>10} {'a second':>10} {'built':>10} {'isolation':>10} {'× yard':>8}"
-    )
+    head = ("verdict", "cases", "a second", "built", "isolation", "× loop")
+    print(f"{'problem':<12}", *(f"{word:>10}" for word in head))
     for name in PROBLEMS:
         before = yardstick()
         found = stressed(name, seconds)
         yard = (before + yardstick()) / 2
         ratio = 1 / found.rate / yard if found.rate else 0.0
-        verdict, isolation = found.result.verdict.value, found.result.isolation
-        print(
-            f"{name:<12} {verdict:<8} {found.cases:>10,} {found.rate:>10,.0f} {found.built:>10,}"
-            f" {isolation:>10} {ratio:>8.0f}"
-        )
+        result = found.result
+        words = (result.verdict.value, f"{found.cases:,}", f"{found.rate:,.0f}", f"{found.built:,}")
+        print(f"{name:<12}", *(f"{word:>10}" for word in (*words, result.isolation, f"{ratio:.0f}")))
 
 
 if __name__ == "__main__":
