@@ -20,6 +20,7 @@ from judge.sandbox import Box, BoxFactory
 
 if TYPE_CHECKING:
     from judge.diagnose import Counterexample
+    from judge.diagnose.shrink import Choices
 
 no_shrink_option = click.option(
     "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
@@ -39,6 +40,7 @@ class Diagnosis(Struct, frozen=True):
     data: ProblemData
     open_box: BoxFactory
     regression: Path | None = None
+    choices: Choices | None = None  # of fresh data, which know what they are built from
 
     def __call__(self, submission: Submission, result: Result, box: Box) -> Result:
         """The result with its counterexample; a fault in the search is told and leaves the verdict alone."""
@@ -67,6 +69,7 @@ class Diagnosis(Struct, frozen=True):
                 result.verdict,
                 failure,
                 reference=lambda: reference.open(result.mode),
+                choices=self.choices,
             )
 
     def _save(self, submission: Submission, result: Result, found: Counterexample | None) -> None:

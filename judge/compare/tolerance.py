@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from math import copysign, inf, isinf, isqrt, ldexp, ulp
+from math import copysign, frexp, inf, isinf, isqrt, ldexp, nextafter, ulp
 from typing import NamedTuple
 
 from judge.errors import ProblemError
@@ -102,6 +102,10 @@ def measure(x: Surd, tolerance: Tolerance, unit: Surd, roots: Roots | None = Non
             enclosed = _enclosed(x, tolerance, unit, roots, 64 * attempt)
             if enclosed is not None:
                 return enclosed
+    elif x.p:
+        rational = _rational(x.p, x.s, tolerance, unit)
+        if rational is not None:
+            return rational
     low, high = exact_ends(x, tolerance, unit)
     lo, hi = low.round_up(), high.round_down()
     if lo == inf or hi == -inf:
@@ -110,6 +114,43 @@ def measure(x: Surd, tolerance: Tolerance, unit: Surd, roots: Roots | None = Non
     if isinf(nearest):
         return Measure(lo, hi, copysign(rounding.LARGEST, nearest), 0.0, ulp(rounding.LARGEST))
     return Measure(lo, hi, nearest, _residual(x, nearest), ldexp(1.0, x.ulp_exponent()))
+
+
+def _rational(p: int, s: int, tolerance: Tolerance, unit: Surd) -> Measure | None:
+    """`measure` of p/s, not 0, by whole-number arithmetic; None for a size where doubles end or begin."""
+    try:
+        nearest = p / s  # int / int is correctly rounded
+    except OverflowError:
+        return None
+    mantissa, exponent = frexp(nearest)
+    if not nearest or abs(exponent) > _HUGE:
+        return None
+    top, bottom = nearest.as_integer_ratio()
+    away = p * bottom - top * s
+    if away and abs(mantissa) == 0.5:  # a power of two may be the nearest from either side
+        return None
+    exponent -= 53  # ulp(x) = 2**exponent
+    ulp_n, ulp_d = (1 << exponent, 1) if exponent >= 0 else (1, 1 << -exponent)
+    reach_n, reach_d = _reach(tolerance, unit)
+    rel_n, rel_d = tolerance.relative.as_integer_ratio()
+    if rel_n * abs(p) * reach_d > reach_n * rel_d * s:
+        reach_n, reach_d = rel_n * abs(p), rel_d * s
+    ulps_n, ulps_d = tolerance.ulps.as_integer_ratio()
+    slack_n, slack_d = ulps_n * ulp_n, ulps_d * ulp_d
+    alpha = (reach_n * slack_d + slack_n * reach_d) * s
+    bottom_of_ends = s * reach_d * slack_d
+    middle = p * reach_d * slack_d
+    lo = _toward(middle - alpha, bottom_of_ends, inf)
+    hi = _toward(middle + alpha, bottom_of_ends, -inf)
+    return Measure(lo, hi, nearest, away * ulp_d / (s * bottom * ulp_n), ldexp(1.0, exponent))
+
+
+def _toward(top: int, bottom: int, end: float) -> float:
+    """The ratio as a double, rounded towards `end`, which is infinite."""
+    double = top / bottom
+    n, d = double.as_integer_ratio()
+    short = n * bottom < top * d if end > 0 else n * bottom > top * d
+    return nextafter(double, end) if short else double
 
 
 def _slack(x: Surd, tolerance: Tolerance) -> tuple[int, int]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import inspect
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Container
+from functools import partial
 from typing import Any
 
 from judge.compare.answers import Answer, Count, Parameter, Points
@@ -62,7 +63,8 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[C
     what = f"group {group.name!r}: the builder {group.builder!r} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
-            case = _new_case(problem, group, builder, validator, number, cases)
+            draws = partial(_seeded, group, number)
+            case = new_case(problem, group, builder, validator, draws, number + 1, cases)
             cases[case] = None
     return list(cases)
 
@@ -70,6 +72,10 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[C
 def case_seed(group: Group, number: int, attempt: int) -> str:
     """The seed text of an attempt at case `number` (from 0) of a group."""
     return f"{group.seed}/{group.name}/{number}/{attempt}"
+
+
+def _seeded(group: Group, number: int, attempt: int) -> Draw:
+    return SeededDraw(case_seed(group, number, attempt))
 
 
 def choices_of(
@@ -86,19 +92,24 @@ def choices_of(
     return None
 
 
-def _new_case(
+def new_case(
     problem: Problem,
     group: Group,
     builder: Callable[[Draw], Any],
     validator: Validator,
+    draws: Callable[[int], Draw],
     number: int,
-    taken: dict[Case, None],
+    taken: Container[Case] = (),
 ) -> Case:
+    """Case `number` (from 1) of a group, proved and not `taken`; `draws` gives the source for each attempt.
+
+    Raises ProblemError where none of the attempts makes a case.
+    """
     failures: Counter[str] = Counter()
     latest: dict[str, str] = {}  # for each reason, what the last such fault was
     for attempt in range(_ATTEMPTS):
         try:
-            case = builder(SeededDraw(case_seed(group, number, attempt)))
+            case = builder(draws(attempt))
         except Rejected:
             failures["rejected by the builder"] += 1
             continue
@@ -121,7 +132,7 @@ def _new_case(
             return proved
     reason, times = failures.most_common(1)[0]
     raise ProblemError(
-        f"group {group.name!r}: the builder {group.builder!r} gives no case {number + 1} of {group.count} "
+        f"group {group.name!r}: the builder {group.builder!r} gives no case {number} of {group.count} "
         f"in {_ATTEMPTS} attempts, {times} of them {reason}{latest.get(reason, '')}",
         where=group_place(problem, group.name, "builder"),
         remedy="correct its parameters, or lower count",

@@ -3,6 +3,7 @@
     reference(*case) -> Answer           the exact answer (judge.compare.answers)
     promise(*case) -> str | None         how the case breaks the statement's promise, or None
     BUILDERS = {"name": function}        function(draw, **parameters) -> case
+    IMAGES = mirror_images               optional: cases that follow from one (judge.data.images), for stress
 
 It is the setter's own code and is trusted. A problem.py that needs the bands of its problem.toml takes them
 from `judge.spec.load.bands_beside(__file__)`. Whatever it raises becomes a ProblemError with its line.
@@ -26,6 +27,7 @@ from judge.spec.tomlfile import read_text
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
+    from judge.data.images import Images
 
 Builder = Callable[..., Case]
 
@@ -36,6 +38,7 @@ class ProblemModule(Struct, frozen=True):
     reference: Callable[..., Answer]
     promise: Callable[..., str | None]
     builders: Mapping[str, Builder]
+    images: Images | None = None
 
 
 def load_module(problem: Problem) -> ProblemModule:
@@ -53,6 +56,7 @@ def load_module(problem: Problem) -> ProblemModule:
         reference=_function(module, "reference", problem),
         promise=_function(module, "promise", problem),
         builders=_builders(module, problem),
+        images=_function(module, "IMAGES", problem) if hasattr(module, "IMAGES") else None,
     )
     _check_arity(loaded.reference, "reference", problem)
     _check_arity(loaded.promise, "promise", problem)

@@ -40,11 +40,21 @@ class Validator:
 
     def bounds(self, case: Case) -> str | None:
         """Whether every number of a well-shaped case lies within its parameter's bounds."""
+        for (low, high), value in zip(self._bounds, case):  # noqa: B905  # it has the parameters' shape
+            if type(value) is tuple:
+                x, y = value
+                if not (low <= x <= high and low <= y <= high):
+                    return self._outside(case)
+            elif not low <= value <= high:  # type: ignore[operator]  # a number
+                return self._outside(case)
+        return None
+
+    def _outside(self, case: Case) -> str:
         for parameter, (low, high), value in zip(self._parameters, self._bounds, case, strict=True):
             for number in value if isinstance(value, tuple) else (value,):
                 if not low <= number <= high:
                     return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
-        return None
+        raise AssertionError("some number is outside")
 
     def promise(self, case: Case) -> str | None:
         """Whether a well-shaped case keeps the statement's promise."""

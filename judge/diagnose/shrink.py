@@ -14,9 +14,11 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
 
 from judge.data.build import bound_builder, choices_of
-from judge.data.draw import SeededDraw
+from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.data.module import load_module
 from judge.diagnose.counterexample import Counterexample
@@ -33,6 +35,7 @@ from judge.spec.statement import EXAMPLES
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
+Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
 
 
@@ -47,11 +50,14 @@ def shrink(
     reference: Callable[[], Box | None] = lambda: None,
     budget_seconds: float = 2.0,
     clock: Clock = time.monotonic,
+    choices: Choices | None = None,
 ) -> Counterexample | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed.
 
     None where the failure has no case of its own, or is the sum of many calls. `reference` opens the box of
-    the problem's reference solution. The result depends on the submission alone, unless time runs out.
+    the problem's reference solution. `choices` tells what case `number` (from 0) of a group, or one much like
+    it, was built from; without it they are sought as those of pinned data. The result depends on the
+    submission alone, unless time runs out.
 
     Raises:
         ProblemError: the problem's own code fails on a case.
@@ -69,7 +75,7 @@ def shrink(
             return None
         return _original(problem, group_data.group, case, failure, budget.calls)
     trial.look_for(first)
-    return _Search(problem, trial, group_data, first, failure.case - 1).run()
+    return _Search(problem, trial, group_data, first, failure.case - 1, choices or choices_of).run()
 
 
 def _original(problem: Problem, group: Group, case: Case, failure: Failure, calls: int) -> Counterexample:
@@ -88,12 +94,21 @@ def _original(problem: Problem, group: Group, case: Case, failure: Failure, call
 class _Search:
     """The stages of one search."""
 
-    def __init__(self, problem: Problem, trial: Trial, data: GroupData, first: Finding, number: int) -> None:
+    def __init__(
+        self,
+        problem: Problem,
+        trial: Trial,
+        data: GroupData,
+        first: Finding,
+        number: int,
+        choices_of: Choices,
+    ) -> None:
         self._problem = problem
         self._trial = trial
         self._group = data.group
         self._first = first
         self._number = number
+        self._choices_of = choices_of
         self._choices: dict[str, tuple[int, ...]] = {}
 
     def run(self) -> Counterexample:
@@ -129,10 +144,12 @@ class _Search:
         if self._group.builder == EXAMPLES or self._trial.budget.spent:
             return self._first
         builder = bound_builder(self._problem, self._trial.module, self._group)
-        choices = choices_of(self._group, builder, self._number, self._first.case)
+        choices = self._choices_of(self._group, builder, self._number, self._first.case)
         if choices is None:
             return self._first
-        self._choices[repr(self._first.case)] = choices
+        with suppress(Rejected):
+            # Of what the choices make, which for an image is another case than the first.
+            self._choices[repr(builder(ReplayedDraw(choices)))] = choices
         from judge.diagnose.search import shrunk  # Hypothesis: only now
 
         found = shrunk(self._trial, builder, self._group, choices)

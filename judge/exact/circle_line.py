@@ -7,8 +7,9 @@ parameters along A + t·D are (−b ± √Δ)/a.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import isqrt
+
+from msgspec import Struct
 
 from judge.exact.dyadic import integers
 from judge.exact.surd import Surd, make
@@ -17,8 +18,7 @@ Number = int | float
 Pair = tuple[Number, Number]
 
 
-@dataclass(frozen=True, slots=True)
-class CircleLine:
+class CircleLine(Struct, frozen=True):
     """A circle (C, r) and the line A + t·D, every length an integer that counts units of 2**-shift.
 
     Build it with `through` or `ray`. `extent` is the case's own size e. The line is `degenerate` where D = 0.

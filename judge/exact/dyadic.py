@@ -36,10 +36,12 @@ def integers(*values: int | float) -> tuple[list[int], int]:
 def _scaled(values: tuple[int | float, ...]) -> tuple[list[int], int]:
     ratios = []
     for value in values:
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise TypeError(f"{type(value).__name__} is not an int or a float")
-        if not isfinite(value):
-            raise ValueError(f"{value} is not a finite number")
-        ratios.append(value.as_integer_ratio())
-    shift = max(bottom for _, bottom in ratios).bit_length() - 1
-    return [top << (shift + 1 - bottom.bit_length()) for top, bottom in ratios], shift
+        kind = type(value)
+        if kind is not float and kind is not int and (kind is bool or not isinstance(value, (int, float))):
+            raise TypeError(f"{kind.__name__} is not an int or a float")
+        try:
+            ratios.append(value.as_integer_ratio())
+        except (ValueError, OverflowError):
+            raise ValueError(f"{value} is not a finite number") from None
+    bits = max([bottom for _, bottom in ratios]).bit_length()
+    return [top << (bits - bottom.bit_length()) for top, bottom in ratios], bits - 1

@@ -75,7 +75,7 @@ def run_submission(
     with settings.box_factory(source, name) as box:
         inspection = box.inspect()
         if inspection.fault:
-            failure = Failure(_fault_text(inspection.fault, source))
+            failure = Failure(fault_text(inspection.fault, source))
             return Result(
                 problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
             )
@@ -107,7 +107,7 @@ def _result(
     failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
     first = failing.failure if failing else None
     if first and judging.mode is Mode.PROGRAM:
-        first = _noted(first, inspection, problem.entry, judging.source)
+        first = noted(first, inspection, problem.entry, judging.source)
     return Result(
         problem.id,
         judging.name,
@@ -204,7 +204,7 @@ class _Judging:
             self._timeouts += tally.verdict is Verdict.TLE or tally.out_of_time
 
 
-def _fault_text(fault: SourceFault, source: bytes) -> str:
+def fault_text(fault: SourceFault, source: bytes) -> str:
     """Why a source does not compile, in one line."""
     if "unicode error" in fault.message:
         try:
@@ -223,7 +223,7 @@ def _fault_text(fault: SourceFault, source: bytes) -> str:
 _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
 
 
-def _noted(failure: Failure, inspection: Inspection, entry: str, source: bytes) -> Failure:
+def noted(failure: Failure, inspection: Inspection, entry: str, source: bytes) -> Failure:
     """A program's failure, told that it was taken for one only because the entry function is missing."""
     close = nearest(entry, (name for name, _ in inspection.names))
     nested = f"def {entry}(".encode() in source

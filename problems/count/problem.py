@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from judge.compare.answers import Count
 from judge.data.builders import counting
+from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
 from judge.spec.load import bands_beside
 from judge.spec.model import Number, Point
@@ -27,13 +30,16 @@ BUILDERS = {
     "off_segment": counting.off_segment,
     "scattered": counting.scattered,
 }
+IMAGES = mirror_images
+
+_line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
 
 
 def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Count:
     """0, 1 or 2 by exact signs; None for A == B."""
-    return Count(_BANDS.count(CircleLine.through(cx, cy, r, A, B)))
+    return Count(_BANDS.count(_line(cx, cy, r, A, B)))
 
 
 def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:
     """What keeps the case out of the data: a line neither within the tangency band nor clear of it."""
-    return _BANDS.broken_count(CircleLine.through(cx, cy, r, A, B))
+    return _BANDS.broken_count(_line(cx, cy, r, A, B))

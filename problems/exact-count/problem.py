@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from judge.compare.answers import Count
 from judge.data.builders import counting
+from judge.data.images import mirror_images
 
 IntPoint = tuple[int, int]
 
@@ -22,6 +23,7 @@ BUILDERS = {
     "off_segment": counting.off_segment,
     "scattered": counting.scattered,
 }
+IMAGES = mirror_images
 
 
 def reference(cx: int, cy: int, r: int, A: IntPoint, B: IntPoint) -> Count:

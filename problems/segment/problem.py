@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from judge.compare.answers import Points
 from judge.data.builders.endpoints import SEGMENT_BUILDERS
+from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
 from judge.spec.load import bands_beside
 from judge.spec.model import Number, Point
 
 BANDS = Bands(**bands_beside(__file__))
 BUILDERS = SEGMENT_BUILDERS
+IMAGES = mirror_images
+
+_line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
 
 
 def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Points:
     """The common points in order of t, with the extent as the unit of their tolerance."""
-    line = CircleLine.through(cx, cy, r, A, B)
+    line = _line(cx, cy, r, A, B)
     return Points(tuple(line.point(which) for which in BANDS.segment(line)), line.extent_length())
 
 
 def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:
     """What is within the forbidden bands: the tangency, or a common point near an end."""
-    return BANDS.broken_segment(CircleLine.through(cx, cy, r, A, B))
+    return BANDS.broken_segment(_line(cx, cy, r, A, B))

@@ -7,13 +7,20 @@ prime could stop a build, but never make a wrong case.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import gcd, isqrt
+from math import gcd, isqrt, prod
 
 from judge.data.builders import require
 from judge.data.draw import Draw
 
 SMALL_PRIMES = tuple(n for n in range(2, 1000) if all(n % d for d in range(2, isqrt(n) + 1)))
 _WITNESSES = SMALL_PRIMES[:16]  # prove primality below 3.3e24 (Sorenson and Webster, 2015)
+_FEWER = (
+    (3_215_031_751, 4),
+    (3_474_749_660_383, 6),
+    (3_825_123_056_546_413_051, 9),
+)  # below which so many do
+_SMALL_PRODUCT = prod(SMALL_PRIMES)
+_INERT_PRODUCT = prod(prime for prime in SMALL_PRIMES if prime % 4 == 3)  # of those that are no x² + y²
 _RHO_BUDGET = 1 << 17  # steps; finds factors up to about 1e10
 
 
@@ -86,15 +93,16 @@ def is_prime(n: int) -> bool:
     """Whether n is prime, by the Miller–Rabin test; proven below 3e24, and beyond all doubt of use above."""
     if n < 2:
         return False
-    for prime in SMALL_PRIMES:
-        if n % prime == 0:
-            return n == prime
+    if n <= SMALL_PRIMES[-1]:
+        return n in SMALL_PRIMES
+    if gcd(n, _SMALL_PRODUCT) > 1:
+        return False
     if n < SMALL_PRIMES[-1] ** 2:
         return True
-    odd, twos = n - 1, 0
-    while odd % 2 == 0:
-        odd, twos = odd // 2, twos + 1
-    return not any(_is_witness(base, odd, twos, n) for base in _WITNESSES)
+    twos = ((n - 1) & (1 - n)).bit_length() - 1
+    odd = n - 1 >> twos
+    enough = next((count for limit, count in _FEWER if n < limit), len(_WITNESSES))
+    return not any(_is_witness(base, odd, twos, n) for base in _WITNESSES[:enough])
 
 
 def _is_witness(base: int, odd: int, twos: int, n: int) -> bool:
@@ -111,10 +119,11 @@ def _is_witness(base: int, odd: int, twos: int, n: int) -> bool:
 def factors(n: int) -> dict[int, int] | None:
     """The prime factors of n ≥ 1 with their exponents, or None beyond a small budget of steps."""
     found: dict[int, int] = {}
-    for prime in SMALL_PRIMES:
-        while n % prime == 0:
-            n //= prime
-            found[prime] = found.get(prime, 0) + 1
+    if gcd(n, _SMALL_PRODUCT) > 1:
+        for prime in SMALL_PRIMES:
+            while n % prime == 0:
+                n //= prime
+                found[prime] = found.get(prime, 0) + 1
     pending = [n] if n > 1 else []
     while pending:
         part = pending.pop()
@@ -159,7 +168,8 @@ def two_squares(n: int) -> tuple[int, int] | None:
     Fermat and Gauss: it exists just when 4 does not divide n and no prime 4m + 3 does. Built as a product of
     Gaussian primes.
     """
-    if n < 1 or n % 4 == 0 or any(n % prime == 0 for prime in SMALL_PRIMES if prime % 4 == 3):
+    # Quickly seen: the odd part of such an n is 1 modulo 4, and has none of the small 4m + 3.
+    if n < 1 or n % 4 in (0, 3) or (n % 8 == 6) or gcd(n, _INERT_PRODUCT) > 1:
         return None
     found = factors(n)
     if found is None or any(prime % 4 == 3 for prime in found):

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import chain
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -18,6 +19,7 @@ from msgspec.structs import replace
 from judge.data.builders import require
 from judge.data.builders.numbers import pythagorean
 from judge.data.draw import Draw
+from judge.exact.dyadic import integers
 from judge.spec.model import Case, Number, Point
 
 NUMBER_TYPES = ("int", "float", "mixed")
@@ -39,9 +41,9 @@ class Figure(Struct, frozen=True):
     @property
     def extent(self) -> Fraction:
         """The largest of r and of |x|, |y| of the points seen from the centre, exactly."""
-        cx, cy = (Fraction(value) for value in self.centre)
-        spans = [span for x, y in self.points for span in (abs(Fraction(x) - cx), abs(Fraction(y) - cy))]
-        return max(Fraction(self.radius), *spans)
+        (cx, cy, radius, *flat), shift = integers(*self.centre, self.radius, *chain(*self.points))
+        spans = [abs(x - cx) for x in flat[::2]] + [abs(y - cy) for y in flat[1::2]]
+        return Fraction(max(radius, *spans), 1 << shift)
 
 
 class Turn(Struct, frozen=True):
@@ -70,7 +72,13 @@ def swapped(figure: Figure) -> Figure:
 def exact_sum(x: Number, y: Number) -> Number:
     """x + y, checked to be free of rounding."""
     total = x + y
-    require(isinstance(total, int) or Fraction(total) == Fraction(x) + Fraction(y), f"{x!r} + {y!r} is exact")
+    # In doubles the two remainders are 0 exactly where nothing was rounded (Knuth's TwoSum); comparisons with
+    # an int are exact in Python.
+    if isinstance(total, float):
+        a, b = float(x), float(y)
+        back = total - a
+        exact = a == x and b == y and a - (total - back) == 0 == b - back
+        require(exact, f"{x!r} + {y!r} is exact")
     return total
 
 
@@ -89,8 +97,11 @@ def scaled(figure: Figure, exponent: int) -> Figure:
     def scale(value: Number) -> Number:
         if isinstance(value, int) and exponent >= 0:
             return value << exponent
-        result = math.ldexp(float(value), exponent)
-        require(Fraction(result) == Fraction(value) * Fraction(2) ** exponent, f"{value!r} scales exactly")
+        plain = float(value)
+        result = math.ldexp(plain, exponent)
+        # Only a subnormal result is ever rounded, and one that was does not come back.
+        if plain != value or math.ldexp(result, -exponent) != plain:
+            require(False, f"{value!r} scales exactly")
         return result
 
     return _each_number(figure, scale) if exponent else figure
@@ -181,7 +192,8 @@ def draw_mirrored(draw: Draw, figure: Figure) -> Figure:
 def exact_float(value: Number) -> float:
     """The float of the same value, checked to be it."""
     result = float(value)
-    require(Fraction(result) == Fraction(value), f"{value!r} is a double")
+    if result != value:  # which Python decides exactly
+        require(False, f"{value!r} is a double")
     return result
 
 

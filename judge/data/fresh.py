@@ -1,0 +1,111 @@
+"""Fresh cases without end: every group's builder with new parameters, round after round.
+
+    series r.g    group g in round r: BUILT cases drawn from the seed text `seed/r/g`, each of them proved as
+                  pinned data, and after each IMAGES_EACH of its mirror images (where the problem has them)
+
+So a series depends on the seed, the round and the group alone, and can be built again.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from itertools import count
+from typing import Any
+
+from msgspec import Struct
+
+from judge.compare.targets import AnyTarget, compile_answer
+from judge.data.build import bound_builder, new_case
+from judge.data.draw import Draw, QuickDraw, RecordedDraw
+from judge.data.images import SYMMETRIES
+from judge.data.model import GroupData
+from judge.data.module import ProblemModule, blaming
+from judge.data.validate import Validator
+from judge.errors import UsageError
+from judge.spec import Case, Group, Problem
+from judge.spec.statement import EXAMPLES
+from judge.spec.tomlfile import group_place
+
+BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
+IMAGES_EACH = 3
+
+
+class Series(Struct, frozen=True):
+    """One group's cases of one round; those at `starts` are its builder's, each before its images."""
+
+    round: int
+    data: GroupData
+    starts: list[int]
+
+
+class Fresh:
+    """The fresh cases of some groups of a problem, from one seed."""
+
+    def __init__(self, problem: Problem, module: ProblemModule, groups: Sequence[Group], seed: int) -> None:
+        """Raises ProblemError for a builder or parameters that do not exist, UsageError if none is left."""
+        self._problem = problem
+        self.module = module
+        self.seed = seed
+        self._validator = Validator(problem, module.promise)
+        # The statement's examples are what they are.
+        self.groups = tuple(group for group in groups if group.builder != EXAMPLES)
+        self._builders = [bound_builder(problem, module, group) for group in self.groups]
+        if not self.groups:
+            names = ", ".join(group.name for group in problem.groups if group.builder != EXAMPLES)
+            raise UsageError(
+                "the examples are no builder's: there are no others", remedy=f"name one of {names}"
+            )
+
+    def series(self) -> Iterator[Series]:
+        """Every group in turn, for ever. Raises ProblemError where the problem's own code fails."""
+        for number in count(1):
+            for group, builder in zip(self.groups, self._builders, strict=True):
+                yield self._series(number, group, builder)
+
+    def choices_of(self, series: Series, place: int) -> tuple[int, ...]:
+        """The choices that case `place` (from 0) of a series, or that which it mirrors, was built from."""
+        group = series.data.group
+        builder = self._builders[self.groups.index(group)]
+        draw = RecordedDraw(QuickDraw(self._text(series.round, group)))
+
+        def again(_attempt: int) -> Draw:
+            draw.choices.clear()
+            return draw
+
+        for _ in range(bisect_right(series.starts, place)):
+            new_case(self._problem, group, builder, self._validator, again, 1)
+        return tuple(draw.choices)
+
+    def _text(self, number: int, group: Group) -> str:
+        return f"{self.seed}/{number}/{group.name}"
+
+    def _series(self, number: int, group: Group, builder: Callable[[Draw], Any]) -> Series:
+        seed = self._text(number, group)
+        draw, chance = QuickDraw(seed), QuickDraw(f"images/{seed}")
+        cases: list[Case] = []
+        targets: list[AnyTarget] = []
+        starts = []
+        what = f"group {group.name!r}: the problem's own code fails on a fresh case"
+        with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
+            for place in range(BUILT):
+                case = new_case(self._problem, group, builder, self._validator, lambda _: draw, place + 1)
+                target = compile_answer(self.module.reference(*case), group.tolerance)
+                starts.append(len(cases))
+                cases.append(case)
+                targets.append(target)
+                if self.module.images is not None:
+                    self._add_images(case, target, chance, cases, targets)
+        return Series(number, GroupData(group, cases, targets), starts)
+
+    def _add_images(
+        self, case: Case, target: AnyTarget, chance: Draw, cases: list[Case], targets: list[AnyTarget]
+    ) -> None:
+        """Add some of the case's images, those that are within the bounds."""
+        assert self.module.images is not None
+        first, step = chance.integer(0, 6), chance.integer(1, 6)
+        chosen = [SYMMETRIES[(first + step * place) % 7] for place in range(IMAGES_EACH)]  # 7 is prime
+        for image, mirrored in self.module.images(case, target, chosen):
+            if self._validator.bounds(image) is None:
+                cases.append(image)
+                targets.append(mirrored)

@@ -1,0 +1,240 @@
+"""Judging one submission on fresh cases until the time is up or something breaks.
+
+Series of fresh cases go into the box a handful at once: few enough that the clock is looked at several
+times a second, enough that a process is no cost. Each series has a test group's limits to itself, so what
+breaks here would have broken in a pinned group of those cases.
+"""
+
+from __future__ import annotations
+
+import time
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
+from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.data import ProblemData
+from judge.data.fresh import Fresh, Series
+from judge.run.execute import fault_text, noted
+from judge.run.function import judge_calls
+from judge.run.program import judge_programs
+from judge.run.result import SCHEMA, Failure, GroupResult, Mode, Result, Timing
+from judge.run.tally import Tally
+from judge.sandbox import Box, Usage
+from judge.spec import Verdict
+
+MOST_SERIES = 16  # in one process: about as many cases as a problem's pinned ones, which share one too
+_SHORT, _LONG = 0.1, 0.4  # seconds: more series at once below the first, fewer above the second
+
+OnCases = Callable[[int, float], None]  # cases so far, seconds so far
+
+
+class Broken(Struct, frozen=True):
+    """Where something broke: the series, and the failure with its case counted from 1 in the series."""
+
+    series: Series
+    failure: Failure
+
+
+class Stressed(Struct, frozen=True):
+    """What a stress came to: of the `cases`, `built` were built and the others are images of these.
+
+    `result` has what was judged of each group; its failure's case is counted in all the cases of its group.
+    """
+
+    result: Result
+    seed: int
+    seconds: float
+    cases: int = 0
+    built: int = 0
+    interrupted: bool = False
+    broken: Broken | None = None
+
+    @property
+    def rate(self) -> float:
+        """Cases a second, from building them to deciding on the answers."""
+        return self.cases / self.seconds if self.seconds else 0.0
+
+    def as_json(self) -> dict[str, Any]:
+        """The published object."""
+        result = self.result
+        return {
+            "schema": SCHEMA,
+            "problem": result.problem,
+            "submission": result.submission,
+            "mode": result.mode.value,
+            "verdict": result.verdict.value,
+            "cases": self.cases,
+            "built": self.built,
+            "seconds": round(self.seconds, 3),
+            "cases_per_second": round(self.rate),
+            "seed": self.seed,
+            "interrupted": self.interrupted,
+            "groups": [group.as_json() for group in result.groups],
+            "failure": result.failure.as_json() if result.failure else None,
+            "counterexample": result.counterexample,
+            "pitfall": result.pitfall.as_json() if result.pitfall else None,
+            "memory_bytes": result.memory_bytes,
+            "isolation": result.isolation,
+        }
+
+
+def stress(
+    data: ProblemData,
+    fresh: Fresh,
+    box: Box,
+    source: bytes,
+    name: str,
+    *,
+    seconds: float,
+    on_cases: OnCases | None = None,
+    clock: Callable[[], float] = time.monotonic,
+) -> Stressed:
+    """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
+
+    `data` answers for the problem's exact answers; its own cases are not judged.
+
+    Raises:
+        ProblemError: a builder, the promise or the reference fails.
+        JudgeError: nothing can be run on this machine.
+    """
+    inspection = box.inspect()
+    if inspection.fault:
+        failure = Failure(fault_text(inspection.fault, source))
+        result = Result(
+            data.problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
+        )
+        return Stressed(result, fresh.seed, 0.0)
+    mode = Mode.FUNCTION if inspection.defines(data.problem.entry) else Mode.PROGRAM
+    run = _Run(data, fresh, box, mode, clock, clock() + seconds)
+    begun, interrupted = clock(), False
+    try:
+        while run.broken is None and clock() < run.end:
+            run.some()
+            if on_cases:
+                on_cases(run.cases, clock() - begun)
+    except KeyboardInterrupt:
+        interrupted = True
+        run.close()
+    stressed = run.stressed(name, clock() - begun, interrupted=interrupted)
+    if mode is Mode.FUNCTION or stressed.result.failure is None:
+        return stressed
+    told = noted(stressed.result.failure, inspection, data.problem.entry, source)
+    return replace(stressed, result=replace(stressed.result, failure=told))
+
+
+class _Total:
+    """What a group has come to so far."""
+
+    def __init__(self, name: str) -> None:
+        self.result = GroupResult(name, Verdict.AC, 0, 0, None, 0.0)
+
+    def add(self, more: GroupResult, reached: int) -> None:
+        """Add a series: `reached` of its cases have been decided."""
+        mine, worst = self.result, [each for each in (self.result.worst_ulps, more.worst_ulps) if each]
+        self.result = replace(
+            mine,
+            verdict=more.verdict if mine.verdict is Verdict.AC else mine.verdict,
+            cases=mine.cases + reached,
+            passed=mine.passed + more.passed,
+            worst_ulps=max(worst) if worst else more.worst_ulps,
+            cpu_seconds=mine.cpu_seconds + more.cpu_seconds,
+        )
+
+
+class _Run:
+    """A stress under way."""
+
+    def __init__(
+        self,
+        data: ProblemData,
+        fresh: Fresh,
+        box: Box,
+        mode: Mode,
+        clock: Callable[[], float],
+        end: float,
+    ) -> None:
+        self.end = end
+        self.cases = self.built = 0
+        self.broken: Broken | None = None
+        self._data = data
+        self._seed = fresh.seed
+        self._box = box
+        self._mode = mode
+        self._clock = clock
+        self._usage = Usage()
+        self._totals = {group.name: _Total(group.name) for group in fresh.groups}
+        self._failure: Failure | None = None
+        self._series: Iterator[Series] = fresh.series()
+        self._at_once = 1
+        self._now: Sequence[tuple[Series, Tally]] = ()
+
+    def some(self) -> None:
+        """Judge the next few series."""
+        begun = self._clock()
+        self._now = [
+            (series, Tally(self._data, series.data, self._mode))
+            for series in islice(self._series, self._at_once)
+        ]
+        judge = judge_calls if self._mode is Mode.FUNCTION else judge_programs
+        judge(
+            self._box,
+            [tally for _, tally in self._now],
+            stop=self._over,
+            on_calls=lambda _: None,
+            on_group=_note,
+        )
+        self.close()
+        took = self._clock() - begun
+        if took < _SHORT:
+            self._at_once = min(2 * self._at_once, MOST_SERIES)
+        elif took > _LONG:
+            self._at_once = max(1, self._at_once // 2)
+
+    def close(self) -> None:
+        """Count the series that were judged to their end, or until something broke."""
+        now, self._now = self._now, ()
+        for series, tally in now:
+            if not tally.run and tally.failure is None:
+                continue
+            total = self._totals[series.data.group.name]
+            if tally.failure and self.broken is None:
+                self.broken = Broken(series, tally.failure)
+                place = tally.failure.case
+                self._failure = replace(
+                    tally.failure, case=None if place is None else total.result.cases + place
+                )
+            first = (
+                tally.failure.case if tally.failure else None
+            )  # of a program that broke, the one it broke at
+            reached = max(tally.reached, first or 0)
+            total.add(tally.result(), reached)
+            self.cases += reached
+            self.built += bisect_left(series.starts, reached)
+            self._usage += tally.usage
+
+    def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
+        """What it has come to."""
+        failing = self._totals[self.broken.series.data.group.name] if self.broken else None
+        result = Result(
+            self._data.problem.id,
+            name,
+            self._mode,
+            failing.result.verdict if failing else Verdict.AC,
+            tuple(total.result for total in self._totals.values() if total.result.cases),
+            self._failure,
+            Timing(self._usage.cpu_seconds, self._usage.wall_seconds),
+            self._usage.memory_bytes,
+            self._box.isolation,
+        )
+        return Stressed(result, self._seed, seconds, self.cases, self.built, interrupted, self.broken)
+
+    def _over(self) -> bool:
+        return self._clock() >= self.end or any(tally.failure for _, tally in self._now)
+
+
+def _note(tally: Tally) -> None:
+    tally.run = True

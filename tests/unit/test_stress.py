@@ -1,0 +1,156 @@
+"""Judging on fresh cases: what ends it, what it has counted, and that it comes out the same again."""
+
+from __future__ import annotations
+
+from itertools import count
+
+import pytest
+
+from judge.data import ProblemData
+from judge.data.fresh import Fresh
+from judge.data.module import load_module
+from judge.report.stress import stress_lines
+from judge.run.result import Mode
+from judge.run.stress import stress
+from judge.sandbox import open_box
+from judge.spec import Verdict
+from judge.spec.find import find_problem
+
+EXACT = (find_problem("count").solutions / "accepted" / "exact.py").read_text()
+PROGRAM = (find_problem("count").solutions / "accepted" / "program.py").read_text()
+RENAMED = EXACT.replace("def line_count(", "def right(")
+assert RENAMED != EXACT
+
+
+def ticking():
+    """A clock that goes on by a tenth of a second whenever it is looked at."""
+    ticks = count()
+    return lambda: next(ticks) / 10
+
+
+def stressed(source, *, seconds=2.0, seed=1, groups=("grid", "tangent", "axis-parallel"), **options):
+    problem = find_problem("count")
+    module = load_module(problem)
+    fresh = Fresh(problem, module, [problem.group(each) for each in groups], seed)
+    data = ProblemData(problem, (), module=module)
+    text = source.encode()
+    with open_box(text, "my.py") as box:
+        return stress(data, fresh, box, text, "my.py", seconds=seconds, clock=ticking(), **options)
+
+
+def text_of(found, width=80):
+    return "\n".join("".join(span.text for span in line) for line in stress_lines(found, width))
+
+
+def test_a_right_one_goes_on_until_the_time_is_up():
+    found = stressed(EXACT)
+    assert found.result.verdict is Verdict.AC
+    assert found.result.failure is None
+    assert found.broken is None
+    assert not found.interrupted
+    assert found.cases == sum(group.cases for group in found.result.groups)
+    assert found.cases == sum(group.passed for group in found.result.groups)
+    assert found.cases > found.built >= 96
+    assert [group.name for group in found.result.groups] == ["grid", "tangent", "axis-parallel"]
+    assert "nothing broke" in text_of(found)
+    assert "again with --seed 1" in text_of(found, 200)
+
+
+def test_a_program_too():
+    found = stressed(PROGRAM)
+    assert (found.result.verdict, found.result.mode) == (Verdict.AC, Mode.PROGRAM)
+    assert found.cases > 100
+
+
+WRONG = (
+    RENAMED
+    + """
+def line_count(cx, cy, r, A, B):
+    return 0 if A[0] == B[0] != cx else right(cx, cy, r, A, B)
+"""
+)
+
+
+def test_what_breaks_ends_it_and_the_seed_repeats_it():
+    found = stressed(WRONG)
+    assert found.result.verdict is Verdict.WA
+    failure, local = found.result.failure, found.broken.failure
+    assert failure.group == "grid"
+    assert found.broken.series.data.cases[local.case - 1][0] == failure.input["cx"]
+    again = stressed(WRONG)
+    assert again.result.failure == failure
+    assert again.cases == found.cases
+    assert stressed(WRONG, seed=2).result.failure != failure
+
+
+def test_a_failures_case_is_counted_in_all_cases_of_its_group():
+    found = stressed(
+        RENAMED + "seen = set()\ndef line_count(*case):\n    return 7 if case[2] == 3 and case[0] == -3 "
+        "and case[3] == (-3, 3) else right(*case)\n",
+        seconds=1000.0,
+        groups=("grid",),
+    )
+    failure = found.result.failure
+    assert failure.got == "7"
+    assert failure.case > found.broken.failure.case
+    assert failure.case <= found.cases
+
+
+@pytest.mark.parametrize(
+    ("body", "verdict", "words"),
+    [
+        ("return 1 // 0", Verdict.RTE, "ZeroDivisionError"),
+        ("import os; os._exit(3)", Verdict.RTE, "exit status 3"),
+        ("while True: pass", Verdict.TLE, "CPU time"),
+    ],
+)
+def test_a_call_that_gives_no_answer_breaks_it(body, verdict, words):
+    found = stressed(f"def line_count(*case):\n    {body}\n")
+    assert found.result.verdict is verdict
+    assert words in found.result.failure.message
+    assert found.result.failure.case == 1
+    assert found.cases >= 1
+
+
+def test_what_does_not_compile_is_not_run():
+    found = stressed("def line_count(:\n")
+    assert found.result.verdict is Verdict.CE
+    assert (found.cases, found.rate) == (0, 0.0)
+    assert text_of(found).splitlines()[-1].startswith("CE  does not compile")
+
+
+def test_a_program_that_was_meant_as_a_function_is_told_so():
+    found = stressed("def line_cuont(*case):\n    return 0\n")
+    assert "is line_cuont (line 1) meant to be it?" in found.result.failure.message
+
+
+def test_an_interrupt_keeps_what_was_counted():
+    counted = []
+
+    def stop(cases, seconds):
+        counted.append(cases)
+        if len(counted) == 3:
+            raise KeyboardInterrupt
+
+    found = stressed(EXACT, seconds=1000.0, on_cases=stop)
+    assert found.interrupted
+    assert found.result.verdict is Verdict.AC
+    assert found.cases == counted[-1] > 0
+    assert "\ninterrupted  nothing broke:" in text_of(found)
+
+
+def test_the_object_has_the_published_keys():
+    found = stressed(EXACT, seconds=1.0).as_json()
+    assert list(found) == [
+        "schema", "problem", "submission", "mode", "verdict", "cases", "built", "seconds", "cases_per_second",
+        "seed", "interrupted", "groups", "failure", "counterexample", "pitfall", "memory_bytes", "isolation",
+    ]  # fmt: skip
+    assert list(found["groups"][0]) == ["name", "verdict", "cases", "passed", "worst_ulps", "cpu_seconds"]
+    assert found["verdict"] == "AC"
+    assert found["cases_per_second"] > 0
+
+
+@pytest.mark.parametrize("width", [40, 80, 200])
+def test_the_report_keeps_to_the_screen(width):
+    for found in (stressed(EXACT, seconds=1.0), stressed(WRONG)):
+        assert all(len(line) <= width for line in text_of(found, width).splitlines())
