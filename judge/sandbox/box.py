@@ -22,6 +22,7 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.container import Container, Done, Lost, NotStarted, OnSeries
+from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
 from judge.sandbox.roots import Roots
 
@@ -108,7 +109,7 @@ class ForkServerBox:
                 done = self._ask(wire.INSPECT, stdio, b"", _INSPECTION)
         except Lost:
             return Inspection(SourceFault("the compiler did not survive it"))
-        replies = self._here().replies(b"", _INSPECTION.output_bytes)
+        replies = self._here().replies(b"", _INSPECTION.output_bytes, 1)
         over = outcome.overrun(done, _INSPECTION, 0, self._note())
         if over or done.status or not replies.endswith(b",\n"):
             text = over[1] if over else outcome.end_of(done, self._note())[1]
@@ -139,31 +140,35 @@ class ForkServerBox:
             ]
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
-        count = sum(len(calls) for calls in series)
-        payload = marshal.dumps((entry, [[_frozen(arguments) for arguments in calls] for calls in series]))
+        counts = [len(calls) for calls in series]
+        packed = _packed(entry, series)
+        payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
-            with shared.stdio(b"") as (stdin, stdout, stderr):
-                done = self._ask(wire.CALLS, (stdin, stdout, stderr), payload, limits, len(series), on_series)
-                printed = _printed(stdout, stderr)
+            with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
+                descriptors = (*stdio, later) if len(series) > 1 else stdio
+                done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
+                printed = _printed(*stdio[1:])
         except Lost as lost:
-            kept = outcome.parse_replies(lost.replies, count)[0][: count - 1]
-            return outcome.by_series([*kept, Reply(Stop.TAMPERED, detail=_LOST)], series, [])
-        replies = self._ended(done, payload, limits, printed, series)
+            kept = outcome.parse_series(lost.replies, lost.marks, counts)[0][: sum(counts) - 1]
+            replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
+            return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
+        replies = self._ended(done, payload, limits, printed, counts)
         return outcome.by_series(replies, series, outcome.usages_of(done))
 
     def _ended(
-        self, done: Done, payload: bytes, limits: Limits, printed: int, series: Sequence[Sequence[Any]]
+        self, done: Done, payload: bytes, limits: Limits, printed: int, counts: Sequence[int]
     ) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
-        count = sum(len(calls) for calls in series)
-        replies, kept_form = outcome.parse_replies(self._here().replies(payload, limits.output_bytes), count)
+        count = sum(counts)
+        data = self._here().replies(payload, limits.output_bytes, len(counts))
+        replies, kept_form = outcome.parse_series(data, done.marks, counts)
         over = outcome.overrun(done, limits, printed, note)
-        if over is None and kept_form and len(replies) == count:
+        if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
             return replies
         if over:
             stop, detail = over
-            count = sum(len(calls) for calls in series[: outcome.blamed(done, stop, limits) + 1])
+            count = sum(counts[: outcome.blamed(done, stop, limits) + 1])
             if len(replies) >= count:
                 detail += ", in this call or one before it"
         elif not kept_form:
@@ -188,6 +193,8 @@ class ForkServerBox:
             if results and on_series:
                 on_series()
             results.append(self.call_many(entry, calls, limits))
+            waited = results[-1].usage.waiting_seconds
+            limits = limits._replace(waiting_seconds=max(0.0, limits.waiting_seconds - waited))
             replies = results[-1].replies
             if replies and replies[-1].stop not in (Stop.ANSWERED, Stop.EXCEPTION):
                 break
@@ -244,6 +251,7 @@ class ForkServerBox:
                 payload,
                 cpu_ns=round(limits.cpu_seconds * 1e9),
                 wall_ns=round(limits.wall_seconds * 1e9),
+                waiting_ns=round(limits.waiting_seconds * 1e9),
                 memory=2 * limits.memory_bytes + _ADDRESS_SPACE,
                 output=limits.output_bytes,
                 series=series,
@@ -302,6 +310,12 @@ class ForkServerBox:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
+
+
+def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
+    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
+    count = sum(len(calls) for calls in series)
+    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
 
 
 def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:

@@ -80,10 +80,8 @@ def test_an_exception_costs_its_own_call_alone():
 
 def test_a_submission_that_stops_itself_gains_nothing():
     body = "import os, signal\ndef f(n):\n    os.kill(os.getpid(), signal.SIGSTOP)\n    return n"
-    limits = Limits(2.0, 0.5, 256 << 20, 1 << 20)
-    results = run(body, limits=limits)
-    assert results[-1].replies[-1].stop is Stop.WALL
-    assert sum(len(result.replies) for result in results) < 6
+    (result,) = run(body)
+    assert [(reply.stop, reply.detail) for reply in result.replies] == [(Stop.EXITED, "it stopped itself")]
     assert run("def f(n): return n")[2].replies[-1].stop is Stop.ANSWERED
 
 
