@@ -11,6 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import nearest
+from judge.run.budget import Budget
 from judge.run.function import judge_calls
 from judge.run.measure import Reference, measure
 from judge.run.parallel import Turnstile, share
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
     from judge.data import GroupData, ProblemData
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
-
-MOST_TIMEOUTS = 2  # groups that may run out of time before the rest is not run: a person is waiting
 
 
 class Settings(Struct, frozen=True):
@@ -78,12 +77,13 @@ def run_submission(
                 problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
             )
         mode = Mode.FUNCTION if inspection.defines(problem.entry) else Mode.PROGRAM
-        judging = _Judging(data, mode, source, name, settings, on_progress)
+        budget = Budget(problem)
+        judging = _Judging(data, mode, source, name, settings, on_progress, budget)
         with turnstile.judging():
             tallies = judging.groups(box, chosen)
         timing = Decision(None)
         if settings.measured and all(tally.verdict is Verdict.AC for tally in tallies):
-            timing = _race(problem, mode, tallies, box, settings, turnstile)
+            timing = _race(problem, mode, tallies, box, settings, turnstile, budget)
         if timing.too_slow and timing.ratio and problem.time:
             slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
             slowest.too_slow(
@@ -92,7 +92,9 @@ def run_submission(
             )
         isolation = box.isolation
     usage = sum((tally.usage for tally in tallies), Usage())
-    failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
+    rejected = [tally for tally in tallies if tally.verdict is not Verdict.AC]
+    failing = next((tally for tally in rejected if not tally.given_up), None)  # one that says why
+    failing = failing or next(iter(rejected), None)
     first = failing.failure if failing else None
     if first and mode is Mode.PROGRAM:
         first = _noted(first, inspection, problem.entry, source)
@@ -116,12 +118,13 @@ def _race(
     box: Box,
     settings: Settings,
     turnstile: Turnstile,
+    budget: Budget,
 ) -> Decision:
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
         reference = shared.open(mode)
-        return measure(problem, mode, tallies, box, reference) if reference else Decision(None)
+        return measure(problem, mode, tallies, box, reference, budget) if reference else Decision(None)
 
 
 class _Judging:
@@ -135,6 +138,7 @@ class _Judging:
         name: str,
         settings: Settings,
         on_progress: Progress | None,
+        budget: Budget,
     ) -> None:
         self._data = data
         self._mode = mode
@@ -142,9 +146,10 @@ class _Judging:
         self._name = name
         self._settings = settings
         self._on_progress = on_progress
+        self._budget = budget
         self._lock = threading.Lock()
         self._called: set[str] = set()
-        self._done = self._total = self._timeouts = 0
+        self._done = self._total = 0
 
     def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
@@ -164,7 +169,8 @@ class _Judging:
         share([tallies[first::workers] for first in range(min(workers, len(tallies)))], workers, work)
         for tally in tallies:
             if not tally.run:
-                tally.failed(0, Verdict.TLE, f"not run: {MOST_TIMEOUTS} groups ran out of time")
+                assert self._budget.over
+                tally.give_up(*self._budget.over)
         return tallies
 
     def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
@@ -172,7 +178,7 @@ class _Judging:
         judge_groups(
             box,
             tallies,
-            stop=lambda: self._timeouts >= MOST_TIMEOUTS,
+            budget=self._budget,
             on_calls=self._after_calls,
             on_group=self._after_group,
         )
@@ -188,8 +194,8 @@ class _Judging:
     def _after_group(self, tally: Tally) -> None:
         tally.run = True
         self._after_calls(tally)
-        with self._lock:
-            self._timeouts += tally.verdict is Verdict.TLE or tally.out_of_time
+        if tally.verdict is Verdict.TLE or tally.out_of_time:
+            self._budget.ran_out_of_time()
 
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:

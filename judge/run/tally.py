@@ -22,6 +22,7 @@ VERDICTS = {
     Stop.TAMPERED: Verdict.RTE,
     Stop.CPU: Verdict.TLE,
     Stop.WALL: Verdict.TLE,
+    Stop.WAITING: Verdict.TLE,
     Stop.MEMORY: Verdict.MLE,
     Stop.OUTPUT: Verdict.OLE,
 }
@@ -35,6 +36,7 @@ class Tally:
         self.group = group
         self.usage = Usage()
         self.run = False  # whether it was run to its end
+        self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
         self.verdict = Verdict.AC
         self.failure: Failure | None = None
@@ -83,6 +85,11 @@ class Tally:
                 self._wanted(index),
                 got,
             )
+
+    def give_up(self, verdict: Verdict, reason: str) -> None:
+        """Record that the rest of it is not run."""
+        self.given_up = self.failure is None
+        self.failed(0, verdict, f"not run: {reason}")
 
     def stopped(self, index: int, stop: Stop, detail: str) -> None:
         """Record a case that ended otherwise than with an answer."""
