@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
+from msgspec import Struct, field
 from msgspec.structs import replace
 
 from judge.errors import nearest
@@ -19,7 +19,7 @@ from judge.run.program import judge_programs
 from judge.run.result import Failure, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.run.timing import Decision
-from judge.sandbox import Box, BoxFactory, Inspection, SourceFault, Usage, open_box
+from judge.sandbox import Box, Boxes, BoxFactory, Inspection, SourceFault, Usage
 from judge.spec import Problem, Verdict
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class Settings(Struct, frozen=True):
     `reference` is there where several submissions share it.
     """
 
-    box_factory: BoxFactory = open_box
+    box_factory: BoxFactory = field(default_factory=Boxes)
     workers: int = 1
     measured: bool = True
     turnstile: Turnstile | None = None

@@ -29,6 +29,7 @@ from judge.sandbox.roots import Roots
 STDERR_BYTES = 4096
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
+OnLevel = Callable[[str, bool], None]  # a level, and whether it was refused for good
 Refuse = Callable[[NotStarted], JudgeError]
 
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
@@ -46,12 +47,21 @@ class ForkServerBox:
     One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(self, source: bytes, name: str, levels: Sequence[str], roots: Roots, refuse: Refuse) -> None:
-        """Start the container at the first of the levels."""
+    def __init__(
+        self,
+        source: bytes,
+        name: str,
+        levels: Sequence[str],
+        roots: Roots,
+        refuse: Refuse,
+        on_level: OnLevel,
+    ) -> None:
+        """Start the container at the first of the levels; `on_level` is told what comes of each."""
         self._source = source
         self._name = name
         self._levels = list(levels)
         self._refuse = refuse
+        self._on_level = on_level
         self._roots = roots
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
@@ -281,6 +291,8 @@ class ForkServerBox:
         """Leave a level that cannot be had for the next one."""
         if len(self._levels) == 1:
             raise self._refuse(refusal) from refusal
+        if refusal.lasting:
+            self._on_level(self._levels[0], True)
         del self._levels[0]
 
     def _here(self) -> Container:
@@ -297,6 +309,7 @@ class ForkServerBox:
                 self._container = None
                 self._give_up(refusal)
             else:
+                self._on_level(self._levels[0], False)
                 return self._container
 
     def _note(self) -> tuple[int, str]:

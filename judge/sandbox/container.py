@@ -36,7 +36,13 @@ _PAIR = (
 
 
 class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
-    """A level cannot be had here; the text is the reason."""
+    """A level cannot be had here; the text is the reason.
+
+    `lasting` says that bubblewrap itself refuses it: it would again. Anything else may pass, such as a full
+    machine, or be the fault of one source.
+    """
+
+    lasting = False
 
 
 class Mark(NamedTuple):
@@ -188,7 +194,9 @@ class Container:
             said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
             reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
             self.close()
-            raise NotStarted(reason)
+            refusal = NotStarted(reason)
+            refusal.lasting = reason.startswith("bwrap: ")
+            raise refusal
         self._ready = True
 
     def _receive(self, seconds: float) -> bytes:
