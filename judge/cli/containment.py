@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any, TypeVar
 
 import click
@@ -13,7 +12,7 @@ from judge.report.layout import Span, Style, line
 from judge.report.screen import err
 from judge.run import Mode, Reference, Settings
 from judge.run.parallel import Turnstile
-from judge.sandbox import LEVELS, Box, BoxFactory, open_box
+from judge.sandbox import LEVELS, Box, Boxes, BoxFactory
 from judge.spec import Problem
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -44,7 +43,7 @@ class Containment:
 
     def __init__(self, problem: Problem, level: str | None) -> None:
         hidden = (problem.folder.parent, problem.solutions.parent, cache_folder())
-        self.open_box: BoxFactory = partial(open_box, level=level, hide=hidden)
+        self.open_box: BoxFactory = Boxes(level, hidden)
         self._level = level
         self._ahead: dict[tuple[bytes, str], Box] = {}
         self._reference = Reference(problem, self.open_box)

@@ -7,10 +7,11 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
+from msgspec import Struct, field
 from msgspec.structs import replace
 
 from judge.errors import nearest
+from judge.run.budget import Budget
 from judge.run.function import judge_calls
 from judge.run.measure import Reference, measure
 from judge.run.parallel import Turnstile, share
@@ -18,15 +19,13 @@ from judge.run.program import judge_programs
 from judge.run.result import Failure, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.run.timing import Decision
-from judge.sandbox import Box, BoxFactory, Inspection, SourceFault, Usage, open_box
+from judge.sandbox import Box, Boxes, BoxFactory, Inspection, SourceFault, Usage
 from judge.spec import Problem, Verdict
 
 if TYPE_CHECKING:
     from judge.data import GroupData, ProblemData
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
-
-MOST_TIMEOUTS = 2  # groups that may run out of time before the rest is not run: a person is waiting
 
 
 class Settings(Struct, frozen=True):
@@ -38,7 +37,7 @@ class Settings(Struct, frozen=True):
     the submission's box, and adds to it.
     """
 
-    box_factory: BoxFactory = open_box
+    box_factory: BoxFactory = field(default_factory=Boxes)
     workers: int = 1
     measured: bool = True
     turnstile: Turnstile | None = None
@@ -80,12 +79,13 @@ def run_submission(
                 problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
             )
         mode = Mode.FUNCTION if inspection.defines(problem.entry) else Mode.PROGRAM
-        judging = _Judging(data, mode, source, name, settings, on_progress)
+        budget = Budget(problem)
+        judging = _Judging(data, mode, source, name, settings, on_progress, budget)
         with turnstile.judging():
             tallies = judging.groups(box, chosen)
         timing = Decision(None)
         if settings.measured and all(tally.verdict is Verdict.AC for tally in tallies):
-            timing = _race(problem, mode, tallies, box, settings, turnstile)
+            timing = _race(problem, mode, tallies, box, settings, turnstile, budget)
         if timing.too_slow and timing.ratio and problem.time:
             slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
             slowest.too_slow(
@@ -104,7 +104,9 @@ def _result(
     """What the groups come to together."""
     problem = judging.data.problem
     usage = sum((tally.usage for tally in tallies), Usage())
-    failing = next((tally for tally in tallies if tally.verdict is not Verdict.AC), None)
+    rejected = [tally for tally in tallies if tally.verdict is not Verdict.AC]
+    failing = next((tally for tally in rejected if not tally.given_up), None)  # one that says why
+    failing = failing or next(iter(rejected), None)
     first = failing.failure if failing else None
     if first and judging.mode is Mode.PROGRAM:
         first = noted(first, inspection, problem.entry, judging.source)
@@ -128,12 +130,13 @@ def _race(
     box: Box,
     settings: Settings,
     turnstile: Turnstile,
+    budget: Budget,
 ) -> Decision:
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
         reference = shared.open(mode)
-        return measure(problem, mode, tallies, box, reference) if reference else Decision(None)
+        return measure(problem, mode, tallies, box, reference, budget) if reference else Decision(None)
 
 
 class _Judging:
@@ -147,6 +150,7 @@ class _Judging:
         name: str,
         settings: Settings,
         on_progress: Progress | None,
+        budget: Budget,
     ) -> None:
         self.data = data
         self.mode = mode
@@ -154,9 +158,10 @@ class _Judging:
         self.name = name
         self._settings = settings
         self._on_progress = on_progress
+        self._budget = budget
         self._lock = threading.Lock()
         self._called: set[str] = set()
-        self._done = self._total = self._timeouts = 0
+        self._done = self._total = 0
 
     def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
@@ -176,7 +181,8 @@ class _Judging:
         share([tallies[first::workers] for first in range(min(workers, len(tallies)))], workers, work)
         for tally in tallies:
             if not tally.run:
-                tally.not_run(f"not run: {MOST_TIMEOUTS} groups ran out of time")
+                assert self._budget.over
+                tally.give_up(*self._budget.over)
         return tallies
 
     def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
@@ -184,7 +190,7 @@ class _Judging:
         judge_groups(
             box,
             tallies,
-            stop=lambda: self._timeouts >= MOST_TIMEOUTS,
+            budget=self._budget,
             on_calls=self._after_calls,
             on_group=self._after_group,
         )
@@ -200,8 +206,8 @@ class _Judging:
     def _after_group(self, tally: Tally) -> None:
         tally.run = True
         self._after_calls(tally)
-        with self._lock:
-            self._timeouts += tally.verdict is Verdict.TLE or tally.out_of_time
+        if tally.verdict is Verdict.TLE or tally.out_of_time:
+            self._budget.ran_out_of_time()
 
 
 def fault_text(fault: SourceFault, source: bytes) -> str:

@@ -7,6 +7,7 @@ from itertools import takewhile
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
+from judge.run.budget import Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
 from judge.run.tally import VERDICTS, Tally
@@ -17,6 +18,7 @@ from judge.spec import Case, Problem, Verdict
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
 _MORE_WALL_SECONDS = 4.0
+_LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the first
 _AGAIN = "when it was run again to be timed"
 
 
@@ -59,12 +61,18 @@ class Reference:
 
 
 def measure(
-    problem: Problem, mode: Mode, tallies: Sequence[Tally], submission: Box, reference: Box
+    problem: Problem,
+    mode: Mode,
+    tallies: Sequence[Tally],
+    submission: Box,
+    reference: Box,
+    budget: Budget,
 ) -> Decision:
     """Race the two on the cases of accepted groups, in one series of calls or one program a turn.
 
     The submission's answers are compared in every turn: one that answers otherwise than before, or not to
-    the end, is no longer accepted, its tally says why, and there is no more racing.
+    the end, is no longer accepted, its tally says why, and there is no more racing. Nor is there for one
+    that has kept the judge waiting.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
@@ -86,17 +94,27 @@ def measure(
             return _program_turn(box, stdin, within)
         return _calls_turn(box, problem.entry, cases, within)
 
+    taken = Usage()
+
     def mine() -> float | None:
-        done = turn(submission, tighter)
-        return done.cpu_seconds if _as_before(done, mode, places) else None
+        nonlocal taken
+        done = turn(submission, budget.within(tighter))
+        done = done._replace(detail=budget.told(done.stop, done.detail))
+        taken += done.usage
+        budget.spent(done.usage, done.stop)
+        return done.usage.cpu_seconds if _as_before(done, mode, places) else None
 
     def theirs() -> float | None:
         done = turn(reference, limits)
         if done.stop is not Stop.ANSWERED:
             raise JudgeError(f"the reference solution cannot be timed: {done.detail}")
-        return done.cpu_seconds
+        return done.usage.cpu_seconds
 
-    decision = race(mine, theirs, problem.time.limit)
+    def goes_on() -> bool:
+        # a busy machine lets it wait too, but hardly for more than twice as long as it works
+        return taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * taken.cpu_seconds
+
+    decision = race(mine, theirs, problem.time.limit, goes_on)
     if any(tally.verdict is not Verdict.AC for tally in tallies):
         return Decision(decision.ratio)
     return decision
@@ -108,20 +126,20 @@ class _Turn(NamedTuple):
     answers: Sequence[Any]
     stop: Stop
     detail: str
-    cpu_seconds: float
+    usage: Usage
 
 
 def _calls_turn(box: Box, entry: str, cases: Sequence[Case], limits: Limits) -> _Turn:
     replies, usage = box.call_many(entry, cases, limits)
     answers = [reply.answer for reply in takewhile(lambda reply: reply.stop is Stop.ANSWERED, replies)]
     stop, _, detail = replies[min(len(answers), len(replies) - 1)]
-    return _Turn(answers, stop, detail, usage.cpu_seconds)
+    return _Turn(answers, stop, detail, usage)
 
 
 def _program_turn(box: Box, stdin: bytes, limits: Limits) -> _Turn:
     result = box.run_program(stdin, limits)
     lines = answer_lines(result.stdout, complete=result.stop is Stop.ANSWERED)
-    return _Turn(lines, result.stop, result.detail, result.usage.cpu_seconds)
+    return _Turn(lines, result.stop, result.detail, result.usage)
 
 
 def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[Tally, int]]) -> bool:

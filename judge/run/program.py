@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from judge.run.budget import Budget
 from judge.run.tally import VERDICTS, Tally, group_limits
 from judge.sandbox import Box, ProgramResult, Stop
 from judge.spec import Argument, Case, Verdict
@@ -49,26 +50,29 @@ def judge_programs(
     box: Box,
     tallies: Sequence[Tally],
     *,
-    stop: Callable[[], bool],
+    budget: Budget,
     on_calls: Callable[[Tally], None],
     on_group: Callable[[Tally], None],
 ) -> None:
     """Run the program once for each group; arguments as those of `judge_calls`."""
     for tally in tallies:
-        if stop():
+        if budget.over:
             return
-        judge_program(box, tally)
+        judge_program(box, tally, budget)
         on_calls(tally)
         on_group(tally)
 
 
-def judge_program(box: Box, tally: Tally) -> None:
+def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
     """Run the program once on the whole group and compare it line by line."""
     from judge.compare.text import check_line
 
     problem, cases = tally.problem, tally.group.cases
-    result = box.run_program(render_group(cases), group_limits(problem, tally.usage))
+    result = box.run_program(render_group(cases), budget.within(group_limits(problem, tally.usage)))
+    result = result._replace(detail=budget.told(result.stop, result.detail))
     tally.usage += result.usage
+    # An exit status of its own is no loss: that costs nothing, and many a program has one.
+    budget.spent(result.usage, Stop.EXCEPTION if result.stop is Stop.EXITED else result.stop)
     complete = result.stop is Stop.ANSWERED
     if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
         tally.failed(0, VERDICTS[result.stop], result.detail)
@@ -86,10 +90,10 @@ def judge_program(box: Box, tally: Tally) -> None:
         message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
         tally.failed(len(lines), Verdict.WA, message, "no line")
     if not complete:
-        _stopped(box, tally, result, len(lines))
+        _stopped(box, tally, result, len(lines), budget)
 
 
-def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int) -> None:
+def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int, budget: Budget) -> None:
     """Record a run that did not end well; its time, memory or output belong to no case in particular."""
     if tally.failure is not None:
         return
@@ -97,28 +101,37 @@ def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int) -> Non
     index = min(printed, count - 1)
     message = f"{result.detail}, after {_counted(printed, 'line')} of {count}"
     if result.stop in (Stop.EXCEPTION, Stop.EXITED) and result.usage.wall_seconds < SEARCHED_SECONDS:
-        culprit = _culprit(box, tally)
+        culprit = _culprit(box, tally, budget)
         if culprit is not None:
             tally.stopped(culprit, result.stop, result.detail)
             return
     tally.failed(index, VERDICTS[result.stop], message)
 
 
-def _culprit(box: Box, tally: Tally) -> int | None:
+def _culprit(box: Box, tally: Tally, budget: Budget) -> int | None:
     """The case at which the program breaks, found by halving, or None where it breaks without any.
 
-    What it had printed may still have been in its buffer, so the lines that arrived do not tell.
+    What it had printed may still have been in its buffer, so the lines that arrived do not tell. None, too,
+    where the search takes too long.
     """
     cases = tally.group.cases
+    limits = group_limits(tally.problem, tally.usage)
+    limits = limits._replace(
+        cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
+        wall_seconds=min(limits.wall_seconds, 2 * SEARCHED_SECONDS),
+    )
 
     def breaks(count: int) -> bool:
-        stdin = render_group(cases[:count])
-        return box.run_program(stdin, group_limits(tally.problem, tally.usage)).stop is not Stop.ANSWERED
+        result = box.run_program(render_group(cases[:count]), budget.within(limits))
+        budget.searched(result.usage)
+        return result.stop is not Stop.ANSWERED
 
-    if breaks(0):
+    if not budget.may_search() or breaks(0):
         return None
     good, bad = 0, len(cases)
     while bad - good > 1:
+        if not budget.may_search():
+            return None
         middle = (good + bad) // 2
         good, bad = (good, middle) if breaks(middle) else (middle, bad)
     return bad - 1

@@ -18,13 +18,14 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.data.fresh import Fresh, Series
+from judge.run.budget import Budget
 from judge.run.execute import fault_text, noted
 from judge.run.function import judge_calls
 from judge.run.program import judge_programs
 from judge.run.result import SCHEMA, Failure, GroupResult, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.sandbox import Box, Usage
-from judge.spec import Verdict
+from judge.spec import Problem, Verdict
 
 MOST_SERIES = 16  # in one process: about as many cases as a problem's pinned ones, which share one too
 _SHORT, _LONG = 0.1, 0.4  # seconds: more series at once below the first, fewer above the second
@@ -126,6 +127,19 @@ def stress(
     return replace(stressed, result=replace(stressed.result, failure=told))
 
 
+class _Turn(Budget):
+    """What a few series may cost together; their turn is over too once the stress is."""
+
+    def __init__(self, problem: Problem, stop: Callable[[], bool]) -> None:
+        super().__init__(problem)
+        self._stop = stop
+
+    @property
+    def over(self) -> tuple[Verdict, str] | None:
+        """As of any budget."""
+        return (Verdict.TLE, "the time is up") if self._stop() else super().over
+
+
 class _Total:
     """What a group has come to so far."""
 
@@ -183,7 +197,7 @@ class _Run:
         judge(
             self._box,
             [tally for _, tally in self._now],
-            stop=self._over,
+            budget=_Turn(self._data.problem, self._over),
             on_calls=lambda _: None,
             on_group=_note,
         )

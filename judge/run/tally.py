@@ -24,6 +24,7 @@ VERDICTS = {
     Stop.TAMPERED: Verdict.RTE,
     Stop.CPU: Verdict.TLE,
     Stop.WALL: Verdict.TLE,
+    Stop.WAITING: Verdict.TLE,
     Stop.MEMORY: Verdict.MLE,
     Stop.OUTPUT: Verdict.OLE,
 }
@@ -38,6 +39,7 @@ class Tally:
         self.group = group
         self.usage = Usage()
         self.run = False  # whether it was run to its end
+        self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
         self.verdict = Verdict.AC
         self.failure: Failure | None = None
@@ -92,6 +94,13 @@ class Tally:
                 got,
             )
 
+    def give_up(self, verdict: Verdict, reason: str) -> None:
+        """Record that the rest of it is not run, of which nothing is known then."""
+        if self.failure is None:
+            self.given_up = True
+            self.failed(0, verdict, f"not run: {reason}")
+            del self.wrong[0]
+
     def stopped(self, index: int, stop: Stop, detail: str) -> None:
         """Record a case that ended otherwise than with an answer."""
         raised = _EXCEPTION.match(detail) if stop is Stop.EXCEPTION else None
@@ -108,11 +117,6 @@ class Tally:
 
         describe = outline if self._mode is Mode.FUNCTION else line_outline
         return describe(self.problem.answer, given)
-
-    def not_run(self, message: str) -> None:
-        """Record that no case of it was run."""
-        self.failed(0, Verdict.TLE, message)
-        self.wrong.clear()
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""

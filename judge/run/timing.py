@@ -1,8 +1,8 @@
 """Time that can be trusted: CPU time as a multiple of a reference solution's, measured in the same run.
 
 A machine's speed drifts, and from one machine to another it is anybody's guess; the ratio of two programs
-that take turns is not. The first pair settles most submissions. One near the limit runs again, turn by turn,
-and fails only where both the least times and the median pair exceed the limit.
+that take turns is not. The first pairs settle most submissions. One that comes near the limit in any of them
+runs again, turn by turn, and fails only where both the least times and the median pair exceed the limit.
 """
 
 from __future__ import annotations
@@ -45,11 +45,14 @@ class Pair(Struct, frozen=True):
         return self.submission / self.reference
 
 
-def race(submission: Run, reference: Run, limit: float) -> Decision:
+def race(
+    submission: Run, reference: Run, limit: float, goes_on: Callable[[], bool] = lambda: True
+) -> Decision:
     """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
 
-    A submission near the limit gets nine pairs whatever they take; any other as many, three at least, as fit
-    a moment that a waiting person does not notice.
+    A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
+    at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
+    whether there may be another.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
@@ -58,9 +61,11 @@ def race(submission: Run, reference: Run, limit: float) -> Decision:
         if pair is None:
             break
         pairs.append(pair)
-        if _is_near(pairs[0], limit):
+        if not goes_on():
+            break
+        if not _is_clear(pairs, limit):
             continue
-        if pairs[0].ratio > CLEARLY_ABOVE * limit:
+        if pairs[0].ratio > limit:
             break
         if len(pairs) >= _LEAST_PAIRS and time.monotonic() - start > _PATIENCE_SECONDS:
             break
@@ -72,10 +77,12 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
     if not pairs:
         return Decision(None)
     ratio = summary(pairs)
-    if not _is_near(pairs[0], limit):
-        return Decision(ratio, too_slow=pairs[0].ratio > limit)
+    if _is_clear(pairs, limit):
+        return Decision(ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
-    return Decision(ratio, too_slow=least > limit and ratio.median > limit, borderline=True)
+    too_slow = least > limit and ratio.median > limit
+    # One odd pair is no close call where the median and the least times agree that it is not.
+    return Decision(ratio, too_slow, borderline=too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit)
 
 
 def summary(pairs: list[Pair]) -> Ratio:
@@ -98,8 +105,10 @@ def _quantile(ordered: list[float], part: float) -> float:
     return ordered[below] + (place - below) * (ordered[above] - ordered[below])
 
 
-def _is_near(pair: Pair, limit: float) -> bool:
-    return CLEARLY_BELOW * limit < pair.ratio <= CLEARLY_ABOVE * limit
+def _is_clear(pairs: list[Pair], limit: float) -> bool:
+    """Whether every pair is clearly below the limit, or every one clearly above it."""
+    ratios = [pair.ratio for pair in pairs]
+    return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
 
 
 def _turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:

@@ -22,7 +22,7 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
-from judge.run.execute import run_submission
+from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
 from judge.spec import Group, Problem, Verdict
@@ -132,11 +132,10 @@ def verify_problem(
     sources, unreadable = _read_sources(problem)
     faults += unreadable
     reports = []
+    settings = Settings()
     for done, source in enumerate(sources):
         tell("judging solutions", done, len(sources))
-        result = run_submission(
-            problem, data, source.content, source.path.name, groups=None, on_progress=None
-        )
+        result = run_submission(problem, data, source.content, source.path.name, settings=settings)
         report = _solution_report(source, result)
         reports.append(report)
         if not report.ok:

@@ -18,6 +18,7 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
+from judge.sandbox.factory import Boxes
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,6 +29,7 @@ __all__ = [
     "LEVELS",
     "Box",
     "BoxFactory",
+    "Boxes",
     "CallsResult",
     "Inspection",
     "Limits",
@@ -44,15 +46,15 @@ __all__ = [
 def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()) -> Box:
     """A box for one submission, at the best isolation level or at the one demanded; use it in a `with`.
 
+    Who opens several had better use `Boxes`.
+
     Args:
         source: the submission's bytes, as they are in its file.
         name: its file name, shown in tracebacks.
         level: "full", "strong" or "limits"; UsageError if that cannot be had here.
         hide: more folders that must not be seen inside, if they lie among the interpreter's own.
     """
-    from judge.sandbox import probe  # only a run needs sockets, processes and ctypes
-
-    return probe.open_box(source, name, level=level, hide=hide)
+    return Boxes(level, hide)(source, name)
 
 
 def levels() -> tuple[Level, ...]:

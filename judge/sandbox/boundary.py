@@ -24,18 +24,20 @@ class Stop(Enum):
     EXITED = "exited"  # it left with a non-zero status or was killed by a signal, or left in mid-call
     CPU = "cpu"  # CPU limit
     WALL = "wall"  # wall limit: it slept or waited
+    WAITING = "waiting"  # its series together have waited longer than they may
     MEMORY = "memory"
     OUTPUT = "output"  # it printed or answered more than the limit
     TAMPERED = "tampered"  # it wrote on the judge's own channel
 
 
 class Limits(NamedTuple):
-    """The bounds of one series of calls or one program; memory and output are those of the whole process."""
+    """The bounds of one series of calls or one program; memory and waiting are those of the whole process."""
 
     cpu_seconds: float
     wall_seconds: float
     memory_bytes: int
     output_bytes: int
+    waiting_seconds: float = 1e9  # wall time beyond CPU time
 
 
 class Usage(NamedTuple):
@@ -51,6 +53,11 @@ class Usage(NamedTuple):
             self.wall_seconds + other.wall_seconds,
             max(self.memory_bytes, other.memory_bytes),
         )
+
+    @property
+    def waiting_seconds(self) -> float:
+        """Wall time beyond CPU time."""
+        return max(0.0, self.wall_seconds - self.cpu_seconds)
 
 
 class SourceFault(NamedTuple):
@@ -131,8 +138,9 @@ class Box(Protocol):
     ) -> list[CallsResult]:
         """Call the module's function `entry` once for each argument list, series by series, in order.
 
-        The module is imported once for all series, each of which is measured by itself; `limits` holds for
-        each. Results end with the series that a call ended, so that there may be fewer than series.
+        The module is imported once for all series. Each is measured by itself, and its arguments are there
+        when it begins; `limits` holds for each, but for memory and waiting. Results end with the series that
+        a call ended, or where no room is left for more answers, so that there may be fewer than series.
         Arguments are ints, floats and (nested) lists or tuples of them; the submission receives inner
         sequences as tuples, fresh ones for each call. `on_series` is called after each series but the last.
         """

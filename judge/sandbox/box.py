@@ -22,12 +22,14 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.container import Container, Done, Lost, NotStarted, OnSeries
+from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
 from judge.sandbox.roots import Roots
 
 STDERR_BYTES = 4096
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
+OnLevel = Callable[[str, bool], None]  # a level, and whether it was refused for good
 Refuse = Callable[[NotStarted], JudgeError]
 
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
@@ -45,12 +47,21 @@ class ForkServerBox:
     One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(self, source: bytes, name: str, levels: Sequence[str], roots: Roots, refuse: Refuse) -> None:
-        """Start the container at the first of the levels."""
+    def __init__(
+        self,
+        source: bytes,
+        name: str,
+        levels: Sequence[str],
+        roots: Roots,
+        refuse: Refuse,
+        on_level: OnLevel,
+    ) -> None:
+        """Start the container at the first of the levels; `on_level` is told what comes of each."""
         self._source = source
         self._name = name
         self._levels = list(levels)
         self._refuse = refuse
+        self._on_level = on_level
         self._roots = roots
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
@@ -108,7 +119,7 @@ class ForkServerBox:
                 done = self._ask(wire.INSPECT, stdio, b"", _INSPECTION)
         except Lost:
             return Inspection(SourceFault("the compiler did not survive it"))
-        replies = self._here().replies(b"", _INSPECTION.output_bytes)
+        replies = self._here().replies(b"", _INSPECTION.output_bytes, 1)
         over = outcome.overrun(done, _INSPECTION, 0, self._note())
         if over or done.status or not replies.endswith(b",\n"):
             text = over[1] if over else outcome.end_of(done, self._note())[1]
@@ -139,31 +150,35 @@ class ForkServerBox:
             ]
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
-        count = sum(len(calls) for calls in series)
-        payload = marshal.dumps((entry, [[_frozen(arguments) for arguments in calls] for calls in series]))
+        counts = [len(calls) for calls in series]
+        packed = _packed(entry, series)
+        payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
-            with shared.stdio(b"") as (stdin, stdout, stderr):
-                done = self._ask(wire.CALLS, (stdin, stdout, stderr), payload, limits, len(series), on_series)
-                printed = _printed(stdout, stderr)
+            with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
+                descriptors = (*stdio, later) if len(series) > 1 else stdio
+                done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
+                printed = _printed(*stdio[1:])
         except Lost as lost:
-            kept = outcome.parse_replies(lost.replies, count)[0][: count - 1]
-            return outcome.by_series([*kept, Reply(Stop.TAMPERED, detail=_LOST)], series, [])
-        replies = self._ended(done, payload, limits, printed, series)
+            kept = outcome.parse_series(lost.replies, lost.marks, counts)[0][: sum(counts) - 1]
+            replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
+            return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
+        replies = self._ended(done, payload, limits, printed, counts)
         return outcome.by_series(replies, series, outcome.usages_of(done))
 
     def _ended(
-        self, done: Done, payload: bytes, limits: Limits, printed: int, series: Sequence[Sequence[Any]]
+        self, done: Done, payload: bytes, limits: Limits, printed: int, counts: Sequence[int]
     ) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
-        count = sum(len(calls) for calls in series)
-        replies, kept_form = outcome.parse_replies(self._here().replies(payload, limits.output_bytes), count)
+        count = sum(counts)
+        data = self._here().replies(payload, limits.output_bytes, len(counts))
+        replies, kept_form = outcome.parse_series(data, done.marks, counts)
         over = outcome.overrun(done, limits, printed, note)
-        if over is None and kept_form and len(replies) == count:
+        if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
             return replies
         if over:
             stop, detail = over
-            count = sum(len(calls) for calls in series[: outcome.blamed(done, stop, limits) + 1])
+            count = sum(counts[: outcome.blamed(done, stop, limits) + 1])
             if len(replies) >= count:
                 detail += ", in this call or one before it"
         elif not kept_form:
@@ -188,6 +203,8 @@ class ForkServerBox:
             if results and on_series:
                 on_series()
             results.append(self.call_many(entry, calls, limits))
+            waited = results[-1].usage.waiting_seconds
+            limits = limits._replace(waiting_seconds=max(0.0, limits.waiting_seconds - waited))
             replies = results[-1].replies
             if replies and replies[-1].stop not in (Stop.ANSWERED, Stop.EXCEPTION):
                 break
@@ -244,6 +261,7 @@ class ForkServerBox:
                 payload,
                 cpu_ns=round(limits.cpu_seconds * 1e9),
                 wall_ns=round(limits.wall_seconds * 1e9),
+                waiting_ns=round(limits.waiting_seconds * 1e9),
                 memory=2 * limits.memory_bytes + _ADDRESS_SPACE,
                 output=limits.output_bytes,
                 series=series,
@@ -273,6 +291,8 @@ class ForkServerBox:
         """Leave a level that cannot be had for the next one."""
         if len(self._levels) == 1:
             raise self._refuse(refusal) from refusal
+        if refusal.lasting:
+            self._on_level(self._levels[0], True)
         del self._levels[0]
 
     def _here(self) -> Container:
@@ -289,6 +309,7 @@ class ForkServerBox:
                 self._container = None
                 self._give_up(refusal)
             else:
+                self._on_level(self._levels[0], False)
                 return self._container
 
     def _note(self) -> tuple[int, str]:
@@ -302,6 +323,12 @@ class ForkServerBox:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
+
+
+def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
+    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
+    count = sum(len(calls) for calls in series)
+    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
 
 
 def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
@@ -35,29 +36,45 @@ _PAIR = (
 
 
 class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
-    """A level cannot be had here; the text is the reason."""
+    """A level cannot be had here; the text is the reason.
+
+    `lasting` says that bubblewrap itself refuses it: it would again. Anything else may pass, such as a full
+    machine, or be the fault of one source.
+    """
+
+    lasting = False
+
+
+class Mark(NamedTuple):
+    """The end of a series but the last, as the fork server measured and sealed it."""
+
+    cpu_ns: int
+    wall_ns: int
+    peak_bytes: int  # of the process so far
+    size: int  # of the replies so far
+    digest: bytes  # of the replies of the series
 
 
 class Lost(Exception):  # noqa: N818 - it never reaches a person
     """The fork server died or did not answer, the container is gone; `replies` is what its child left."""
 
-    def __init__(self, replies: bytes = b"") -> None:
+    def __init__(self, replies: bytes = b"", marks: Sequence[Mark] = (), wall_ns: int = 0) -> None:
         super().__init__()
         self.replies = replies
+        self.marks = marks
+        self.wall_ns = wall_ns  # since the last mark
 
 
 class Done(NamedTuple):
     """A child's end as the fork server measured it."""
 
     status: int  # as wait4 gives it
-    reason: int  # wire.NOT_KILLED, FOR_CPU, FOR_WALL
+    reason: int  # wire.NOT_KILLED or one of wire.FOR_…
     cpu_ns: int
     wall_ns: int
     peak_bytes: int
     started: int  # whether the child came as far as running foreign code
-    marks: tuple[
-        tuple[int, int, int], ...
-    ] = ()  # (cpu ns, wall ns, peak bytes) at the end of each series before
+    marks: tuple[Mark, ...] = ()  # one for each series that ended before
 
 
 OnSeries = Callable[[], None]  # told of each series that has ended but the last
@@ -177,7 +194,9 @@ class Container:
             said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
             reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
             self.close()
-            raise NotStarted(reason)
+            refusal = NotStarted(reason)
+            refusal.lasting = reason.startswith("bwrap: ")
+            raise refusal
         self._ready = True
 
     def _receive(self, seconds: float) -> bytes:
@@ -195,46 +214,53 @@ class Container:
         *,
         cpu_ns: int,
         wall_ns: int,
+        waiting_ns: int,
         memory: int,
         output: int,
         series: int = 1,
         on_series: OnSeries | None = None,
     ) -> Done:
-        """One request and its answer; the limits of time are each series' own. Raises Lost, NotStarted."""
+        """One request and its answer. Raises Lost, NotStarted.
+
+        `cpu_ns`, `wall_ns` and `output` are each series' own, `waiting_ns` and `memory` the process's.
+        """
         if self._process is None:
             raise Lost
         self.await_ready()
         start = wire.replies_at(len(payload))
-        stop = start + min(output, wire.REPLY_BYTES)
+        stop = start + wire.reply_room(output, series)
         if stop > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
             )
         self.region.prepare(payload)
-        frame = wire.REQUEST.pack(kind, cpu_ns, wall_ns, memory, output, len(payload), stop, series)
+        times = (cpu_ns, wall_ns, waiting_ns)
+        frame = wire.REQUEST.pack(kind, *times, memory, output, len(payload), stop, series)
         try:
             self._line.send(frame, stdio)
         except OSError:
             self.close()
             raise Lost from None
-        marks: list[tuple[int, int, int]] = []
+        marks: list[Mark] = []
+        began = time.monotonic_ns()
         while True:
             answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
             if answer.startswith(wire.ENDED):
                 _, status, reason, cpu, wall, peak, started = wire.DONE.unpack_from(answer)
                 return Done(status, reason, cpu, wall, peak, started, tuple(marks))
             if not answer.startswith(wire.MARKED) or len(marks) == series:
-                data = self.replies(payload, output)
+                data = self.replies(payload, output, series)
                 self.close()
-                raise Lost(data)
-            marks.append(wire.MARK.unpack_from(answer)[1:])
+                raise Lost(data, marks, time.monotonic_ns() - began)
+            marks.append(Mark(*wire.MARK.unpack_from(answer)[1:]))
+            began = time.monotonic_ns()
             if on_series:
                 on_series()
 
-    def replies(self, payload: bytes, output: int) -> bytes:
+    def replies(self, payload: bytes, output: int, series: int) -> bytes:
         """What the last child appended; foreign data."""
         start = wire.replies_at(len(payload))
-        return self.region.replies(start, start + min(output, wire.REPLY_BYTES))
+        return self.region.replies(start, start + wire.reply_room(output, series))
 
     def kill(self) -> None:
         """End what runs in it at once; whoever waits for its answer finds it lost."""

@@ -10,11 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 _STANDARD = """
-    __future__ abc array bisect cmath collections contextlib copy dataclasses decimal enum fractions functools
-    heapq io itertools json math numbers operator os random re statistics string struct sys textwrap threading
-    time traceback types typing
+    __future__ abc argparse array ast atexit bisect builtins cProfile cmath codecs collections contextlib
+    contextvars copy copyreg csv dataclasses datetime decimal dis doctest enum errno faulthandler fractions
+    functools gc getopt graphlib hashlib heapq importlib inspect io itertools json keyword logging math
+    numbers operator os pathlib pickle platform pprint profile queue random re reprlib resource secrets signal
+    statistics string struct sys tempfile textwrap threading time timeit traceback types typing unicodedata
+    unittest uuid warnings weakref zlib
 """
-_INSTALLED = "gmpy2 mpmath networkx numpy scipy shapely sortedcontainers sympy"
+_INSTALLED = "gmpy2 mpmath networkx numpy scipy shapely sortedcontainers sympy typing_extensions"
 _SUBMODULES = """
     collections.abc os.path numpy.linalg numpy.random numpy.polynomial numpy.typing scipy.linalg
     scipy.optimize scipy.spatial sympy.geometry

@@ -6,17 +6,20 @@ itself says (a note, replies, an exit status) only decides between ends that are
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import json
 import os
 import signal
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
-from judge.sandbox.container import Done
+from judge.sandbox.container import Done, Lost, Mark
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
+LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
 
 def usage_of(done: Done) -> Usage:
@@ -26,13 +29,22 @@ def usage_of(done: Done) -> Usage:
 
 def usages_of(done: Done) -> list[Usage]:
     """The figures of each series that was begun; the peak is that of the process up to its end."""
-    figures = [*done.marks, (done.cpu_ns, done.wall_ns, done.peak_bytes)]
-    return [Usage(cpu / 1e9, wall / 1e9, peak) for cpu, wall, peak in figures]
+    last = Mark(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
+    return [_usage(mark) for mark in (*done.marks, last)]
+
+
+def usages_of_lost(lost: Lost) -> list[Usage]:
+    """The same where nobody was left to measure the last series."""
+    return [_usage(mark) for mark in (*lost.marks, Mark(0, lost.wall_ns, 0, 0, b""))]
+
+
+def _usage(mark: Mark) -> Usage:
+    return Usage(mark.cpu_ns / 1e9, mark.wall_ns / 1e9, mark.peak_bytes)
 
 
 def blamed(done: Done, stop: Stop, limits: Limits) -> int:
     """The place of the series in which a limit was passed: of those begun the last, unless memory tells."""
-    peaks = [peak for _, _, peak in done.marks] if stop is Stop.MEMORY else []
+    peaks = [mark.peak_bytes for mark in done.marks] if stop is Stop.MEMORY else []
     over = (place for place, peak in enumerate(peaks) if peak > limits.memory_bytes)
     return next(over, len(done.marks))
 
@@ -64,9 +76,14 @@ def overrun(done: Done, limits: Limits, printed: int, note: tuple[int, str]) -> 
         return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time"
     if done.reason == wire.FOR_WALL:
         return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting most of it"
+    if done.reason == wire.FOR_WAITING:
+        return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s"
+    if done.reason == wire.FOR_STOPPING:
+        return Stop.EXITED, "it stopped itself"
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
-    if printed > limits.output_bytes or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
+    too_much = printed > limits.output_bytes or done.reason == wire.FOR_OUTPUT
+    if too_much or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
         own = text if kind == wire.TOO_MUCH else ""  # not the error of the write that failed
         return Stop.OUTPUT, own or f"wrote more than {_size(limits.output_bytes)}"
     return None
@@ -85,6 +102,9 @@ def end_of(done: Done, note: tuple[int, str]) -> tuple[Stop, str]:
 
 def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
     """The replies in a child's own words, and whether it kept to the form: `most` JSON texts or fewer."""
+    if len(data) > LONG:
+        with _no_collections():
+            return _one_by_one(data, most)
     try:
         rows = json.loads(b"[" + data[:-2] + b"]", parse_constant=_refuse)
     except (ValueError, RecursionError):
@@ -92,6 +112,18 @@ def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
     replies = _replies(rows)
     kept_form = len(replies) == len(rows) == data.count(b"\n") <= most
     return (replies, True) if kept_form else _one_by_one(data, most)
+
+
+@contextlib.contextmanager
+def _no_collections() -> Iterator[None]:
+    """Millions of fresh lists, as only a flood holds, take several times as long where each is looked at."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
 
 
 def _replies(rows: list[Any]) -> list[Reply]:
@@ -108,6 +140,30 @@ def _replies(rows: list[Any]) -> list[Reply]:
         else:
             break
     return replies
+
+
+def parse_series(data: bytes, marks: Sequence[Mark], counts: Sequence[int]) -> tuple[list[Reply], bool]:
+    """The replies to so many calls in each series, and whether the child kept to the form.
+
+    What it changed after a series was sealed, or answered before it was asked, is not the form. Only a module
+    that cannot be imported replies to the calls of all series at once.
+    """
+    replies: list[Reply] = []
+    start = 0
+    for mark, count in zip(marks, counts, strict=False):
+        part = data[start : mark.size]
+        if len(part) != mark.size - start or wire.digest(part) != mark.digest:
+            return replies, False
+        found, kept_form = parse_replies(part, count)
+        replies += found
+        if not kept_form or len(found) != count:
+            return replies, False
+        start = mark.size
+    found, kept_form = parse_replies(data[start:], sum(counts[len(marks) :]))
+    asked = sum(counts[len(marks) : len(marks) + 1])
+    if any(reply.stop is Stop.ANSWERED for reply in found[asked:]):
+        return replies + found[: max(0, asked - 1)], False
+    return replies + found, kept_form
 
 
 def parse_inspection(data: bytes) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 import sys
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from typing import NamedTuple
 from judge.errors import JudgeError, UsageError, nearest
 from judge.sandbox import launch
 from judge.sandbox.boundary import LEVELS
-from judge.sandbox.box import ForkServerBox
+from judge.sandbox.box import ForkServerBox, OnLevel
 from judge.sandbox.roots import find_roots
 
 MEANING = {
@@ -48,13 +48,20 @@ class Level(NamedTuple):
 
 
 def open_box(
-    source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()
+    source: bytes,
+    name: str,
+    *,
+    level: str | None = None,
+    hide: Iterable[Path] = (),
+    without: Collection[str] = (),
+    on_level: OnLevel = lambda _level, _refused: None,
 ) -> ForkServerBox:
     """A box for this source at the best level there is, or at the one demanded; use it in a `with`.
 
     `name` is the submission's file name in tracebacks. `hide` are folders that must not be seen inside even
     if they lie among the interpreter's own (problems of a pack, a cache). Raises UsageError for a level that
-    cannot be had, at once or on entering the box.
+    cannot be had, at once or on entering the box. Levels of `without` are not even tried where none is
+    demanded; `on_level` is told of those that were.
     """
     if level is not None and level not in LEVELS:
         near = nearest(level, LEVELS)
@@ -67,11 +74,11 @@ def open_box(
         remedy = _remedy(level, str(reason))
         return UsageError(f"isolation {level} cannot be had here: {reason}", remedy=remedy)
 
-    wanted = [level] if level else LEVELS
+    wanted = [level] if level else [candidate for candidate in LEVELS if candidate not in without]
     possible = [candidate for candidate in wanted if not _missing(candidate)]
     if not possible:
         raise refuse(_missing(wanted[0]))
-    return ForkServerBox(source, name, possible, find_roots(hide), refuse)
+    return ForkServerBox(source, name, possible, find_roots(hide), refuse, on_level)
 
 
 def levels() -> tuple[Level, ...]:

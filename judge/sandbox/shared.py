@@ -45,6 +45,16 @@ def stdio(stdin: bytes) -> Iterator[tuple[int, int, int]]:
             os.close(descriptor)
 
 
+@contextlib.contextmanager
+def file(data: bytes) -> Iterator[int]:
+    """The descriptor of a new file holding `data`, closed at the end."""
+    descriptor = nameless(data)
+    try:
+        yield descriptor
+    finally:
+        os.close(descriptor)
+
+
 def write_whole(descriptor: int, data: bytes) -> None:
     """Write all of it."""
     rest = memoryview(data)

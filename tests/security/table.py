@@ -77,7 +77,7 @@ ATTACKS = [
     *_tries("raise_limits", open_at=ALWAYS),
     # time
     _ends("sleeper", Stop.WALL),
-    _ends("stopped", Stop.WALL),
+    _ends("stopped", Stop.EXITED),
     _ends("exit_hook", Stop.WALL),
     _ends("other_thread_stays", Stop.WALL),
     _ends("deaf", Stop.CPU),

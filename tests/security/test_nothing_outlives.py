@@ -25,7 +25,7 @@ def test_a_daemon_dies_with_its_run(attacker: Attacker, level: str) -> None:
         assert found["output"].startswith("held")
 
 
-@pytest.mark.parametrize("what", ["sleeper", "deaf", "stopped", "close_everything_and_sleep"])
+@pytest.mark.parametrize("what", ["sleeper", "deaf", "close_everything_and_sleep"])
 @pytest.mark.parametrize("level", LEVELS)
 def test_the_tree_dies_with_a_killed_judge(attacker: Attacker, level: str, what: str) -> None:
     attacker.require(level)

@@ -19,7 +19,7 @@ DEEDS = {
     "crashes": ("import ctypes; ctypes.string_at(0)", {Stop.EXITED}),
     "works_on": ("while True: pass", {Stop.CPU}),
     "sleeps": ("time.sleep(60)", {Stop.WALL}),
-    "stops": ("os.kill(os.getpid(), signal.SIGSTOP)", {Stop.WALL}),
+    "stops": ("os.kill(os.getpid(), signal.SIGSTOP)", {Stop.EXITED}),
     "hogs": ("rows = []\nwhile True: rows.append(bytearray(b'x') * (8 << 20))", {Stop.MEMORY, Stop.CPU}),
     "runs_out_of_memory": ("return [0] * (1 << 33)", {Stop.MEMORY}),
     "answers_a_flood": ("return ['x' * 80] * 9000", {Stop.OUTPUT}),

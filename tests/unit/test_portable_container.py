@@ -69,7 +69,7 @@ def test_without_a_clock_a_limit_is_noticed_afterwards() -> None:
     [
         ("while True: pass", 20.0, Stop.CPU),
         ("time.sleep(60)", 0.3, Stop.WALL),
-        ("os.kill(os.getpid(), signal.SIGSTOP)", 0.3, Stop.WALL),
+        ("os.kill(os.getpid(), signal.SIGSTOP)", 20.0, Stop.EXITED),
         ("os._exit(0)", 20.0, Stop.EXITED),
         ("bytes(1 << 40)", 20.0, Stop.MEMORY),
         ("while True: print('x' * 999)", 20.0, Stop.OUTPUT),

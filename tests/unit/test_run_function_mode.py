@@ -7,7 +7,9 @@ from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
 from judge.run import Mode
-from judge.sandbox import levels
+from judge.run.budget import MOST_LOSSES, Budget
+from judge.run.tally import Tally, group_limits
+from judge.sandbox import Stop, Usage, levels
 from judge.spec import Verdict
 
 
@@ -89,6 +91,68 @@ def test_a_group_is_given_up_after_three_losses():
         "import os\ndef answer(n, P): os._exit(0)", make_data("one", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
     )
     assert (result.verdict, result.failure.case, result.groups[0].passed) == (Verdict.RTE, 1, 0)
+
+
+def test_a_submission_is_given_up_after_ten_losses_in_all():
+    data, told = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9), []
+    source = "import os\ndef answer(n, P): os._exit(0)"
+    result = judged(source, data, on_progress=lambda *done: told.append(done))
+    assert (result.verdict, result.failure.group) == (Verdict.RTE, "a")
+    assert [group.verdict for group in result.groups] == [Verdict.RTE] * 8
+    assert told[-1][0] == 3 * 9  # three losses in each of three groups; the fourth has one and no more
+
+
+def test_what_is_given_up_says_why_and_never_decides():
+    data = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
+    budget = Budget(data.problem)
+    tallies = [Tally(data, group, Mode.FUNCTION) for group in data.groups]
+    for _ in range(MOST_LOSSES):
+        assert budget.over is None
+        budget.spent(Usage(), Stop.TAMPERED)
+    tallies[0].give_up(*budget.over)
+    tallies[1].failed(0, Verdict.WA, "wrong")
+    tallies[1].give_up(*budget.over)
+    assert [tally.given_up for tally in tallies[:2]] == [True, False]
+    assert tallies[0].failure.message == "not run: its process was lost 10 times"
+    assert [tally.verdict for tally in tallies[:2]] == [Verdict.RTE, Verdict.WA]
+
+
+SLEEPER = "import time\ndef answer(n, P):\n    time.sleep(0.05)\n    return int(n + P[0] + P[1])\n"
+SLEEPING_PROGRAM = """
+import time
+time.sleep(0.2)
+for _ in range(int(input())):
+    n, x, y = map(float, input().split())
+    print(int(n + x + y))
+"""
+
+
+@pytest.mark.parametrize("source", [SLEEPER, SLEEPING_PROGRAM])
+def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
+    """Four calls of a group wait 0.2 s; all groups together may wait three wall limits, 0.9 s."""
+    limits = replace(LIMITS, wall_seconds=0.3)
+    result = judged(source, make_data(*"abcdefghijkl", limits=limits))
+    ran = [group.name for group in result.groups if group.cpu_seconds]
+    assert result.verdict is Verdict.TLE
+    assert result.score < 50
+    assert len(ran) <= 5
+    assert {group.verdict for group in result.groups[5:]} == {Verdict.TLE}
+
+
+def test_who_has_waited_too_long_is_told_so():
+    limits = replace(LIMITS, wall_seconds=10.0)
+    data = make_data("one", "two", limits=limits)
+    budget, one = Budget(data.problem), group_limits(data.problem, Usage())
+    assert budget.within(one).waiting_seconds == 30.0
+    budget.spent(Usage(2.0, 31.0), Stop.ANSWERED)
+    assert budget.within(one).waiting_seconds == 1.0
+    assert budget.over is None
+    budget.spent(Usage(0.0, 0.999), Stop.WAITING)
+    verdict, reason = budget.over
+    assert (verdict, reason) == (Verdict.TLE, "it waited more than 30 s in all its groups together before")
+    assert budget.within(one).waiting_seconds == 0.0
+    assert budget.told(Stop.WAITING, "x") == "it waited more than 30 s in all its groups together"
+    assert budget.told(Stop.WALL, "x") == "x"
 
 
 def test_an_endless_loop_ends_the_run_after_two_groups():

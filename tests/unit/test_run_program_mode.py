@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from judging import CASES, judged, make_data
 
-from judge.run import Mode
+from judge.run import Mode, budget, program
 from judge.run.program import answer_lines, render_group
 from judge.spec import Verdict
 
@@ -78,6 +78,17 @@ def test_a_program_that_breaks_anyway_is_told_so():
     assert result.failure.message.startswith(
         "ZeroDivisionError: division by zero (line 2), after 1 line of 4"
     )
+
+
+def test_the_search_for_the_case_has_an_end(monkeypatch):
+    """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
+    monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)
+    rendered = []
+    monkeypatch.setattr(program, "render_group", lambda cases: rendered.append(cases) or render_group(cases))
+    body = "import time\ncount = int(input())\nwhile count < 4 and time.process_time() < 0.4: pass\n1 / 0\n"
+    result = judged(body, make_data(*"abcdefgh"))
+    assert {group.verdict for group in result.groups} == {Verdict.RTE}
+    assert len(rendered) == 8 + 1
 
 
 def test_a_misspelt_entry_is_pointed_out():

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.errors import JudgeError
+from judge.run import budget
 from judge.spec import TimeRule, Verdict
 
 PROGRAM = """
@@ -23,7 +24,7 @@ def raced():
     frame = sys._getframe()
     while "series" not in frame.f_locals:
         frame = frame.f_back
-    return len(frame.f_locals["series"]) == 1
+    return frame.f_locals["series"] == 1
 def answer(n, P):
     if raced():
         {deed}
@@ -81,6 +82,23 @@ def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, v
     assert "when it was run again to be timed" in result.failure.message
     assert sum(group.passed for group in result.groups) == 7
     assert result.score < 100
+
+
+@pytest.mark.parametrize(
+    "source",
+    [CALLS.format(deed="time.sleep(0.2)"), PROGRAM.format(deed="import time; time.sleep(1.2 * again)")],
+)
+def test_who_keeps_the_race_waiting_has_one_pair(timed, source):
+    result = timed(source)
+    assert (result.verdict, result.time.ratio.pairs) == (Verdict.AC, 1)
+
+
+def test_waiting_in_the_race_counts_too(timed, monkeypatch):
+    monkeypatch.setattr(budget, "WAITING_LIMITS", 0.1)
+    result = timed(CALLS.format(deed="time.sleep(0.3)"))
+    assert result.verdict is Verdict.TLE
+    message = "it waited more than 1 s in all its groups together, when it was run again to be timed"
+    assert result.failure.message == message
 
 
 def test_a_reference_that_fails_is_no_fault_of_the_submission(timed):

@@ -35,6 +35,32 @@ def test_near_the_limit_nine_pairs_decide(factor, too_slow):
     assert (decision.too_slow, decision.borderline, decision.ratio.pairs) == (too_slow, True, MOST_PAIRS)
 
 
+@pytest.mark.parametrize("near", [1, 2])
+def test_any_pair_near_the_limit_asks_for_nine(near):
+    mine = [0.05] * near + [0.12] * 9
+    decision = race(runs(*mine), runs(0.01), LIMIT)
+    assert (decision.ratio.pairs, decision.borderline) == (MOST_PAIRS, True)
+    mine = [0.12] * near + [0.2] * 9
+    decision = race(runs(*mine), runs(0.01), LIMIT)
+    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, True, True)
+
+
+def test_pairs_on_both_sides_of_the_limit_are_not_clear():
+    decision = race(runs(0.05, 0.3), runs(0.01), LIMIT)
+    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, False, True)
+
+
+def test_one_odd_pair_of_nine_is_no_close_call():
+    decision = race(runs(0.02, 0.09, 0.02), runs(0.01), LIMIT)
+    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, False, False)
+
+
+def test_there_may_be_only_one_pair():
+    for factor, too_slow in [(0.5, False), (0.9, False), (1.1, True), (2.0, True)]:
+        decision = race(runs(0.01 * LIMIT * factor), runs(0.01), LIMIT, lambda: False)
+        assert (decision.ratio.pairs, decision.too_slow) == (1, too_slow)
+
+
 def test_near_the_limit_both_the_least_times_and_the_median_must_exceed_it():
     slow_median = [Pair(0.099, 0.01), *[Pair(0.12, 0.01)] * 8]
     assert not decide(slow_median, LIMIT).too_slow  # one quick run shows that it can

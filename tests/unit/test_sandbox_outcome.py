@@ -10,7 +10,7 @@ from sandboxed import limits
 from judge.sandbox import Reply, Stop
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
-from judge.sandbox.outcome import end_of, overrun, parse_replies
+from judge.sandbox.outcome import LONG, end_of, overrun, parse_replies
 
 GOOD = b"[0,1],\n"
 NO_NOTE = (wire.NO_NOTE, "")
@@ -48,6 +48,16 @@ def test_a_line_in_another_form_ends_the_replies_before_it(line):
         replies, kept_form = parse_replies(GOOD * 2 + line + b",\n" + after, 9)
         assert replies == [Reply(Stop.ANSWERED, 1)] * 2
         assert not kept_form
+
+
+@pytest.mark.parametrize("line", [b"[0,1]],[[0,1]", b"[0,1],[0,1]", b"[0,\n1]", b"x"])
+def test_long_replies_are_held_to_the_same_form(line):
+    long = b"[0,[" + b"[]," * LONG + b"[]]],\n"
+    replies, kept_form = parse_replies(long + line + b",\n" + GOOD, 9)
+    assert ([reply.stop for reply in replies], kept_form) == ([Stop.ANSWERED], False)
+    assert parse_replies(long + GOOD, 2)[1]
+    assert not parse_replies(long + GOOD, 1)[1]
+    assert not parse_replies(long[:-1], 1)[1]
 
 
 def test_more_replies_than_calls_are_not_the_form():

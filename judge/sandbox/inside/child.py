@@ -78,17 +78,19 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     os._exit(_finish(status) & 0xFF)
 
 
-def make_calls(code: CodeType, name: str, region: wire.Region, payload: bytes, stop: int) -> NoReturn:
+def make_calls(
+    code: CodeType, name: str, region: wire.Region, payload: int, series: int, limit: int, stop: int
+) -> NoReturn:
     """Import the module, call its entry once for each argument list, append a reply for each.
 
-    Between two series it stops, so that each is measured apart.
+    Between two series it stops, so that each is measured apart; it finds the next arguments in the place of
+    the last. `limit` is that of a series' replies.
     """
-    entry, series = marshal.loads(payload)
-    count = sum(map(len, series))
+    entry, count, calls = marshal.loads(region.payload(payload))
     me, pause = os.getpid(), os.kill
     module = _main_module("submission", name)  # its own name may be that of a module it imports
     start_the_clock()
-    replies = _Replies(region, stop)
+    replies = _Replies(region, limit, stop)
     try:
         exec(code, module.__dict__)
     except MemoryError as error:
@@ -99,9 +101,10 @@ def make_calls(code: CodeType, name: str, region: wire.Region, payload: bytes, s
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
     if entry in module.__dict__:
-        for place, calls in enumerate(series):
+        for place in range(series):
             if place:
                 pause(me, signal.SIGSTOP)
+                _, _, calls = marshal.loads(region.payload(payload))
             replies.make(module.__dict__[entry], calls, name)
     else:
         replies.all_raised(f"the module has no {entry} once it is imported", count)
@@ -111,14 +114,16 @@ def make_calls(code: CodeType, name: str, region: wire.Region, payload: bytes, s
 class _Replies:
     """Appends to the region's replies; ends the process where they no longer fit."""
 
-    def __init__(self, region: wire.Region, stop: int) -> None:
+    def __init__(self, region: wire.Region, limit: int, stop: int) -> None:
         self._region = region
         self._at = region.words[wire.USED]
+        self._limit = limit  # of a series
         self._stop = stop
 
     def make(self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str) -> None:
         memory, words, used = self._region.memory, self._region.words, wire.USED
-        at, stop, as_json, form_of = self._at, self._stop, _json, encode
+        at, as_json, form_of = self._at, _json, encode
+        stop = min(at + self._limit, self._stop)
         for arguments in calls:
             try:
                 answer = form_of(function(*arguments))

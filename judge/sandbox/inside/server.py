@@ -25,6 +25,7 @@ import time
 
 from judge.sandbox.inside import child, wire
 from judge.sandbox.inside.confine import Confinement
+from judge.sandbox.inside.series import Series
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,15 +42,27 @@ _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
 class Job:
     """One request, unpacked."""
 
-    __slots__ = ("cpu_ns", "kind", "memory", "output", "payload", "series", "stdio", "stop", "wall_ns")
+    __slots__ = (
+        "cpu_ns",
+        "descriptors",
+        "kind",
+        "memory",
+        "output",
+        "payload",
+        "series",
+        "stop",
+        "waiting_ns",
+        "wall_ns",
+    )
 
     cpu_ns: int
 
-    def __init__(self, frame: bytes, stdio: list[int]) -> None:
+    def __init__(self, frame: bytes, descriptors: list[int]) -> None:
         fields = wire.REQUEST.unpack_from(frame)
-        self.kind, self.cpu_ns, self.wall_ns, self.memory, self.output, self.payload, self.stop = fields[:7]
-        self.series = fields[7]  # how many series of calls, each with the limits to itself
-        self.stdio = stdio
+        self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
+        self.payload, self.stop = fields[6:8]
+        self.series = fields[8]  # how many series of calls, each with cpu_ns, wall_ns and output to itself
+        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the series
 
 
 def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
@@ -123,12 +136,12 @@ class Server:
         """One request after the other."""
         while True:
             try:
-                frame, stdio = self._line.receive(descriptors=3)
+                frame, descriptors = self._line.receive(descriptors=4)
                 if not frame:
                     os._exit(0)
-                job = Job(frame, stdio)
+                job = Job(frame, descriptors)
                 answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
-                for number in stdio:
+                for number in descriptors:
                     os.close(number)
                 self._line.send(answer)
             except (BrokenPipeError, ConnectionError):
@@ -146,7 +159,7 @@ class Server:
             self._code = compile(self._source, self._name, "exec", dont_inherit=True)
             gc.collect()
             gc.freeze()
-        payload = marshal.dumps(("nothing", [[()]]))
+        payload = marshal.dumps(("nothing", 1, [()]))
         job.kind, job.payload = kind, len(payload)
         costs = []
         for _ in range(IDLE_RUNS):
@@ -160,8 +173,8 @@ class Server:
         pid = os.fork()
         if pid == 0:
             self._be_child(job, code)
-        watch = _Watch(job, began, self._idle_ns.get(job.kind, 0))
-        reason, status, usage = self._watch(pid, job, watch)
+        watch = _Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
+        reason, status, usage = self._watch(pid, watch)
         baseline = watch.baseline
         wall = time.perf_counter_ns() - watch.began
         cpu = _cpu_of(usage)
@@ -181,24 +194,25 @@ class Server:
             signal.set_wakeup_fd(-1)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
             signal.signal(signal.SIGINT, signal.default_int_handler)
-            child.take_descriptors(job.stdio, self._tally_end)
+            child.take_descriptors(job.descriptors[:3], self._tally_end)
             self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
             if job.kind == wire.INSPECT:
                 child.look_at(self._source, name, region, job.stop)
             assert code is not None, "PREPARE comes before this"
             if job.kind == wire.PROGRAM:
                 child.be_program(code, name, region)
-            child.make_calls(code, name, region, region.payload(job.payload), job.stop)
+            limit = wire.reply_bytes(job.output)
+            child.make_calls(code, name, region, job.payload, job.series, limit, job.stop)
         except BaseException as error:
             region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
 
-    def _watch(self, pid: int, job: Job, watch: _Watch) -> tuple[int, int, resource.struct_rusage]:
+    def _watch(self, pid: int, watch: _Watch) -> tuple[int, int, resource.struct_rusage]:
         """Wait until the child is dead, or kill it at a limit; pass it on from series to series.
 
         Gives the reason it was killed for, its wait status and its usage.
         """
-        reason, marks = wire.NOT_KILLED, job.series - 1
+        reason = wire.NOT_KILLED
         while True:
             gone, status, usage = os.wait4(pid, 0 if reason else os.WNOHANG | os.WUNTRACED)
             stopped = gone and os.WIFSTOPPED(status)
@@ -206,17 +220,29 @@ class Server:
                 return reason, status, usage
             if watch.baseline is None:
                 watch.baseline = self._baseline()
-            left = watch.cpu_left(_cpu_clock(pid))
-            passed = time.perf_counter_ns() - watch.began
-            if left <= 0 or passed >= job.wall_ns:
+            reason, left = watch.limit(_cpu_clock(pid), time.perf_counter_ns())
+            if stopped and not reason:
+                reason = self._next_series(pid, watch, status, usage.ru_maxrss * _PEAK_UNIT)
+                if not reason:
+                    os.kill(pid, signal.SIGCONT)
+            elif not reason:
+                self._wait(pid, left)
+            if reason:
                 os.kill(pid, signal.SIGKILL)
-                reason = wire.FOR_CPU if left <= 0 else wire.FOR_WALL
-            elif stopped and marks and os.WSTOPSIG(status) == signal.SIGSTOP:
-                marks -= 1
-                self._line.send(watch.next_series(_cpu_clock(pid), usage.ru_maxrss * _PEAK_UNIT))
-                os.kill(pid, signal.SIGCONT)
-            else:
-                self._wait(pid, min(max(left // self._cores, SHORTEST_WAIT_NS), job.wall_ns - passed))
+
+    def _next_series(self, pid: int, watch: _Watch, status: int, peak: int) -> int:
+        """Let a child that has stopped itself begin its next series, or say why it must be killed."""
+        series = watch.series
+        if not series.more or os.WSTOPSIG(status) != signal.SIGSTOP:
+            return wire.FOR_STOPPING
+        reason, size, digest = series.seal(self._region)
+        if reason not in (wire.NOT_KILLED, wire.FOR_ROOM):
+            return reason
+        self._line.send(watch.next_series(_cpu_clock(pid), peak, size, digest))
+        if not reason:
+            series.hand_out(self._region)
+            watch.began = time.perf_counter_ns()
+        return reason
 
     def _wait(self, pid: int, nanoseconds: int) -> None:
         """Until something dies or the time is over; the judge's hang-up ends everything at once."""
@@ -253,27 +279,47 @@ class Server:
 class _Watch:
     """The clocks of one child: what it had used before the series that it is in."""
 
-    __slots__ = ("baseline", "before", "began", "cpu_ns", "idle")
+    __slots__ = ("_job", "baseline", "before", "began", "cores", "idle", "series", "waited")
 
-    def __init__(self, job: Job, began: int, idle: int) -> None:
+    def __init__(self, job: Job, began: int, idle: int, cores: int) -> None:
         self.began = began  # of the series, wall time
         self.idle = idle
         self.baseline: int | None = None  # CPU time before foreign code ran, once the child has told it
         self.before = 0  # CPU time of the series that have ended
-        self.cpu_ns: int = job.cpu_ns
+        self.waited = 0  # wall time beyond CPU time of the series that have ended
+        self.cores = cores
+        self.series = Series(job.series, job.payload, job.output, job.stop, job.descriptors)
+        self._job = job
 
-    def cpu_left(self, clock: int) -> int:
-        """What the series may still use."""
-        return self.cpu_ns + self.before + self.idle + (self.baseline or 0) - clock
+    def limit(self, clock: int, now: int) -> tuple[int, int]:
+        """The limit of time that is passed, if one is, or else how long none can be."""
+        used = self._used(clock)
+        passed = now - self.began
+        cpu_left = self._job.cpu_ns - used
+        waiting_left = self._job.waiting_ns - self.waited - max(0, passed - used)
+        wall_left = self._job.wall_ns - passed
+        if cpu_left <= 0:
+            return wire.FOR_CPU, 0
+        if wall_left <= 0:
+            return wire.FOR_WALL, 0
+        if clock and waiting_left <= 0:  # where there is no such clock, work would look like waiting
+            return wire.FOR_WAITING, 0
+        soonest = max(cpu_left // self.cores, SHORTEST_WAIT_NS)
+        return wire.NOT_KILLED, min(soonest, wall_left, waiting_left if clock else wall_left)
 
-    def next_series(self, clock: int, peak: int) -> bytes:
-        """The frame that says what the series used; the next one begins."""
+    def next_series(self, clock: int, peak: int, size: int, digest: bytes) -> bytes:
+        """The frame that says what the series used and answered; the next one begins."""
         now = time.perf_counter_ns()
-        used = max(0, clock - self.idle - (self.baseline or 0) - self.before)
-        frame = wire.MARK.pack(wire.MARKED, used, now - self.began, peak)
+        used = max(0, self._used(clock))
+        passed = now - self.began
         self.before += used
+        self.waited += max(0, passed - used)
         self.began = now
-        return frame
+        return wire.MARK.pack(wire.MARKED, used, passed, peak, size, digest)
+
+    def _used(self, clock: int) -> int:
+        """CPU time of the series so far."""
+        return clock - self.idle - (self.baseline or 0) - self.before
 
 
 def _cpu_clock(pid: int) -> int:

@@ -1,10 +1,12 @@
 """What the judge and its fork server say to each other, and the memory they share.
 
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
+                     and, where there are several series of calls, that of series.py's file
     server → judge   a 64-byte frame MARK after each series of calls but the last,
                      then one 64-byte frame DONE, after the child is dead and reaped
 
-A child ends a series by stopping itself; the server reads its CPU clock and lets it go on.
+A child ends a series by stopping itself; the server seals its replies, reads its CPU clock and lets it go on.
+Whoever stops elsewhere is killed.
 
 One request is outstanding at a time. Frames have one size, so that a stream socket (macOS) does as well as
 a packet socket. A child never sees this socket.
@@ -27,14 +29,15 @@ import _socket
 import array
 import mmap
 import struct
+from _blake2 import blake2b  # hashlib's own, without the rest of hashlib
 
 TYPE_CHECKING = False  # not typing's: that import would cost every container a millisecond
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FRAME = 64
-REQUEST = struct.Struct("=cqqqqqqq")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
-MARK = struct.Struct("=4sqqq")  # MARKED, cpu ns and wall ns of a series, the peak of memory so far
+REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
+MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
 MARKED, ENDED = b"mark", b"done"
 READY = b"ready"
@@ -46,6 +49,10 @@ MOST_DESCRIPTORS = 64
 CHILD_DESCRIPTORS = 4  # 0 to 2, and 3 until its clock starts
 
 NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
+FOR_WAITING = 3  # it waited too long in all its series together
+FOR_STOPPING = 4  # it stopped itself where no series ends
+FOR_OUTPUT = 5  # it wrote more in a series than it may
+FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
@@ -53,7 +60,7 @@ PAYLOAD_AT = 4096
 USED, NOTE_KIND, NOTE_SIZE, IMPORTED = range(4)  # places of the region's words
 NOTE_BYTES = PAYLOAD_AT - WORDS
 
-REPLY_BYTES = 8 << 20  # of all replies together, whatever the output limit: the judge has to parse them
+REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
 
@@ -148,6 +155,21 @@ class Region:
 def replies_at(payload: int) -> int:
     """Where the replies start after a payload of that many bytes."""
     return (PAYLOAD_AT + payload + 7) & ~7
+
+
+def reply_bytes(output: int) -> int:
+    """How long the replies of one series may be together, under an output limit."""
+    return min(output, REPLY_BYTES)
+
+
+def reply_room(output: int, series: int) -> int:
+    """How much room a child has for its replies: enough for the judge to parse, and for most never full."""
+    return reply_bytes(output) * min(series, 2)
+
+
+def digest(replies: bytes) -> bytes:
+    """What a series' replies are sealed with."""
+    return blake2b(replies, digest_size=24).digest()
 
 
 def printable(text: str) -> str:

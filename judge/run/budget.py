@@ -1,0 +1,78 @@
+"""What one submission may cost in all, whatever the limits of each test group would still allow.
+
+A person waits for the verdict. A submission that keeps just inside the limits of every group, or breaks its
+process again and again, is not run to the end.
+
+    timeouts   groups that ran out of time
+    losses     processes ended by force or in mid-call, each of which the judge has to clear up after
+    waiting    wall time beyond CPU time, in a few times the wall limit of one group
+    searching  wall time of the runs that find the case a program breaks at
+"""
+
+from __future__ import annotations
+
+import threading
+
+from judge.sandbox import Limits, Stop, Usage
+from judge.spec import Problem, Verdict
+
+MOST_TIMEOUTS = 2
+MOST_LOSSES = 10
+WAITING_LIMITS = 3  # wall limits of a group; CPU time, which has limits of its own, does not count
+SEARCH_SECONDS = 5.0
+
+_OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION)
+
+
+class Budget:
+    """The account of one submission; several threads may book on it."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._lock = threading.Lock()
+        self._timeouts = self._losses = 0
+        self._most_waiting = WAITING_LIMITS * problem.limits.wall_seconds
+        self._waited = self._searched = 0.0
+
+    def within(self, limits: Limits) -> Limits:
+        """The limits of one process, no longer waiting than is left."""
+        return limits._replace(waiting_seconds=max(0.0, self._most_waiting - self._waited))
+
+    def spent(self, usage: Usage, stop: Stop) -> None:
+        """Book one process, or one series of calls in it, that ended in this way."""
+        with self._lock:
+            self._waited += usage.waiting_seconds
+            if stop is Stop.WAITING:  # whatever the clocks say of the last millisecond
+                self._waited = max(self._waited, self._most_waiting)
+            self._losses += stop not in _OWN_ENDS
+
+    def searched(self, usage: Usage) -> None:
+        """Book a run that looked for the case a program breaks at."""
+        with self._lock:
+            self._waited += usage.waiting_seconds
+            self._searched += usage.wall_seconds
+
+    def ran_out_of_time(self) -> None:
+        """Book a group whose own time was used up."""
+        with self._lock:
+            self._timeouts += 1
+
+    def may_search(self) -> bool:
+        """Whether one more run is worth it to find the case a program breaks at."""
+        return self._searched < SEARCH_SECONDS and self.over is None
+
+    @property
+    def over(self) -> tuple[Verdict, str] | None:
+        """The verdict of what is not run any more, and why; None while there is something left."""
+        if self._timeouts >= MOST_TIMEOUTS:
+            return Verdict.TLE, f"{MOST_TIMEOUTS} groups ran out of time"
+        if self._waited >= self._most_waiting:
+            return Verdict.TLE, f"{self.told(Stop.WAITING, '')} before"
+        if self._losses >= MOST_LOSSES:
+            return Verdict.RTE, f"its process was lost {MOST_LOSSES} times"
+        return None
+
+    def told(self, stop: Stop, detail: str) -> str:
+        """What a person is told of such an end: the box knows only what was left."""
+        if stop is not Stop.WAITING:
+            return detail
+        return f"it waited more than {self._most_waiting:g} s in all its groups together"

@@ -1,0 +1,86 @@
+"""What a fork server may import before its children: only what does nothing at import but define things."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from sandboxed import LIMITS
+
+from judge.sandbox import Stop, open_box
+from judge.sandbox.imports import ALLOWED, to_import
+
+STANDARD = sorted(name for name in ALLOWED if name.partition(".")[0] in sys.stdlib_module_names)
+WATCH = """
+import _signal, _thread, atexit, builtins, os, sys, threading, warnings
+def is_open(number):
+    try:
+        return os.fstat(number).st_ino
+    except OSError:
+        return 0
+def mask():
+    old = os.umask(0)
+    os.umask(old)
+    return old
+def state():
+    return {
+        "signal handlers": [_signal.getsignal(number) for number in range(1, _signal.NSIG)],
+        "open files": [is_open(number) for number in range(64)],
+        "threads": _thread._count(),
+        "exit functions": (atexit._ncallbacks(), len(threading._threading_atexits)),
+        "environment": dict(os.environ),
+        "hooks": (sys.excepthook, sys.displayhook, sys.unraisablehook, threading.excepthook, sys.gettrace()),
+        "imports": (sys.path[:], sys.meta_path[:], sys.path_hooks[:]),
+        "folder": (os.getcwd(), mask()),
+        "recursion": sys.getrecursionlimit(),
+        "streams": (sys.stdin, sys.stdout, sys.stderr),
+        "builtins": sorted(vars(builtins)),
+        "warnings": warnings.filters[:],
+    }
+for name in sys.argv[1:]:
+    before = state()
+    __import__(name)
+    after = state()
+    print(*[name + " changes " + what for what in before if before[what] != after[what]], sep="\\n", end="")
+"""
+
+
+def test_nothing_happens_when_they_are_imported():
+    names = [name for name in STANDARD if name != "logging"]
+    command = [sys.executable, "-s", "-P", "-S", "-B", "-c", WATCH, *names]
+    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    assert run.stdout == ""
+
+
+def test_logging_only_adds_the_exit_function_that_flushes_it():
+    command = [
+        sys.executable,
+        "-s",
+        "-P",
+        "-S",
+        "-B",
+        "-c",
+        WATCH,
+        "string",
+        "traceback",
+        "weakref",
+        "logging",
+    ]
+    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    assert run.stdout == "logging changes exit functions"
+
+
+@pytest.mark.parametrize("names", [STANDARD[::2], STANDARD[1::2], ["signal"]])
+def test_they_are_there_before_the_submission_imports_them(names):
+    imports = "".join(f"import {name}\n" for name in names)
+    source = f"import sys\nthere = [name for name in {names!r} if name in sys.modules]\n{imports}"
+    source += f"missing = {len(names)} - len(there)\ndef f(n): return missing\n"
+    with open_box(source.encode(), "my.py") as box:
+        (reply,) = box.call_many("f", [(1,)], LIMITS).replies
+    assert (reply.stop, reply.answer) == (Stop.ANSWERED, 0), reply
+
+
+def test_a_submodule_counts_as_its_package():
+    named = ["signal", "os.path", "numpy.fft", "judge", "asyncio", "collections.abc", "importlib.util"]
+    assert to_import(named) == ["signal", "os.path", "numpy", "collections.abc", "importlib"]
