@@ -191,7 +191,7 @@ def test_the_keys(watch, submit):
 def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):
     shutil.copytree(pack / "problems", tmp_path / "problems")
     shutil.copytree(pack / "problems" / "middle", tmp_path / "problems" / "mid-twin")
-    (tmp_path / "problems" / "sets").mkdir()
+    (tmp_path / "problems" / "sets").mkdir(exist_ok=True)
     sets = 'title = "Both"\nabout = "Two."\nproblems = ["middle", "mid-twin"]\n'
     (tmp_path / "problems" / "sets" / "path.toml").write_text(sets)
     terminal = watch("middle", submit(MEAN), "--problems", "problems")
