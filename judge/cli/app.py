@@ -8,13 +8,16 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
 from judge import __version__
 from judge.cli import imported
 from judge.errors import ExitCode, JudgeError, UsageError, nearest
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 # name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
 COMMANDS = {
@@ -37,9 +40,12 @@ COMMANDS = {
     "data": "Write a problem's test data and exact answers as files.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",
+    "schema": "Print the JSON Schema of what a command writes with --json.",
+    "completion": "Print the script that lets a shell complete judge's words.",
 }
 
 _DEBUG = "--debug"
+_COMPLETE = "_JUDGE_COMPLETE"  # the variable by which a shell asks what a word may become
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
@@ -55,7 +61,7 @@ class Commands(click.Group):
         """The commands in the order of the table."""
         return list(COMMANDS)
 
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+    def get_command(self, ctx: click.Context | None, cmd_name: str) -> click.Command | None:
         """The command of that name, its module imported now."""
         if cmd_name not in COMMANDS:
             return None
@@ -64,6 +70,10 @@ class Commands(click.Group):
         gc.enable()
         imported()
         assert isinstance(command, click.Command)
+        if ctx is not None and ctx.resilient_parsing:
+            from judge.cli.complete import offering  # only where a shell asks
+
+            return offering(command)
         return command
 
     def resolve_command(
@@ -76,6 +86,12 @@ class Commands(click.Group):
             advice = f"did you mean '{meant}'?" if meant else "the commands are " + ", ".join(COMMANDS)
             raise click.UsageError(f"no such command '{name}'; {advice}", ctx)
         return super().resolve_command(ctx, args)
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
+        """What a shell may offer for the first word: from the table, without importing any command."""
+        from judge.cli.complete import among
+
+        return [*among(COMMANDS.items(), incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """List the commands from the table, without importing any."""
@@ -93,6 +109,10 @@ class Commands(click.Group):
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **settings: Any
     ) -> NoReturn:
         """Run the command line and leave with its status; nothing but `--debug` shows a traceback."""
+        if os.environ.get(_COMPLETE):
+            from judge.cli.complete import answer
+
+            sys.exit(answer(self, os.environ[_COMPLETE]))
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False

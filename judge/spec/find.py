@@ -31,7 +31,7 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
 
     Raises UsageError if there is none and ProblemError if it is broken.
     """
-    for folder in _folders(_near_roots(extra)):
+    for folder in near_problem_folders(extra):
         if folder.name == name:
             return load_problem(folder)
     folders = problem_folders(extra)
@@ -63,6 +63,11 @@ def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list
     Looking up the installed packs takes time: leave them out where what is wanted was found without.
     """
     return [*_near_roots(extra), *(_installed_roots() if installed else [])]
+
+
+def near_problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
+    """The folders of the problems that are found without searching installed packages for packs."""
+    return _folders(problem_roots(extra, installed=False))
 
 
 def _near_roots(extra: Sequence[Path]) -> list[Path]:

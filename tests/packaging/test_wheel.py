@@ -53,7 +53,7 @@ def judge(installed, tmp_path):
 
 def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
-    wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py"}
+    wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/run.json"}
     wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):

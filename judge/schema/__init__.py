@@ -1,0 +1,77 @@
+"""The published JSON Schemas (draft 2020-12) of what `--json` writes: one file for each command.
+
+    judge/schema/<command>.json    an object as the command writes it; its own $defs are in it
+    judge/schema/shared.json       $defs that several commands use, as {"$ref": "shared.json#/$defs/verdict"}
+
+A command that gets `--json` gets a file here. `schema_of` puts a command's file and what it refers to into
+one document that needs no other.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+_FOLDER = Path(__file__).parent
+_SHARED = "shared.json"
+_LOCAL = "#/$defs/"
+_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+Schema = dict[str, Any]
+
+
+def commands() -> list[str]:
+    """The commands that have a schema, in order of name."""
+    return sorted(path.stem for path in _FOLDER.glob("*.json") if path.name != _SHARED)
+
+
+def schema_of(command: str) -> Schema:
+    """The schema of one command's objects, complete in itself. Raises KeyError if there is none."""
+    if command not in commands():
+        raise KeyError(command)
+    definitions: dict[str, Schema] = {}
+    schema: Schema = _bundled(f"{command}.json", _read(f"{command}.json"), definitions)
+    schema.pop("$defs", None)
+    return schema | ({"$defs": dict(sorted(definitions.items()))} if definitions else {})
+
+
+def whole() -> Schema:
+    """One document for all commands: any of their objects; each command's is in `$defs` under its name."""
+    definitions: dict[str, Schema] = {}
+    for command in commands():
+        schema = schema_of(command)
+        definitions |= schema.pop("$defs", {})
+        del schema["$schema"]
+        definitions[command] = schema
+    return {
+        "$schema": _DIALECT,
+        "title": "What the commands of judge write with --json",
+        "anyOf": [{"$ref": f"{_LOCAL}{command}"} for command in commands() if command != "schema"],
+        "$defs": definitions,
+    }
+
+
+def _bundled(file: str, schema: Any, definitions: dict[str, Schema]) -> Any:
+    """A part of `file` with its references turned into ones to `definitions`, where their targets are put."""
+    if isinstance(schema, list):
+        return [_bundled(file, part, definitions) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    bundled = {key: _bundled(file, part, definitions) for key, part in schema.items() if key != "$defs"}
+    target = schema.get("$ref")
+    if isinstance(target, str) and not target.startswith("https:"):
+        home, _, name = target.partition(_LOCAL)
+        home = home or file
+        # A command's own definitions are named after it: several commands have a `group`.
+        known = name if home == _SHARED else f"{home.removesuffix('.json')}.{name}"
+        if known not in definitions:
+            definitions[known] = {}  # before its own references are followed, which may come back to it
+            definitions[known] = _bundled(home, _read(home)["$defs"][name], definitions)
+        bundled["$ref"] = _LOCAL + known
+    return bundled
+
+
+def _read(file: str) -> Schema:
+    schema: Schema = json.loads((_FOLDER / file).read_text(encoding="utf-8"))
+    return schema
