@@ -72,6 +72,7 @@ def test_it_holds_nothing_else(wheel):
 def test_the_console_script(installed):
     (entry_points,) = installed.glob("*.dist-info/entry_points.txt")
     assert "judge = judge.cli:main" in entry_points.read_text()
+    assert "[pytest11]\njudge = judge.pytest_plugin" in entry_points.read_text()
 
 
 def test_it_is_the_unpacked_one_that_runs(installed, tmp_path):

@@ -1,0 +1,85 @@
+"""The pytest plug-in: each test group of a problem as a test of its own.
+
+    @pytest.mark.judge_problem("segment")
+    def test_intersection(judge_group):
+        judge_group.check(my_intersection)
+
+It is loaded at the start of every pytest run wherever judge is installed, so nothing of judge is imported
+until a test asks for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from judge.testing import JudgeGroup, JudgeProblem
+
+_MARKER = "judge_problem"
+_FIXTURE = "judge_group"
+_USE = f"write @pytest.mark.{_MARKER}('segment'), or any problem that 'judge list' shows"
+_PROBLEMS = pytest.StashKey[dict[Any, "JudgeProblem"]]()  # each is read and built once a session
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the marker known, so that --strict-markers lets it pass."""
+    config.addinivalue_line(
+        "markers",
+        f"{_MARKER}(name, groups=None, problems=()): run the test once for each test group of this problem "
+        f"of judge, with the fixture {_FIXTURE}; only for these groups; look in these folders first.",
+    )
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """One test for each group, called after it."""
+    if _FIXTURE not in metafunc.fixturenames:
+        return
+    groups = _groups(metafunc.config, metafunc.definition)
+    metafunc.parametrize(_FIXTURE, groups, ids=[group.name for group in groups], indirect=True)
+
+
+@pytest.fixture
+def judge_group(request: pytest.FixtureRequest) -> JudgeGroup:
+    """A test group of the marker judge_problem's problem; `.check(routine)` holds a routine against it."""
+    group: JudgeGroup = request.param
+    return group
+
+
+def _groups(config: pytest.Config, item: Any) -> list[JudgeGroup]:
+    """The groups that the test's nearest marker stands for; what is wrong with it fails the collection."""
+    __tracebackhide__ = True
+    marker = item.get_closest_marker(_MARKER)
+    if marker is None:
+        pytest.fail(f"the fixture {_FIXTURE} needs a problem: {_USE}", pytrace=False)
+    from judge.errors import JudgeError
+
+    try:
+        name, chosen, folders = _arguments(*marker.args, **marker.kwargs)
+    except TypeError:
+        pytest.fail(f"the marker {_MARKER} cannot be understood: {_USE}", pytrace=False)
+    try:
+        problem = _problem(config, name, folders)
+        return [problem.group(each) for each in (problem.groups if chosen is None else chosen)]
+    except JudgeError as fault:
+        pytest.fail(f"{_MARKER}: {fault}", pytrace=False)
+
+
+def _arguments(
+    name: str, groups: Sequence[str] | None = None, problems: Sequence[str] = ()
+) -> tuple[str, tuple[str, ...] | None, tuple[str, ...]]:
+    """What the marker was given; TypeError where that is no name and no lists."""
+    if not isinstance(name, str) or isinstance(groups, str) or isinstance(problems, str):
+        raise TypeError
+    return name, None if groups is None else tuple(groups), tuple(map(str, problems))
+
+
+def _problem(config: pytest.Config, name: str, folders: tuple[str, ...]) -> JudgeProblem:
+    from judge.testing import judge_problem
+
+    known = config.stash.setdefault(_PROBLEMS, {})
+    if (name, folders) not in known:
+        known[name, folders] = judge_problem(name, problems=folders)
+    return known[name, folders]

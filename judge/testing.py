@@ -1,0 +1,206 @@
+"""Holding a routine of your own code base against the exact reference, in its own tests.
+
+    from judge.testing import judge_problem
+
+    def test_intersection():
+        judge_problem("segment").check(my_intersection)
+
+The routine is called in this process, so it is trusted; `judge run` contains what is not. With the pytest
+plug-in of this distribution each test group becomes a test of its own; see `judge.pytest_plugin`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from msgspec import Struct
+
+from judge.compare.check import check
+from judge.data import GroupData, ProblemData, load_data
+from judge.diagnose.mistakes import known_mistakes
+from judge.errors import UsageError, nearest
+from judge.report.layout import Column, Line, Span, Table, hanging, line
+from judge.report.results import failure_lines
+from judge.report.values import counted
+from judge.run.result import GroupResult, Mode
+from judge.run.tally import Tally
+from judge.sandbox import Stop
+from judge.sandbox.encode import encode
+from judge.spec import Group, Problem
+from judge.spec.find import find_problem
+
+Routine = Callable[..., Any]
+
+__all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
+
+_WIDTH = 100  # columns of a failure's text: numbers are shown in full, and pytest adds its own margin
+
+
+def judge_problem(name: str, *, problems: Sequence[str | os.PathLike[str]] = ()) -> JudgeProblem:
+    """The problem of that name; `problems` are folders of problems to look in first.
+
+    Raises UsageError if there is none and ProblemError if it is broken.
+    """
+    return JudgeProblem(find_problem(name, [Path(folder) for folder in problems]))
+
+
+class JudgeProblem:
+    """A problem to hold routines against. Its data are built once and cached, as for `judge run`."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+
+    def __repr__(self) -> str:
+        return f"judge_problem({self.problem.id!r})"
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """The names of its test groups, in their order."""
+        return tuple(group.name for group in self.problem.groups)
+
+    def group(self, name: str) -> JudgeGroup:
+        """One of its test groups. Raises UsageError if it has none of that name."""
+        if name not in self.groups:
+            meant = nearest(name, self.groups)
+            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(self.groups)}"
+            raise UsageError(f"{self.problem.id} has no group {name!r}", remedy=remedy)
+        return JudgeGroup(self, name)
+
+    def check(self, routine: Routine, groups: str | Iterable[str] | None = None) -> None:
+        """Call `routine` with every case of the groups, all of them where none are named.
+
+        It takes the problem's parameters in their order, numbers as int or float and points as pairs of
+        them, and returns what `judge show` says. Wrap another signature:
+        `check(lambda cx, cy, r, A, B: mine(Circle(cx, cy, r), Line(A, B)))`.
+
+        Raises:
+            AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
+                such group, what was wanted and got, how many cases of each group fail, and the known mistakes
+                that the group is there for.
+            UsageError: there is no such group.
+            ProblemError: the problem is broken.
+        """
+        __tracebackhide__ = True  # pytest shows the caller's line
+        chosen = self.groups if groups is None else (groups,) if isinstance(groups, str) else tuple(groups)
+        for name in chosen:
+            self.group(name)
+        judged = [_judged(self.data, each, routine) for each in self.data.groups if each.group.name in chosen]
+        failed = next((each for each in judged if each.tally.failure is not None), None)
+        if failed is not None:
+            results = [each.tally.result() for each in judged]
+            text = _text(_lines(self.problem, routine, failed, results))
+            raise AssertionError(text) from failed.raised
+
+    @cached_property
+    def data(self) -> ProblemData:
+        """The cases and what each answer is held against. Raises ProblemError."""
+        return load_data(self.problem)
+
+
+class JudgeGroup(Struct, frozen=True):
+    """One test group of a problem: what the fixture `judge_group` is."""
+
+    problem: JudgeProblem
+    name: str
+
+    def __repr__(self) -> str:
+        return f"{self.problem!r}.group({self.name!r})"
+
+    @property
+    def about(self) -> str:
+        """What the group probes, in a sentence."""
+        return self._group.about
+
+    def check(self, routine: Routine) -> None:
+        """Call `routine` with every case of the group; see `JudgeProblem.check`."""
+        __tracebackhide__ = True
+        self.problem.check(routine, [self.name])
+
+    @property
+    def _group(self) -> Group:
+        group = self.problem.problem.group(self.name)
+        assert group is not None  # only JudgeProblem.group makes one
+        return group
+
+
+class _Judged(Struct, frozen=True):
+    """A group, judged, and the first exception of the routine if that is its first failure."""
+
+    tally: Tally
+    raised: Exception | None
+
+
+def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
+    tally = Tally(data, group, Mode.FUNCTION)
+    first: Exception | None = None
+    for index, (case, target) in enumerate(zip(group.cases, group.targets, strict=True)):
+        try:
+            answer = encode(routine(*case))
+        except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
+            if tally.failure is None:
+                first = fault
+            tally.stopped(index, Stop.EXCEPTION, _told(fault))
+        else:
+            outcome = check(data.problem.answer, answer, target, tally.exact(index))
+            tally.compared(index, outcome, answer)
+    return _Judged(tally, first)
+
+
+def _told(fault: Exception) -> str:
+    what = " ".join(str(fault).split())
+    place = _place(fault.__traceback__)
+    return f"{type(fault).__name__}{': ' if what else ''}{what}{f' ({place})' if place else ''}"
+
+
+def _place(step: TracebackType | None) -> str:
+    """The innermost line that led to an exception, as editors open it."""
+    place = ""
+    while step is not None:
+        code = step.tb_frame.f_code
+        place = "" if code.co_filename == __file__ else f"{code.co_filename}:{step.tb_lineno}"
+        step = step.tb_next
+    return place
+
+
+def _lines(
+    problem: Problem, routine: Routine, failed: _Judged, results: Sequence[GroupResult]
+) -> Iterator[Line]:
+    failure = failed.tally.failure
+    assert failure is not None
+    wrong = [result for result in results if result.passed < result.cases]
+    lost = sum(result.cases - result.passed for result in wrong)
+    cases = counted(sum(result.cases for result in results), "case")
+    name = getattr(routine, "__qualname__", None) or repr(routine)
+    several = len(results) > 1
+    groups = f"{len(wrong)} of {counted(len(results), 'group')}, " if several else ""
+    yield line(f"{problem.id}: {name} fails {groups}{lost:,} of {cases}")
+    yield line()
+    yield from failure_lines(failure, _WIDTH)
+    if several:
+        columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
+        rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
+        yield from (line(), *Table(columns, rows).lines(_WIDTH))
+    yield from _hints(problem, failed.tally.group.group)
+
+
+def _hints(problem: Problem, group: Group) -> Iterator[Line]:
+    """The known mistakes that the failing group is there for."""
+    sentences: dict[str, str] = {}
+    for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
+        sentences.setdefault(mistake.name, mistake.sentence)
+    if not group.kills:
+        return
+    yield line()
+    yield line(f"  {group.name} is there for")
+    for name in group.kills:
+        text = f"{name}: {sentences[name]}" if name in sentences else name
+        yield from hanging(Span(""), Span(text), _WIDTH, indent=4, column=4)
+
+
+def _text(lines: Iterable[Line]) -> str:
+    return "\n".join("".join(span.text for span in row) for row in lines)

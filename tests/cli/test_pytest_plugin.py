@@ -1,0 +1,243 @@
+"""The pytest plug-in and `judge.testing`, as an author of a library uses them."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from importlib.metadata import entry_points
+
+import pytest
+from cli_support import FLOOR, MEAN, ROOT
+
+from judge.errors import UsageError
+from judge.testing import judge_problem
+
+pytest_plugins = ["pytester"]
+
+# As `import` finds it where judge is not installed, only on the path; installed, pytest has loaded it itself.
+_INSTALLED = any(point.value == "judge.pytest_plugin" for point in entry_points(group="pytest11"))
+LOADED = () if _INSTALLED else ("-p", "judge.pytest_plugin")
+# Others' plug-ins are imported anew by each of these runs, and Hypothesis takes seconds.
+ALONE = ("-p", "no:cacheprovider", "-p", "no:hypothesispytest", "-p", "no:anyio")
+
+MARKED = "import pytest\nfrom lib import middle\n"
+GROUPS = "@pytest.mark.judge_problem('middle')\ndef test_it(judge_group):\n    judge_group.check(middle)\n"
+
+
+@pytest.fixture
+def library(pytester):
+    """Run pytest on a library with that routine and those tests."""
+
+    def run(source: str, tests: str, *words: str) -> pytest.RunResult:
+        pytester.makeini("[pytest]\naddopts = --strict-markers\nfilterwarnings = error\n")
+        pytester.makepyfile(lib=source)
+        pytester.makepyfile(test_lib=tests)
+        return pytester.runpytest_inprocess(*LOADED, *ALONE, *words)
+
+    return run
+
+
+def test_a_test_for_each_group(library):
+    ended = library(MEAN, MARKED + GROUPS, "-v")
+    ended.assert_outcomes(passed=3)
+    ended.stdout.fnmatch_lines([f"*::test_it[[]{name}[]] PASSED*" for name in ("examples", "whole", "half")])
+
+
+def test_a_failure_is_that_of_its_group(library):
+    ended = library(FLOOR, MARKED + GROUPS)
+    ended.assert_outcomes(passed=1, failed=2)
+    ended.stdout.fnmatch_lines(
+        [
+            "*test_it[[]half[]]*",
+            "E * middle: middle fails 30 of 30 cases",
+            "E *half, case 1",
+            "E * input *a=*, b=*",
+            "E * wanted *.5",
+            "E * got *",
+            "E * why * t is off by 0.5,*ulps)",
+            "E * half is there for",
+            "E * floor-division: *",
+            "test_lib.py:5: AssertionError",
+        ]
+    )
+    assert "judge/testing.py" not in ended.stdout.str()  # the traceback ends at the test's own line
+
+
+@pytest.mark.parametrize(
+    ("marker", "outcome"),
+    [
+        ("'middle', groups=['half', 'whole']", 2),
+        ("name='middle', groups=('half',)", 1),
+    ],
+)
+def test_chosen_groups(marker, outcome, library):
+    tests = GROUPS.replace("'middle'", marker)
+    library(MEAN, MARKED + tests).assert_outcomes(passed=outcome)
+
+
+def test_a_marker_on_a_class_or_a_module(library):
+    tests = (
+        "pytestmark = pytest.mark.judge_problem('middle')\n"
+        "def test_it(judge_group):\n    judge_group.check(middle)\n"
+        "@pytest.mark.judge_problem('middle', ['whole'])\n"
+        "class TestHere:\n    def test_it(self, judge_group):\n        judge_group.check(middle)\n"
+    )
+    library(MEAN, MARKED + tests).assert_outcomes(passed=4)
+
+
+@pytest.mark.parametrize(
+    ("marker", "said"),
+    [
+        (
+            "@pytest.mark.judge_problem('middel')",
+            "judge_problem: no problem is called 'middel'; did you mean*",
+        ),
+        (
+            "@pytest.mark.judge_problem('middle', ['hlaf'])",
+            "*middle has no group 'hlaf'; did you mean 'half'?",
+        ),
+        ("@pytest.mark.judge_problem('middle', 'half')", "the marker judge_problem cannot be understood: *"),
+        ("@pytest.mark.judge_problem()", "the marker judge_problem cannot be understood: write *"),
+        ("@pytest.mark.judge_problem('middle', seed=1)", "the marker judge_problem cannot be understood: *"),
+        (
+            "@pytest.mark.judge_problem('middle', problems=['no'])",
+            "judge_problem: --problems: no is not a folder*",
+        ),
+        ("", "the fixture judge_group needs a problem: write @pytest.mark.judge_problem*"),
+    ],
+)
+def test_a_bad_marker_is_one_line_at_collection(marker, said, library):
+    ended = library(MEAN, f"{MARKED}{marker}\ndef test_it(judge_group):\n    pass\n")
+    ended.assert_outcomes(errors=1)
+    ended.stdout.fnmatch_lines([said])
+    assert "Traceback" not in ended.stdout.str()
+    assert "INTERNALERROR" not in ended.stdout.str()
+
+
+def test_the_marker_and_the_fixture_explain_themselves(library):
+    library(MEAN, "", "--markers").stdout.fnmatch_lines(["@pytest.mark.judge_problem(name, groups=None*"])
+    library(MEAN, "", "--fixtures").stdout.fnmatch_lines(["judge_group*"])
+
+
+def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
+    script = (
+        "import sys, pytest\nimport judge.pytest_plugin\nours = ('judge', 'msgspec', 'click')\n"
+        "print(*sorted(name for name in sys.modules if name.partition('.')[0] in ours))"
+    )
+    command = [sys.executable, "-c", script]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    assert ended.stdout.split() == ["judge", "judge.pytest_plugin"]
+
+
+def test_the_readmes_example(pytester, library, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"^```py\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)
+    right = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
+    pytester.makepyfile(right=right)
+    wrapped = (
+        "from right import circle_segment\n"
+        "def intersect(circle, segment):\n    (c, r), (a, b) = circle, segment\n"
+        "    return circle_segment(*c, r, a, b)\n"
+    )
+    pytester.makepyfile(mylib=wrapped)
+    groups = len(judge_problem("segment").groups)
+    library("", example).assert_outcomes(passed=1 + groups)
+    pytester.makepyfile(mylib=wrapped.replace("return", "return []\n    return"))
+    assert library("", example).ret == pytest.ExitCode.TESTS_FAILED
+
+
+# -- judge.testing ---------------------------------------------------------------------------------------
+
+
+def middle(a, b):
+    return (a + b) / 2
+
+
+def floor(a, b):
+    return (a + b) // 2
+
+
+def test_a_right_routine():
+    problem = judge_problem("middle")
+    assert problem.check(middle) is None
+    assert problem.groups == ("examples", "whole", "half")
+    assert repr(problem.group("half")) == "judge_problem('middle').group('half')"
+    assert "half" in problem.group("half").about
+
+
+def test_a_wrong_one_counts_the_failures_of_each_group():
+    with pytest.raises(AssertionError) as failed:
+        judge_problem("middle").check(floor)
+    first, *rest = str(failed.value).splitlines()
+    assert first == "middle: floor fails 2 of 3 groups, 31 of 52 cases"
+    assert [line.split() for line in rest if line.endswith((" 2", " 30"))] == [
+        ["examples", "1", "2"],
+        ["half", "30", "30"],
+    ]
+    assert "  examples, case 1" in rest
+    assert [line.split()[0] for line in rest if line.startswith("    ")][:4] == [
+        "input",
+        "wanted",
+        "got",
+        "why",
+    ]
+
+
+@pytest.mark.parametrize("groups", ["whole", ["whole"], ("whole",)])
+def test_only_chosen_groups_are_called(groups):
+    judge_problem("middle").check(floor, groups)
+
+
+@pytest.mark.parametrize("groups", ["hlaf", ["whole", "hlaf"]])
+def test_an_unknown_group(groups):
+    with pytest.raises(UsageError, match="did you mean 'half'"):
+        judge_problem("middle").check(middle, groups)
+
+
+def test_an_unknown_problem():
+    with pytest.raises(UsageError, match="did you mean 'middle'"):
+        judge_problem("middel")
+
+
+def test_problems_of_ones_own(pack, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    judge_problem("middle", problems=[pack / "problems"]).check(middle)
+
+
+def test_another_signature_is_wrapped():
+    def of_pair(pair):
+        return sum(pair) / 2
+
+    judge_problem("middle").check(lambda a, b: of_pair((a, b)))
+
+
+def test_an_exception_is_a_failure_that_leads_to_its_line():
+    def stumbles(a, b):
+        return a / (b - b)
+
+    with pytest.raises(AssertionError, match="fails 3 of 3 groups, 52 of 52 cases") as failed:
+        judge_problem("middle").check(stumbles)
+    assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
+    assert isinstance(failed.value.__cause__, ZeroDivisionError)
+
+
+def test_a_wrong_type_says_so():
+    with pytest.raises(AssertionError, match=r"why     the str '1\.5' where a number or None is meant"):
+        judge_problem("middle").check(lambda a, b: str((a + b) / 2))
+
+
+def test_what_is_no_failure_passes_through():
+    def skips(a, b):
+        pytest.skip("not here")
+
+    with pytest.raises(pytest.skip.Exception):
+        judge_problem("middle").check(skips)
+
+
+def test_a_shipped_problem_and_its_hints(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    with pytest.raises(AssertionError, match="grid is there for") as failed:
+        judge_problem("count").check(lambda cx, cy, r, a, b: 0, ["grid"])
+    assert "forgotten-centre: " in str(failed.value)
