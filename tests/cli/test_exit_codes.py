@@ -1,0 +1,211 @@
+"""Exit codes that scripts may rely on: every command, every situation.
+
+0 accepted, sound, shown    1 not accepted    2 usage    3 the judge's or a problem's own fault
+130 interrupted             141 the reader of the output has left
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+from cli_support import BROKEN, FLOOR, MEAN, ROOT
+
+from judge.cli.app import COMMANDS
+
+FILES = {
+    "mean.py": MEAN,
+    "floor.py": FLOOR,
+    "raises.py": "def middle(a, b):\n    return a / 0\n",
+    "broken.py": "def middle(a, b)\n",
+    "hog.py": "def middle(a, b):\n    return [0] * 10**9\n",
+    "team/mean.py": MEAN,
+    "team/floor.py": FLOOR,
+    "good/mean.py": MEAN,
+    "note.txt": "",
+    "old.svg": "no picture",
+    "other.sqlite3": "no history",
+}
+TABLE = {  # by status; what stands before a `;` is only done before
+    0: [
+        "",
+        "--help",
+        "--version",
+        "run middle mean.py",
+        "run middle mean.py -q",
+        "run middle mean.py --json",
+        "run middle mean.py --format github --junit out.xml",
+        "run middle good",
+        "run middle floor.py --group whole",
+        "list",
+        "show middle",
+        "why middle half",
+        "data middle --out data",
+        "verify middle",
+        "doctor",
+        "init middle",
+        "hint count",
+        "next",
+        "solution count --give-up",
+        "history",
+        "history --csv",
+        "run middle floor.py -q; run middle mean.py -q; diff 1 2",
+        "practice junior",
+        "progress",
+        "due",
+        "run middle floor.py -q; report --no-matrix",
+        "schema",
+        "schema run",
+        "completion bash",
+    ],
+    1: [
+        "run middle floor.py --no-shrink",
+        "run middle floor.py --no-shrink --json",
+        "run middle floor.py --no-shrink --format github",
+        "run middle floor.py --no-shrink --junit out.xml -q",
+        "run middle raises.py --no-shrink",
+        "run middle broken.py",
+        "run middle hog.py --no-shrink --group examples",
+        "run middle team --no-shrink",
+        "run middle mean.py floor.py -j 2 -q",
+        "init middle; run",
+        "run middle floor.py -q --no-history",
+    ],
+    2: [
+        "nothing",
+        "--nothing",
+        "run",
+        "run middle mean.py --no-such",
+        "init middle mean.py",
+        "init middel",
+        "hint",
+        "hint middle --step 99",
+        "solution count",
+        "watch",
+        "watch middle gone.py --nothing",
+        "history --csv --json",
+        "history middel",
+        "diff 1 2",
+        "diff one two",
+        "practice nothing",
+        "progress nothing",
+        "due x",
+        "next x",
+        "report",
+        "run middle floor.py -q; report --out note.txt --no-matrix",
+        "run middel mean.py",
+        "run middle",
+        "run middle gone.py",
+        "run middle mean.py --nothing",
+        "run middle mean.py --group nothing",
+        "run middle mean.py --seed x",
+        "run middle mean.py --format xml",
+        "run middle mean.py --format text --json",
+        "run middle mean.py --junit nowhere/out.xml",
+        "run middle mean.py --junit mean.py",
+        "run middle mean.py --svg old.svg",
+        "run middle mean.py --problems nowhere",
+        "replay nothing mean.py",
+        "replay middle:half:v1,2:000000 mean.py",
+        "list --problems nowhere",
+        "show middel",
+        "why middle nothing",
+        "data middle",
+        "data middle --out note.txt",
+        "verify middel",
+        "doctor x",
+        "schema nothing",
+        "completion ksh",
+    ],
+    3: [
+        f"run misspelt-key mean.py --problems {BROKEN}",
+        f"run misspelt-key mean.py --json --problems {BROKEN}",
+        f"run misspelt-key mean.py --junit out.xml --problems {BROKEN}",
+        f"list --problems {BROKEN}",
+        f"show misspelt-key --problems {BROKEN}",
+        f"why misspelt-key --problems {BROKEN}",
+        f"data module-raises --out data --problems {BROKEN}",
+        f"verify misspelt-key --problems {BROKEN}",
+        f"init misspelt-key --problems {BROKEN}",
+        "history --db other.sqlite3",
+        "due --db other.sqlite3",
+        "report --db other.sqlite3",
+    ],
+}
+
+
+@pytest.fixture
+def files(submit):
+    for name, source in FILES.items():
+        submit(source, name)
+
+
+@pytest.mark.parametrize(
+    ("status", "words"), [(status, words) for status, all_words in TABLE.items() for words in all_words]
+)
+def test_a_situation_has_its_code(status, words, judge, files):
+    *before, last = words.split(";")
+    for each in before:
+        judge(*each.split())
+    ended = judge(*last.split())
+    assert ended.status == status, ended
+    assert "Traceback" not in ended.err
+    if status in (2, 3) and "verify" not in words:
+        assert ended.err.startswith("judge: "), ended
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_refuses_an_option_it_does_not_have(name, judge):
+    assert judge(name, "--nothing").status == 2
+    assert judge(name, "--help").status == 0
+
+
+def test_every_command_is_in_the_table():
+    words = {line.split(";")[-1].split()[0] for lines in TABLE.values() for line in lines if line}
+    assert set(COMMANDS) <= words
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_an_interrupt_is_130(name):
+    script = f"""
+import os, signal, sys
+class Interrupting:
+    def find_spec(self, name, *rest):
+        if name == "judge.cli.{name}":
+            os.kill(os.getpid(), signal.SIGINT)
+sys.meta_path.insert(0, Interrupting())
+sys.argv = ["judge", {name!r}]
+from judge.cli import main
+main()
+"""
+    command = [sys.executable, "-c", script]
+    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
+
+
+READERS = ["list", "show segment", "why segment", "schema run", "completion zsh", "doctor", "list --json"]
+
+
+@pytest.mark.parametrize("words", [*READERS, *(f"{name} --help" for name in COMMANDS)])
+def test_a_reader_that_has_left_is_141(words):
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-m", "judge", *words.split()]
+    ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, timeout=60, cwd=ROOT, check=False)
+    os.close(writing)
+    assert (ended.returncode, ended.stderr) == (141, b"")
+
+
+def test_results_that_nobody_reads_are_141(files):
+    for words in ("run middle floor.py -q --no-shrink", "run middle floor.py --format github --no-shrink"):
+        reading, writing = os.pipe()
+        os.close(reading)
+        command = [sys.executable, "-m", "judge", *words.split()]
+        settings = {**os.environ, "PYTHONPATH": str(ROOT)}
+        ended = subprocess.run(
+            command, stdout=writing, stderr=subprocess.PIPE, timeout=60, check=False, env=settings
+        )
+        os.close(writing)
+        assert (ended.returncode, ended.stderr) == (141, b"")
