@@ -78,7 +78,7 @@ def _offering(parameter: click.Parameter) -> click.Parameter:
 
 
 def _name(parameter: click.Parameter) -> str:
-    """What the help calls it: PROBLEM of `[PROBLEM]...`."""
+    """What the help calls it: PROBLEM of `[PROBLEM]...` and of `[PROBLEM FILE...]`."""
     return (parameter.metavar or "").strip("[].")
 
 
@@ -131,6 +131,12 @@ def _groups(ctx: click.Context, _parameter: click.Parameter, incomplete: str) ->
     return among([(group.name, group.about) for group in problem.groups], incomplete)
 
 
+def _sets(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
+    from judge.kata.sets import set_names
+
+    return among([(name, "") for name in set_names(ctx.params.get("folders") or ())], incomplete)
+
+
 def _schemas(_ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
     from judge.schema import commands
 
@@ -145,6 +151,7 @@ def _kind(kind: str) -> Offer:
 _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "PROBLEM"): _problems,
     ("argument", "GROUP"): _groups,
+    ("argument", "SET"): _sets,
     ("argument", "COMMAND"): _schemas,
     ("argument", "FILE"): _kind("py"),
     ("option", "G"): _groups,

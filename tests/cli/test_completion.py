@@ -30,7 +30,7 @@ def offered(*words: str) -> list[str]:
 
 def test_commands_with_what_they_do():
     assert offered("") == list(COMMANDS)
-    assert offered("re") == ["replay"]
+    assert offered("rep") == ["replay", "report"]
     (item,) = ShellComplete(app, {}, "judge", "X").get_completions([], "doc")
     assert item.help == COMMANDS["doctor"]
 
@@ -42,7 +42,9 @@ def test_options():
     assert offered("run", "--format=g") == ["github"]
 
 
-@pytest.mark.parametrize("command", ["run", "show", "why", "data", "verify"])
+@pytest.mark.parametrize(
+    "command", ["run", "watch", "init", "hint", "history", "show", "why", "data", "verify"]
+)
 def test_problems(command):
     assert offered(command, "") == ["count", "exact-count", "middle", "ray-nearest", "segment"]
     assert offered(command, "mi") == ["middle"]
@@ -94,6 +96,11 @@ def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch)
 )
 def test_files_are_left_to_the_shell(words, kind):
     assert offered(*words) == [kind]
+
+
+def test_sets():
+    assert offered("practice", "") == offered("progress", "")
+    assert offered("practice", "s") == ["senior"]
 
 
 def test_shells_and_schemas():

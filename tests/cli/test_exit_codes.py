@@ -26,8 +26,9 @@ FILES = {
     "good/mean.py": MEAN,
     "note.txt": "",
     "old.svg": "no picture",
+    "other.sqlite3": "no history",
 }
-TABLE = {
+TABLE = {  # by status; what stands before a `;` is only done before
     0: [
         "",
         "--help",
@@ -44,6 +45,17 @@ TABLE = {
         "data middle --out data",
         "verify middle",
         "doctor",
+        "init middle",
+        "hint count",
+        "next",
+        "solution count --give-up",
+        "history",
+        "history --csv",
+        "run middle floor.py -q; run middle mean.py -q; diff 1 2",
+        "practice junior",
+        "progress",
+        "due",
+        "run middle floor.py -q; report --no-matrix",
         "schema",
         "schema run",
         "completion bash",
@@ -58,10 +70,31 @@ TABLE = {
         "run middle hog.py --no-shrink --group examples",
         "run middle team --no-shrink",
         "run middle mean.py floor.py -j 2 -q",
+        "init middle; run",
+        "run middle floor.py -q --no-history",
     ],
     2: [
         "nothing",
         "--nothing",
+        "run",
+        "run middle mean.py --no-such",
+        "init middle mean.py",
+        "init middel",
+        "hint",
+        "hint middle --step 99",
+        "solution count",
+        "watch",
+        "watch middle gone.py --nothing",
+        "history --csv --json",
+        "history middel",
+        "diff 1 2",
+        "diff one two",
+        "practice nothing",
+        "progress nothing",
+        "due x",
+        "next x",
+        "report",
+        "run middle floor.py -q; report --out note.txt --no-matrix",
         "run middel mean.py",
         "run middle",
         "run middle gone.py",
@@ -95,6 +128,10 @@ TABLE = {
         f"why misspelt-key --problems {BROKEN}",
         f"data module-raises --out data --problems {BROKEN}",
         f"verify misspelt-key --problems {BROKEN}",
+        f"init misspelt-key --problems {BROKEN}",
+        "history --db other.sqlite3",
+        "due --db other.sqlite3",
+        "report --db other.sqlite3",
     ],
 }
 
@@ -109,7 +146,10 @@ def files(submit):
     ("status", "words"), [(status, words) for status, all_words in TABLE.items() for words in all_words]
 )
 def test_a_situation_has_its_code(status, words, judge, files):
-    ended = judge(*words.split())
+    *before, last = words.split(";")
+    for each in before:
+        judge(*each.split())
+    ended = judge(*last.split())
     assert ended.status == status, ended
     assert "Traceback" not in ended.err
     if status in (2, 3) and "verify" not in words:
@@ -123,7 +163,7 @@ def test_every_command_refuses_an_option_it_does_not_have(name, judge):
 
 
 def test_every_command_is_in_the_table():
-    words = {line.split()[0] for lines in TABLE.values() for line in lines if line}
+    words = {line.split(";")[-1].split()[0] for lines in TABLE.values() for line in lines if line}
     assert set(COMMANDS) <= words
 
 

@@ -7,6 +7,10 @@ from __future__ import annotations
 
 import copy
 import json
+import os
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -32,7 +36,8 @@ FILES = {  # what the samples below name
     "one.py": "def line_count(cx, cy, r, A, B):\n    return 1\n",
     "none.py": "def ray_nearest(cx, cy, r, O, D):\n    return None\n",
 }
-# The command's words for each sample of its output; {replay} is the id of a failing case of floor.py.
+# The command's words for each sample of its output, in their order; {replay} is the id of a failing case of
+# floor.py. What begins with `!` goes before, and its output is left alone.
 SAMPLES: dict[str, list[str]] = {
     "run": [
         "run middle mean.py floor.py raises.py broken.py strange.py program.py",
@@ -52,11 +57,28 @@ SAMPLES: dict[str, list[str]] = {
         f"verify bad-toml --problems {BROKEN}",
     ],
     "doctor": ["doctor"],
+    "init": ["init middle", "init count mine.py"],
+    "hint": ["hint count", "hint count --all"],
+    "next": ["next", "next --init"],
+    "solution": ["solution count --give-up"],
+    "watch": [],  # it does not end by itself: below
+    "history": ["! run middle floor.py", "! run middle mean.py", "history", "history middle --limit 1"],
+    "diff": [
+        "! run middle floor.py --no-shrink",
+        "! run middle mean.py",
+        "diff 1 2",
+        "diff 2 1",
+        "diff 2 2",
+    ],
+    "practice": ["! run count one.py -q", "practice", "practice junior"],
+    "progress": ["! run count one.py --no-shrink", "progress", "progress senior"],
+    "due": ["due", "! run count one.py -q", "! run middle mean.py", "due"],
+    "report": ["! run middle floor.py", "report --no-matrix"],
     "schema": ["schema", "schema run"],
     "completion": ["completion bash", "completion zsh", "completion fish"],
 }
 OPTIONAL = {"matrix", "unreliable"}  # keys that may be missing
-FREE = {"input", "bands", "rejected", "cases"}  # objects whose keys are names of the problem
+FREE = {"input", "bands", "rejected", "cases", "mistakes"}  # objects whose keys are names of the problem
 
 
 def with_json() -> list[str]:
@@ -78,15 +100,29 @@ def objects(judge, submit):
     def write(command: str) -> list[Any]:
         written = []
         for words in SAMPLES[command]:
+            if words.startswith("! "):
+                judge(*words.split()[1:])
+                continue
             if "{replay}" in words:
                 failed = json.loads(judge("run", "middle", "floor.py", "--json", "--no-name").out)
                 words = words.format(replay=failed["counterexample"]["replay"])
             ended = judge(*words.split(), "--json")
             assert ended.out, (words, ended.err)
             written += [json.loads(line) for line in ended.lines]
-        return written
+        return written or [watched()]
 
     return write
+
+
+def watched() -> Any:
+    """The first line of a watch that nobody tells to end."""
+    command = [sys.executable, "-m", "judge", "watch", "middle", "floor.py", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, env=settings) as running:
+        line = running.stdout.readline()
+        running.send_signal(signal.SIGINT)
+        running.stdout.read()
+    return json.loads(line)
 
 
 def wrong(value: Any, place: str = "") -> Iterator[tuple[str, Any]]:
