@@ -33,7 +33,7 @@ def to_braille(picture: Picture) -> list[list[Piece]]:
     """At most `ROWS` rows of at most `COLUMNS` columns."""
     grids = [_grid(panel) for panel in picture.panels]
     titles = [panel.title.removeprefix("Lens: ") for panel in picture.panels]
-    rows = [[Piece(title[:_WIDE].ljust(_WIDE + 2)) for title in titles]]
+    rows = [[Piece(_heading(title).ljust(_WIDE + 2)) for title in titles]]
     for level in range(_HIGH):
         row: list[Piece] = []
         for grid in grids:
@@ -41,6 +41,11 @@ def to_braille(picture: Picture) -> list[list[Piece]]:
         rows.append(row)
     rows.append([Piece("o wanted", Role.WANTED), Piece("  "), Piece("x got", Role.GOT), Piece("  * both")])
     return [_trimmed(row) for row in rows]
+
+
+def _heading(title: str) -> str:
+    """What of a title goes above a panel: whole words."""
+    return title if len(title) <= _WIDE else title[: _WIDE + 1].rpartition(" ")[0].rstrip(" ,;")
 
 
 Cell = tuple[str, Role | None]
