@@ -1,0 +1,194 @@
+"""The walks through the judge that our pages offer, gone step by step from their own text.
+
+A walk is a section of a page. Its steps are the fenced blocks, in order:
+
+    `name/of/file`, …:      begins a paragraph; the block after it is what to write into that file
+    ```console              lines `$ command` to be run, and below each what it shows, in parts or whole:
+    $ judge next            a line … stands for lines left out
+
+Run as a script it goes all walks and writes what the commands show now into the pages.
+"""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import shlex
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from pseudoterminal import run
+
+ROOT = Path(__file__).resolve().parents[2]
+LEFT_OUT = "…"
+WALKS = (("README.md", "A tour of five minutes"), (".github/CONTRIBUTING.md", "Add a kata in 15 minutes"))
+
+_BLOCK = re.compile(
+    r"(?:^(?P<about>(?:[^\n`][^\n]*\n|`[^`\n][^\n]*\n)+)\n)?^```(?P<kind>\w+)\n(?P<text>.*?)^```$",
+    re.MULTILINE | re.DOTALL,
+)
+_MASKS = (
+    (r"(?s)(?<=smallest case found\n)(    input) .*?(?=\n    wanted)", r"\1 …"),  # how far a search comes
+    (r"judge replay \S+", "judge replay …"),
+    (r"(?s)(True scale).*?(?=\n(\S* )?o wanted)", r"\1 …"),  # the smallest case's picture
+    (r"(?s)[\d.]+ m?s CPU, \d+ MB.*?(?=\n\n|\Z)", "…"),  # time, memory, the ratio
+    (r"\d{4}-\d\d-\d\d( \d\d:\d\d)?", "…"),
+    (r"\b(full|strong|limits)(?= isolation)", "…"),
+)
+
+
+@dataclass(frozen=True)
+class Step:
+    """A file to write, or a command with what the page says it shows."""
+
+    words: str  # the file's name, or the command
+    text: str
+    is_file: bool
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A command of a walk as it went: its exit status, what it showed and what it wrote to standard error."""
+
+    step: Step
+    status: int
+    shown: str
+    errors: str
+
+
+def steps(page: str, title: str) -> list[Step]:
+    """The steps of the section of that title."""
+    found: list[Step] = []
+    for block in _BLOCK.finditer(_section(page, title)):
+        if block["kind"] == "console":
+            for part in re.split(r"^\$ ", block["text"], flags=re.MULTILINE)[1:]:
+                command, _, shown = part.partition("\n")
+                found.append(Step(command, shown, is_file=False))
+        elif name := re.match(r"(?:\d+\. )?`([\w./-]+)`", block["about"] or ""):
+            found.append(Step(name[1], block["text"], is_file=True))
+    return found
+
+
+def go(walk: list[Step], folder: Path) -> list[Taken]:
+    """Take every step in `folder`, which is empty, as someone new who has nothing but the judge."""
+    settings = {"JUDGE_CACHE": f"{folder}/.cache", "JUDGE_DB": f"{folder}/.history.sqlite3"}
+    settings |= {"PYTHONPATH": str(ROOT), "PATH": f"{_commands(folder)}:{os.environ['PATH']}"}
+    taken = []
+    for step in walk:
+        if step.is_file:
+            path = folder / step.words
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(step.text, encoding="utf-8")
+        else:
+            status, shown, errors = run(["sh", "-c", step.words], folder, settings)
+            taken.append(Taken(step, status, plain(shown), errors))
+    return taken
+
+
+def plain(shown: str) -> str:
+    """What was written to a terminal, without colours, links and the filling of lines."""
+    bare = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\]8;;[^\x1b]*\x1b\\", "", shown)
+    return "".join(f"{line.rstrip()}\n" for line in bare.splitlines()).strip("\n") + "\n"
+
+
+def masked(text: str) -> str:
+    """The text without what differs from run to run, and without the smallest case's numbers: how far the
+    search comes in its time is the machine's affair.
+    """
+    for pattern, instead in _MASKS:
+        text = re.sub(pattern, instead, text)
+    return text
+
+
+def missing(claimed: str, shown: str) -> str | None:
+    """The first part of what a page claims that was not shown in its place; None if all was."""
+    rest = _lines(shown)
+    whole = True
+    for part in _parts(claimed):
+        size = len(part)
+        places = range(len(rest) - size + 1) if not whole else range(1)
+        at = next((i for i in places if rest[i : i + size] == part), None)
+        if at is None:
+            return "\n".join(part)
+        rest, whole = rest[at + size :], False
+    return "\n".join(rest) if rest and not claimed.rstrip().endswith(LEFT_OUT) else None
+
+
+def _section(page: str, title: str) -> str:
+    """What is below that title, up to the next one; what looks like a title within a block is none."""
+    found: list[str] = []
+    inside = fenced = False
+    for line in page.splitlines(keepends=True):
+        fenced ^= line.startswith("```")
+        if line.startswith("## ") and not fenced:
+            inside = line.strip() == f"## {title}"
+        elif inside:
+            found.append(line)
+    return "".join(found)
+
+
+def _lines(text: str) -> list[str]:
+    return [line for line in masked(text).splitlines() if line.strip()]
+
+
+def _parts(claimed: str) -> list[list[str]]:
+    """The runs of lines between those left out."""
+    parts: list[list[str]] = [[]]
+    for line in _lines(claimed):
+        if line.strip() == LEFT_OUT:
+            parts.append([])
+        else:
+            parts[-1].append(line)
+    return parts
+
+
+def _commands(folder: Path) -> Path:
+    """A folder that holds the command `judge`, this checkout's."""
+    place = folder / ".bin"
+    place.mkdir()
+    (place / "judge").write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m judge "$@"\n')
+    (place / "judge").chmod(0o755)
+    return place
+
+
+def _renewed(claimed: str, shown: str) -> str:
+    """What a page claims, its paragraphs replaced by those that were shown and are most like them."""
+    paragraphs = shown.strip("\n").split("\n\n")
+    fresh = []
+    for paragraph in claimed.strip("\n").split("\n\n"):
+        if LEFT_OUT in (line.strip() for line in paragraph.splitlines()):
+            options = [line for line in shown.splitlines() if line.strip()]
+            lines = paragraph.splitlines()
+            fresh.append(
+                "\n".join(line if line.strip() == LEFT_OUT else _nearest(line, options) for line in lines)
+            )
+        else:
+            fresh.append(_nearest(paragraph, paragraphs))
+    return "\n\n".join(fresh) + "\n" if claimed.strip() else claimed
+
+
+def _nearest(text: str, options: list[str]) -> str:
+    return max(
+        options, key=lambda option: difflib.SequenceMatcher(None, masked(text), masked(option)).ratio()
+    )
+
+
+def main() -> None:
+    """Bring the pages up to date."""
+    for name, title in WALKS:
+        path = ROOT / name
+        page = path.read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            for taken in go(steps(page, title), Path(folder)):
+                if missing(taken.step.text, taken.shown):
+                    before = f"$ {taken.step.words}\n{taken.step.text}"
+                    after = f"$ {taken.step.words}\n{_renewed(taken.step.text, taken.shown)}"
+                    page = page.replace(before, after, 1)
+        path.write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
