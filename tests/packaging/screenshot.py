@@ -1,0 +1,81 @@
+"""README's picture: a real run in a terminal, drawn as SVG. Run as a script, it draws the picture anew."""
+
+from __future__ import annotations
+
+import io
+import re
+import shutil
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+from pseudoterminal import COLUMNS, run
+from walk import ROOT
+
+PICTURE = ROOT / ".github" / "screenshot.svg"
+_COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group random"
+_TITLE = "judge"
+# Colours that hold on the picture's own dark ground, whatever the page around it; SGR 2 is dimmed by hand.
+_GROUND, _TEXT, _FAINT = (13, 17, 23), (201, 209, 217), "139;148;158"
+_SIXTEEN = [
+    (72, 79, 88), (255, 123, 114), (86, 211, 100), (227, 179, 65),
+    (121, 192, 255), (210, 168, 255), (86, 212, 221), (240, 246, 252),
+]  # fmt: skip
+_FONTS = "ui-monospace, 'DejaVu Sans Mono', 'Cascadia Mono', Menlo, Consolas, monospace"
+
+
+def real_run() -> str:
+    """What a terminal shows of judging a wrong program, with its colours; the command line first."""
+    with tempfile.TemporaryDirectory() as folder:
+        wrong = ROOT / "solutions" / "segment" / "wrong" / "loose-epsilon.py"
+        shutil.copy(wrong, Path(folder) / "segment.py")
+        settings = {"JUDGE_CACHE": f"{folder}/cache", "JUDGE_DB": f"{folder}/history.sqlite3"}
+        settings["PYTHONPATH"] = str(ROOT)
+        command = [sys.executable, "-m", *_COMMAND.split()]
+        _, shown, _ = run(command, Path(folder), settings)
+    return f"\x1b[1m$\x1b[0m {_COMMAND}\n\n{shown}"
+
+
+def drawn(shown: str) -> str:
+    """The SVG of what was shown: no script, no address but SVG's own, fonts of the machine it is seen on."""
+    from rich.console import Console
+    from rich.terminal_theme import TerminalTheme
+    from rich.text import Text
+
+    console = Console(record=True, width=COLUMNS, file=io.StringIO(), color_system="truecolor")
+    bare = re.sub(r"\x1b\]8;;[^\x1b]*\x1b\\", "", shown)
+    console.print(Text.from_ansi(bare.replace("\x1b[2m", f"\x1b[38;2;{_FAINT}m")))
+    theme = TerminalTheme(_GROUND, _TEXT, _SIXTEEN, _SIXTEEN)
+    svg = console.export_svg(title=_TITLE, theme=theme, unique_id="judge")
+    svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.DOTALL)
+    svg = re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL)
+    svg = svg.replace("Fira Code, monospace", _FONTS)
+    return re.sub(r"[ \t]+$", "", svg, flags=re.MULTILINE)
+
+
+def text_of(svg: str) -> str:
+    """The lines of text in a picture, top to bottom, without its title."""
+    rows: dict[float, list[tuple[float, str]]] = {}
+    for element in ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text"):
+        if "clip-path" in element.attrib:
+            piece = (float(element.attrib["x"]), (element.text or "").replace("\xa0", " "))
+            rows.setdefault(float(element.attrib["y"]), []).append(piece)
+    return "".join(f"{_row(rows[y])}\n" for y in sorted(rows))
+
+
+def _row(pieces: list[tuple[float, str]]) -> str:
+    """The pieces of a row, each at its column: a character is 12.2 wide."""
+    text = ""
+    for x, piece in sorted(pieces):
+        text = text.ljust(round(x / 12.2)) + piece
+    return text.rstrip()
+
+
+def main() -> None:
+    """Draw the picture anew."""
+    PICTURE.write_text(drawn(real_run()), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
