@@ -2,7 +2,7 @@
 
 A walk is a section of a page. Its steps are the fenced blocks, in order:
 
-    `name/of/file`, …:      begins a paragraph; the block after it is what to write into that file
+    … `name/of/file` …      a paragraph whose first such name is that of the file to write the block below into
     ```console              lines `$ command` to be run, and below each what it shows, in parts or whole:
     $ judge next            a line … stands for lines left out
 
@@ -67,7 +67,7 @@ def steps(page: str, title: str) -> list[Step]:
             for part in re.split(r"^\$ ", block["text"], flags=re.MULTILINE)[1:]:
                 command, _, shown = part.partition("\n")
                 found.append(Step(command, shown, is_file=False))
-        elif name := re.match(r"(?:\d+\. )?`([\w./-]+)`", block["about"] or ""):
+        elif name := re.search(r"`([\w./-]+\.\w+)`", block["about"] or ""):
             found.append(Step(name[1], block["text"], is_file=True))
     return found
 
