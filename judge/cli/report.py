@@ -203,7 +203,7 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
         write_json(
             {
                 "schema": SCHEMA,
-                "report": str(path),
+                "out": str(path),
                 "bytes": len(page),
                 "runs": len(runs),
                 "problems": sorted(tried),

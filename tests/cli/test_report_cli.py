@@ -58,7 +58,7 @@ def test_for_scripts(judge, judged):
     assert ended.status == 0
     told = json.loads(ended.out)
     size = Path("page.html").stat().st_size
-    assert told == {"schema": 1, "report": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
+    assert told == {"schema": 1, "out": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
 
 
 def test_whose_it_is(judge, judged):
