@@ -61,6 +61,14 @@ SAMPLES: dict[str, list[str]] = {
     "hint": ["hint count", "hint count --all"],
     "next": ["next", "next --init"],
     "solution": ["solution count --give-up"],
+    "stress": [
+        "stress middle mean.py --for 0.2s",
+        "stress middle floor.py --for 1s",
+        "stress middle program.py --for 0.2s --group half --seed -1",
+        "stress middle raises.py --for 1s --no-shrink --no-name",
+        "stress middle broken.py --for 1s",
+        f"stress misspelt-key mean.py --problems {BROKEN}",
+    ],
     "watch": [],  # it does not end by itself: below
     "history": ["! run middle floor.py", "! run middle mean.py", "history", "history middle --limit 1"],
     "diff": [
