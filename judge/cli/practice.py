@@ -94,9 +94,7 @@ def _as_object(
         "title": chosen.title,
         "about": chosen.about,
         "problems": [_standing(problem, standing) for problem, standing in katas],
-        "current": {"problem": kata.current.problem, "path": kata.current.path, "new": kata.made}
-        if kata
-        else None,
+        "current": {"problem": kata.current.problem, "file": kata.file, "new": kata.made} if kata else None,
         "next": _NEXT if kata else None,
     }
 

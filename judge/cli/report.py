@@ -15,8 +15,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.data.atomic import replace_file
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
-from judge.report.layout import Span, Style, line
-from judge.report.links import file_link
+from judge.report.layout import Link, Span, Style, line
 from judge.report.progress import progress
 from judge.report.screen import err, out
 from judge.spec import Problem
@@ -204,16 +203,14 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
         write_json(
             {
                 "schema": SCHEMA,
-                "report": str(path),
+                "out": str(path),
                 "bytes": len(page),
                 "runs": len(runs),
                 "problems": sorted(tried),
             }
         )
         return
-    screen = out()
-    screen.stream.write(file_link(path, screen.stream) + "\n")
-    screen.stream.flush()
+    out().show([line(Span(str(path), link=Link(str(path))))])
 
 
 def _note(text: str) -> None:

@@ -82,30 +82,32 @@ def command(
     Exit status: 0 the time was up and nothing broke, 1 something broke, 2 usage, 3 the judge's or the
     problem's own fault, 130 interrupted before anything broke.
     """
-    problem = find_problem(name, folders)
-    submission = _submission(file)
-    if regression is not None:
-        from judge.cli.regression import agree_on  # only who asks for it waits for it
-
-        agree_on(regression)
-    check_svg(svg, 1)
-    asked = _Asked(
-        problem,
-        submission,
-        seconds,
-        chosen_groups(problem, groups),
-        random.randrange(_SEEDS) if seed is None else seed,
-        named=not no_name,
-        shrunk=not unshrunk or regression is not None,
-        regression=regression,
-    )
+    seed = random.randrange(_SEEDS) if seed is None else seed
+    submission: Submission | None = None
     try:
+        problem = find_problem(name, folders)
+        submission = _submission(file)
+        if regression is not None:
+            from judge.cli.regression import agree_on  # only who asks for it waits for it
+
+            agree_on(regression)
+        check_svg(svg, 1)
+        asked = _Asked(
+            problem,
+            submission,
+            seconds,
+            chosen_groups(problem, groups),
+            seed,
+            named=not no_name,
+            shrunk=not unshrunk or regression is not None,
+            regression=regression,
+        )
         with Containment(problem, level) as containment:
             stressed, data = asked.stressed(containment)
     except JudgeError as fault:
-        if as_json and not isinstance(fault, UsageError):
-            result = judge_fault(problem.id, submission.name, str(fault))
-            write_json(Stressed(result, asked.seed, 0.0).as_json())  # a script misses none
+        if as_json and not isinstance(fault, UsageError):  # a script misses none
+            judged = submission or _submission(file)
+            write_json(Stressed(judge_fault(name, judged.name, str(fault)), seed, 0.0).as_json())
         raise
     drawing = Drawing(problem, data, stressed.result)
     if as_json:

@@ -43,7 +43,8 @@ def test_options():
 
 
 @pytest.mark.parametrize(
-    "command", ["run", "watch", "init", "hint", "history", "show", "why", "data", "verify"]
+    "command",
+    ["run", "watch", "init", "hint", "solution", "stress", "history", "show", "why", "data", "verify"],
 )
 def test_problems(command):
     assert offered(command, "") == ["count", "exact-count", "middle", "ray-nearest", "segment"]

@@ -94,7 +94,7 @@ def test_a_kata_of_the_set_that_is_in_hand_stays_in_hand(judge, own_pack, tmp_pa
     with History.open() as history:
         history.take_up("ray-nearest", str(tmp_path / "my-ray.py"))
     found = json.loads(judge("practice", "--json").out)
-    assert found["current"] == {"problem": "ray-nearest", "path": str(tmp_path / "my-ray.py"), "new": False}
+    assert found["current"] == {"problem": "ray-nearest", "file": "my-ray.py", "new": False}
     judge("practice", "junior")  # which does not hold it
     assert current().problem == "count"
 

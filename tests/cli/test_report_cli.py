@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
-
-from judge.report.links import file_link
 
 USUAL = Path("judge-report.html")
 
@@ -61,7 +58,7 @@ def test_for_scripts(judge, judged):
     assert ended.status == 0
     told = json.loads(ended.out)
     size = Path("page.html").stat().st_size
-    assert told == {"schema": 1, "report": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
+    assert told == {"schema": 1, "out": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
 
 
 def test_whose_it_is(judge, judged):
@@ -125,22 +122,3 @@ def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):
     assert ended.status == 0
     assert "broken is left out: " in ended.err
     assert USUAL.exists()
-
-
-class Terminal(io.StringIO):
-    encoding = "utf-8"
-
-    def isatty(self):
-        return True
-
-
-def test_a_terminal_gets_a_link(tmp_path, monkeypatch):
-    monkeypatch.setenv("TERM", "xterm-256color")
-    monkeypatch.chdir(tmp_path)
-    target = f"{tmp_path.as_uri()}/my%20page.html"
-    link = file_link(Path("my page.html"), Terminal())
-    assert link == f"\x1b]8;;{target}\x1b\\my page.html\x1b]8;;\x1b\\"
-    assert file_link(Path("a\x1bb\x07.html"), Terminal()).count("\x1b") == 4
-    assert file_link(Path("page.html"), io.StringIO()) == "page.html"
-    monkeypatch.setenv("TERM", "dumb")
-    assert file_link(Path("page.html"), Terminal()) == "page.html"

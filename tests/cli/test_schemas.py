@@ -26,6 +26,11 @@ from judge.spec import Verdict
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FIXTURES = str(ROOT / "tests" / "fixtures" / "problems")
 PROGRAM = "for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n"
+RIGHT = {  # a program of one's own that passes: the shipped ones show nobody's progress
+    problem: (ROOT / "solutions" / problem / "accepted" / "quadratic.py").read_text(encoding="utf-8")
+    + "# mine\n"
+    for problem in ("count", "segment", "ray-nearest", "exact-count")
+}
 FILES = {  # what the samples below name
     "mean.py": MEAN,
     "floor.py": FLOOR,
@@ -35,7 +40,9 @@ FILES = {  # what the samples below name
     "program.py": PROGRAM,
     "one.py": "def line_count(cx, cy, r, A, B):\n    return 1\n",
     "none.py": "def ray_nearest(cx, cy, r, O, D):\n    return None\n",
+    **{f"right/{problem}.py": source for problem, source in RIGHT.items()},
 }
+PATH = [f"! run {problem} right/{problem}.py -q" for problem in RIGHT]  # every kata passed
 # The command's words for each sample of its output, in their order; {replay} is the id of a failing case of
 # floor.py. What begins with `!` goes before, and its output is left alone.
 SAMPLES: dict[str, list[str]] = {
@@ -59,8 +66,16 @@ SAMPLES: dict[str, list[str]] = {
     "doctor": ["doctor"],
     "init": ["init middle", "init count mine.py"],
     "hint": ["hint count", "hint count --all"],
-    "next": ["next", "next --init"],
-    "solution": ["solution count --give-up"],
+    "next": ["next", "next --init", *PATH, "next"],
+    "solution": ["solution count --give-up", PATH[0], "solution count"],
+    "stress": [
+        "stress middle mean.py --for 0.2s",
+        "stress middle floor.py --for 1s",
+        "stress middle program.py --for 0.2s --group half --seed -1",
+        "stress middle raises.py --for 1s --no-shrink --no-name",
+        "stress middle broken.py --for 1s",
+        f"stress misspelt-key mean.py --problems {BROKEN}",
+    ],
     "watch": [],  # it does not end by itself: below
     "history": ["! run middle floor.py", "! run middle mean.py", "history", "history middle --limit 1"],
     "diff": [
@@ -70,8 +85,16 @@ SAMPLES: dict[str, list[str]] = {
         "diff 2 1",
         "diff 2 2",
     ],
-    "practice": ["! run count one.py -q", "practice", "practice junior"],
-    "progress": ["! run count one.py --no-shrink", "progress", "progress senior"],
+    "practice": ["! run count one.py -q", "practice", "practice junior", PATH[0], "practice junior"],
+    "progress": [
+        "! run count one.py --no-shrink",
+        "progress",
+        "progress senior",
+        PATH[0],
+        "progress junior",
+        "! run count one.py -q",
+        "progress junior",
+    ],
     "due": ["due", "! run count one.py -q", "! run middle mean.py", "due"],
     "report": ["! run middle floor.py", "report --no-matrix"],
     "schema": ["schema", "schema run"],
@@ -101,7 +124,7 @@ def objects(judge, submit):
         written = []
         for words in SAMPLES[command]:
             if words.startswith("! "):
-                judge(*words.split()[1:])
+                assert judge(*words.split()[1:]).status < 2, words
                 continue
             if "{replay}" in words:
                 failed = json.loads(judge("run", "middle", "floor.py", "--json", "--no-name").out)

@@ -195,7 +195,9 @@ def test_what_does_not_compile(source, message):
 
 def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
     """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
-    data = make_data("one", "two", "three", "four", limits=replace(LIMITS, cpu_seconds=0.3))
-    result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (300 << 20)\n", data)
+    data = make_data(
+        "one", "two", "three", "four", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20)
+    )
+    result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (80 << 20)\n", data)
     verdicts = [group.verdict for group in result.groups]
     assert verdicts == [Verdict.MLE, Verdict.MLE, Verdict.TLE, Verdict.TLE]
