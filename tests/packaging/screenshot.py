@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import io
 import re
 import shutil
@@ -23,6 +24,11 @@ _SIXTEEN = [
     (121, 192, 255), (210, 168, 255), (86, 212, 221), (240, 246, 252),
 ]  # fmt: skip
 _FONTS = "ui-monospace, 'DejaVu Sans Mono', 'Cascadia Mono', Menlo, Consolas, monospace"
+_WIDTH = 12.2  # of a character, in the picture's units
+_PIECE = re.compile(
+    r'<text class="(?P<style>[\w-]+)" x="(?P<x>[\d.]+)" y="(?P<y>[\d.]+)" textLength="[\d.]+" '
+    r'clip-path="(?P<clip>[^"]+)">(?P<text>[^<]*)</text>'
+)
 
 
 def real_run() -> str:
@@ -50,8 +56,21 @@ def drawn(shown: str) -> str:
     svg = console.export_svg(title=_TITLE, theme=theme, unique_id="judge")
     svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.DOTALL)
     svg = re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL)
-    svg = svg.replace("Fira Code, monospace", _FONTS)
-    return re.sub(r"[ \t]+$", "", svg, flags=re.MULTILINE)
+    svg = _PIECE.sub(_placed, svg.replace("Fira Code, monospace", _FONTS))
+    return re.sub(r"[ \t]+$|\n(?=\n)", "", svg, flags=re.MULTILINE)
+
+
+def _placed(piece: re.Match[str]) -> str:
+    """Every group of words at its own place: not everything that draws SVG keeps spaces."""
+    placed = []
+    for words in re.finditer(r"\S+(?: \S+)*", html.unescape(piece["text"]).replace("\xa0", " ")):
+        x = float(piece["x"]) + _WIDTH * words.start()
+        length = _WIDTH * len(words[0])
+        placed.append(
+            f'<text class="{piece["style"]}" x="{x:g}" y="{piece["y"]}" textLength="{length:g}" '
+            f'clip-path="{piece["clip"]}">{html.escape(words[0], quote=False)}</text>\n'
+        )
+    return "".join(placed)
 
 
 def text_of(svg: str) -> str:
@@ -59,16 +78,16 @@ def text_of(svg: str) -> str:
     rows: dict[float, list[tuple[float, str]]] = {}
     for element in ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text"):
         if "clip-path" in element.attrib:
-            piece = (float(element.attrib["x"]), (element.text or "").replace("\xa0", " "))
+            piece = (float(element.attrib["x"]), element.text or "")
             rows.setdefault(float(element.attrib["y"]), []).append(piece)
     return "".join(f"{_row(rows[y])}\n" for y in sorted(rows))
 
 
 def _row(pieces: list[tuple[float, str]]) -> str:
-    """The pieces of a row, each at its column: a character is 12.2 wide."""
+    """The pieces of a row, each at its column."""
     text = ""
     for x, piece in sorted(pieces):
-        text = text.ljust(round(x / 12.2)) + piece
+        text = text.ljust(round(x / _WIDTH)) + piece
     return text.rstrip()
 
 

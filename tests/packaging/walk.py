@@ -2,7 +2,7 @@
 
 A walk is a section of a page. Its steps are the fenced blocks, in order:
 
-    … `name/of/file` …      a paragraph whose first such name is that of the file to write the block below into
+    … `name/of/file` …      a paragraph; the block below it is written into the first file it names
     ```console              lines `$ command` to be run, and below each what it shows, in parts or whole:
     $ judge next            a line … stands for lines left out
 
