@@ -31,13 +31,12 @@ _BLOCK = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 _MASKS = (
-    (r"(?s)(?<=smallest case found\n)(    input) .*?(?=\n    wanted)", r"\1 …"),  # how far a search comes
     (r"judge replay \S+", "judge replay …"),
-    (r"(?s)(True scale).*?(?=\n(\S* )?o wanted)", r"\1 …"),  # the smallest case's picture
     (r"(?s)[\d.]+ m?s CPU, \d+ MB.*?(?=\n\n|\Z)", "…"),  # time, memory, the ratio
     (r"\d{4}-\d\d-\d\d( \d\d:\d\d)?", "…"),
-    (r"\b(full|strong|limits)(?= isolation)", "…"),
 )
+_SMALLEST = re.compile(r"(?s)(?<=smallest case found\n)    input .*?(?=\n    wanted)")
+_PICTURE = re.compile(r"(?s)(?<=True scale).*?(?=\no wanted)")
 
 
 @dataclass(frozen=True)
@@ -94,19 +93,29 @@ def plain(shown: str) -> str:
     return "".join(f"{line.rstrip()}\n" for line in bare.splitlines()).strip("\n") + "\n"
 
 
-def masked(text: str) -> str:
-    """The text without what differs from run to run, and without the smallest case's numbers: how far the
-    search comes in its time is the machine's affair.
+def comparable(claimed: str, shown: str) -> tuple[str, str]:
+    """Both texts without what differs from run to run.
+
+    How far the search for the smallest case comes in its time is the machine's affair: where it ended
+    elsewhere, that case's numbers and its picture are left out.
     """
+    hidden = () if _SMALLEST.findall(claimed) == _SMALLEST.findall(shown) else (_SMALLEST, _PICTURE)
+    return _masked(claimed, hidden), _masked(shown, hidden)
+
+
+def _masked(text: str, hidden: tuple[re.Pattern[str], ...] = ()) -> str:
     for pattern, instead in _MASKS:
         text = re.sub(pattern, instead, text)
+    for each in hidden:
+        text = each.sub("    …", text)
     return text
 
 
 def missing(claimed: str, shown: str) -> str | None:
     """The first part of what a page claims that was not shown in its place; None if all was."""
-    rest = _lines(shown)
-    whole = True
+    left_open = claimed.rstrip().endswith(LEFT_OUT)
+    claimed, shown = comparable(claimed, shown)
+    rest, whole = _lines(shown), True
     for part in _parts(claimed):
         size = len(part)
         places = range(len(rest) - size + 1) if not whole else range(1)
@@ -114,7 +123,7 @@ def missing(claimed: str, shown: str) -> str | None:
         if at is None:
             return "\n".join(part)
         rest, whole = rest[at + size :], False
-    return "\n".join(rest) if rest and not claimed.rstrip().endswith(LEFT_OUT) else None
+    return "\n".join(rest) if rest and not left_open else None
 
 
 def _section(page: str, title: str) -> str:
@@ -131,7 +140,7 @@ def _section(page: str, title: str) -> str:
 
 
 def _lines(text: str) -> list[str]:
-    return [line for line in masked(text).splitlines() if line.strip()]
+    return [line for line in text.splitlines() if line.strip()]
 
 
 def _parts(claimed: str) -> list[list[str]]:
@@ -172,7 +181,7 @@ def _renewed(claimed: str, shown: str) -> str:
 
 def _nearest(text: str, options: list[str]) -> str:
     return max(
-        options, key=lambda option: difflib.SequenceMatcher(None, masked(text), masked(option)).ratio()
+        options, key=lambda option: difflib.SequenceMatcher(None, _masked(text), _masked(option)).ratio()
     )
 
 
