@@ -113,7 +113,7 @@ def stress(
     run = _Run(data, fresh, box, mode, clock, clock() + seconds)
     begun, interrupted = clock(), False
     try:
-        while run.broken is None and clock() < run.end:
+        while not run.over:
             run.some()
             if on_cases:
                 on_cases(run.cases, clock() - begun)
@@ -197,7 +197,7 @@ class _Run:
         judge(
             self._box,
             [tally for _, tally in self._now],
-            budget=_Turn(self._data.problem, self._over),
+            budget=_Turn(self._data.problem, lambda: self.over),
             on_calls=lambda _: None,
             on_group=_note,
         )
@@ -246,8 +246,15 @@ class _Run:
         )
         return Stressed(result, self._seed, seconds, self.cases, self.built, interrupted, self.broken)
 
-    def _over(self) -> bool:
-        return self._clock() >= self.end or any(tally.failure for _, tally in self._now)
+    @property
+    def over(self) -> bool:
+        """Whether something broke or the time is up; it never is before a first case was judged."""
+        broken = self.broken is not None or any(tally.failure for _, tally in self._now)
+        return broken or (self._judged and self._clock() >= self.end)
+
+    @property
+    def _judged(self) -> bool:
+        return self.cases > 0 or any(tally.run for _, tally in self._now)
 
 
 def _note(tally: Tally) -> None:

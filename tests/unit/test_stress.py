@@ -56,6 +56,13 @@ def test_a_right_one_goes_on_until_the_time_is_up():
     assert "again with --seed 1" in text_of(found, 200)
 
 
+@pytest.mark.parametrize(("source", "verdict"), [(EXACT, "AC"), (PROGRAM, "AC"), ("", "WA")])
+def test_nothing_survives_that_was_never_judged(source, verdict):
+    found = stressed(source, seconds=0.001)
+    assert found.result.verdict.value == verdict
+    assert found.cases > 0
+
+
 def test_a_program_too():
     found = stressed(PROGRAM)
     assert (found.result.verdict, found.result.mode) == (Verdict.AC, Mode.PROGRAM)
