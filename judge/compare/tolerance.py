@@ -140,8 +140,11 @@ def _rational(p: int, s: int, tolerance: Tolerance, unit: Surd) -> Measure | Non
     alpha = (reach_n * slack_d + slack_n * reach_d) * s
     bottom_of_ends = s * reach_d * slack_d
     middle = p * reach_d * slack_d
-    lo = _toward(middle - alpha, bottom_of_ends, inf)
-    hi = _toward(middle + alpha, bottom_of_ends, -inf)
+    try:
+        lo = _toward(middle - alpha, bottom_of_ends, inf)
+        hi = _toward(middle + alpha, bottom_of_ends, -inf)
+    except OverflowError:  # so wide that an end lies beyond the largest double
+        return None
     return Measure(lo, hi, nearest, away * ulp_d / (s * bottom * ulp_n), ldexp(1.0, exponent))
 
 
@@ -210,7 +213,7 @@ def _enclosed(x: Surd, tolerance: Tolerance, unit: Surd, roots: Roots, extra: in
     inner, outer = widths(tolerance, unit, near, far, exponent, k)
     lo = rounding.range_up(low - outer, high - inner, k)
     hi = rounding.range_down(low + inner, high + outer, k)
-    if lo is None or hi is None:
+    if lo is None or hi is None or isinf(lo) or isinf(hi):  # beyond the largest double
         return None
     residual = side * ((near - (top << exponent)) / (1 << exponent))
     return Measure(lo, hi, side * ldexp(top, exponent - k), residual, ldexp(1.0, exponent - k))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+import sys
 from fractions import Fraction
 
 import flint
@@ -332,3 +333,11 @@ def test_targets_keep_through_json():
         target = compile_answer(answer, RELATIVE)
         assert isinstance(target, shape)
         assert from_json(kind, json.loads(json.dumps(to_json(target)))) == target
+
+
+@pytest.mark.parametrize("x", [Surd(7, 0, 0, 3), Surd(1, 1, 2, 3), Surd(-1, -1, 2, 3)])
+def test_ends_beyond_the_largest_double_are_the_largest_double(x):
+    largest = Surd.of(sys.float_info.max)
+    found = measure(x, Tolerance(extent=Fraction(3)), largest)
+    assert (found.lo, found.hi) == (-sys.float_info.max, sys.float_info.max)
+    assert found.nearest == float(x)
