@@ -6,7 +6,7 @@ The file begins with a line that says who wrote it. A file that does not is neve
 from __future__ import annotations
 
 import os
-import re
+from itertools import count
 from pathlib import Path
 
 from judge.compare.targets import AnyTarget, CountTarget, PointsTarget, Target, compile_answer
@@ -51,9 +51,10 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
     if content.strip() and not content.startswith(_MARK):
         raise UsageError("this file was not written by --save-regression", where=str(path))
     place = os.path.relpath(submission.resolve(), path.resolve().parent)
-    case = _case(place, data, found)
-    if case in content:
+    lines = _case(place, data, found)
+    if lines in content:
         return False
+    case = f"def {_free_name(place, found, content)}():\n{lines}"
     try:
         replace_file(path, ((content if content.strip() else _HEAD) + "\n\n" + case).encode())
     except OSError as fault:
@@ -63,22 +64,28 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
 
 def _case(place: str, data: ProblemData, found: Counterexample) -> str:
+    """The body of the test."""
     problem = data.problem
     group = problem.group(found.group)
     assert group is not None
     answer, tolerance = data.exact(found.case, group)
-    stem = re.sub(
-        r"\W", "_", f"{Path(place).stem}_{found.replay}".rsplit(":", 1)[0].split(":v")[0].split(":c")[0]
-    )
-    check = (found.replay or "").rsplit(":", 1)[-1]
     arguments = "".join(f"        {value!r},\n" for value in found.case)
     lines = [
-        f"def test_{stem}_{check}():",
         f"    # judge replay {found.replay}",
         f"    answer = called(\n        {place!r},\n        {problem.entry!r},\n{arguments}    )",
         *_asserts(compile_answer(answer, tolerance)),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _free_name(place: str, found: Counterexample, content: str) -> str:
+    """A name that no other test of the file has: two files of the same name may fail on the same case."""
+    problem, group, *_, check = (found.replay or "").split(":")
+    words = f"test_{Path(place).stem}_{problem}_{group}_{check}"
+    # Not every letter of a file's name may stand in a function's: not "²", nor a half of a surrogate pair.
+    name = "".join(letter if f"_{letter}".isidentifier() else "_" for letter in words)
+    names = (name if number == 1 else f"{name}_{number}" for number in count(1))
+    return next(name for name in names if f"def {name}()" not in content)
 
 
 def _asserts(target: AnyTarget) -> list[str]:

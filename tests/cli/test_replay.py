@@ -107,6 +107,13 @@ def test_a_regression_test_fails_until_the_submission_is_right(judge, submit, tm
     assert run_pytest(tmp_path, "test_mine.py").returncode == 0
 
 
+def test_each_regression_test_has_a_name_of_its_own(judge, submit, tmp_path):
+    for name in ("a/x².py", "b/x².py", "b/x_.py", "b/-x.py"):
+        ended = judge("run", "-q", "middle", "--save-regression", "test_all.py", "--", submit(FLOOR, name))
+        assert "now holds" in ended.err
+    assert "4 failed" in run_pytest(tmp_path, "test_all.py").stdout
+
+
 def test_somebody_elses_file_is_left_alone(judge, submit, tmp_path):
     name = submit(FLOOR)
     (tmp_path / "test_own.py").write_text("def test_own(): pass\n")
