@@ -71,9 +71,10 @@ class Run(Struct, frozen=True):
         """The object that `judge run --json` wrote. Raises HistoryError where it is damaged."""
         try:
             found = json.loads(zlib.decompress(self.packed))
-        except (zlib.error, ValueError) as fault:
+        except (zlib.error, ValueError, TypeError, RecursionError) as fault:
             raise HistoryError(f"the result of run {self.id} is damaged") from fault
-        assert isinstance(found, dict)
+        if not isinstance(found, dict):
+            raise HistoryError(f"the result of run {self.id} is damaged")
         return found
 
     @property
@@ -187,14 +188,14 @@ class History:
             f"SELECT {_COLUMNS} FROM runs {where} ORDER BY id DESC LIMIT ?",
             (*values, -1 if limit is None else limit),
         )
-        return [_run(row) for row in reversed(rows)]
+        return [self._run(row) for row in reversed(rows)]
 
     def run(self, number: int) -> Run:
         """The run of that number. Raises UsageError if there is none."""
         rows = self._rows(f"SELECT {_COLUMNS} FROM runs WHERE id = ?", (number,)) if _stored(number) else []
         if not rows:
             raise UsageError(f"there is no run {number}", remedy=self._numbers())
-        return _run(rows[0])
+        return self._run(rows[0])
 
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
@@ -254,6 +255,13 @@ class History:
     def _time(self) -> int:
         return (self._clock() - _START) // _MICROSECOND
 
+    def _run(self, row: Sequence[Any]) -> Run:
+        try:
+            return _run(row)
+        except (ValueError, TypeError, OverflowError, AttributeError) as fault:  # no judge wrote this
+            remedy = "move the file away, and a new one begins"
+            raise HistoryError(f"run {row[0]} is damaged", where=str(self.path), remedy=remedy) from fault
+
     def _rows(self, query: str, values: Sequence[object] = ()) -> list[Any]:
         from judge.kata.database import faults
 
@@ -291,6 +299,9 @@ def _run(row: Sequence[Any]) -> Run:
         source,
         packed,
     ) = row
+    for text in (problem, passed, failed, source, mistake or ""):
+        if not isinstance(text, str):
+            raise TypeError("text is meant")
     return Run(
         number,
         _when(time),

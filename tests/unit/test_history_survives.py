@@ -9,6 +9,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 import pytest
@@ -297,6 +298,37 @@ def test_a_damaged_history_says_so(own_history):
     own_history.write_bytes(whole[:8192] + b"\xee" * (len(whole) - 8192))
     with History.open() as history, pytest.raises(HistoryError, match="move it away"):
         history.runs()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        "verdict = 'XX'",
+        "mode = 'none'",
+        "time = 9223372036854775807",
+        "time = 'now'",
+        "problem = x'ff'",
+        "passed = x'ff'",
+    ],
+)
+def test_a_run_that_no_judge_wrote_is_told_in_a_line(change, own_history):
+    filled(own_history, runs=1)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute(f"UPDATE runs SET {change}")
+    with History.open(reading=True) as history:
+        with pytest.raises(HistoryError, match="run 1 is damaged"):
+            history.runs()
+        with pytest.raises(HistoryError, match="run 1 is damaged"):
+            history.run(1)
+
+
+@pytest.mark.parametrize("packed", [b"", zlib.compress(b"[]"), zlib.compress(b"[" * 100_000), "text"])
+def test_a_result_that_no_judge_wrote_is_told_in_a_line(packed, own_history):
+    filled(own_history, runs=1)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute("UPDATE runs SET result = ?", (packed,))
+    with History.open(reading=True) as history, pytest.raises(HistoryError, match="run 1 is damaged"):
+        history.run(1).result  # noqa: B018
 
 
 def test_a_folder_that_cannot_be_written():
