@@ -70,8 +70,10 @@ def _groups(config: pytest.Config, item: Any) -> list[JudgeGroup]:
 def _arguments(
     name: str, groups: Sequence[str] | None = None, problems: Sequence[str] = ()
 ) -> tuple[str, tuple[str, ...] | None, tuple[str, ...]]:
-    """What the marker was given; TypeError where that is no name and no lists."""
+    """What the marker was given; TypeError where that is no name and no lists, or a list of no groups."""
     if not isinstance(name, str) or isinstance(groups, str) or isinstance(problems, str):
+        raise TypeError
+    if groups is not None and not groups:  # the test would be left out, and nobody would see it
         raise TypeError
     return name, None if groups is None else tuple(groups), tuple(map(str, problems))
 

@@ -82,13 +82,15 @@ class JudgeProblem:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
                 such group, what was wanted and got, how many cases of each group fail, and the known mistakes
                 that the group is there for.
-            UsageError: there is no such group.
+            UsageError: there is no such group, or none is named: nothing would be held against anything.
             ProblemError: the problem is broken.
         """
         __tracebackhide__ = True  # pytest shows the caller's line
         chosen = self.groups if groups is None else (groups,) if isinstance(groups, str) else tuple(groups)
         for name in chosen:
             self.group(name)
+        if not chosen:
+            raise UsageError("no group is named", remedy="leave groups out for all of them")
         judged = [_judged(self.data, each, routine) for each in self.data.groups if each.group.name in chosen]
         failed = next((each for each in judged if each.tally.failure is not None), None)
         if failed is not None:
@@ -152,7 +154,10 @@ def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
 
 
 def _told(fault: Exception) -> str:
-    what = " ".join(str(fault).split())
+    try:
+        what = " ".join(str(fault).split())
+    except Exception:  # a text of its own that fails: what was raised matters more
+        what = "(its text cannot be shown)"
     place = _place(fault.__traceback__)
     return f"{type(fault).__name__}{': ' if what else ''}{what}{f' ({place})' if place else ''}"
 

@@ -98,6 +98,7 @@ def test_a_marker_on_a_class_or_a_module(library):
             "*middle has no group 'hlaf'; did you mean 'half'?",
         ),
         ("@pytest.mark.judge_problem('middle', 'half')", "the marker judge_problem cannot be understood: *"),
+        ("@pytest.mark.judge_problem('middle', [])", "the marker judge_problem cannot be understood: *"),
         ("@pytest.mark.judge_problem()", "the marker judge_problem cannot be understood: write *"),
         ("@pytest.mark.judge_problem('middle', seed=1)", "the marker judge_problem cannot be understood: *"),
         (
@@ -196,6 +197,12 @@ def test_an_unknown_group(groups):
         judge_problem("middle").check(middle, groups)
 
 
+@pytest.mark.parametrize("groups", [[], (), iter([])])
+def test_no_group_at_all_is_no_success(groups):
+    with pytest.raises(UsageError, match="no group is named"):
+        judge_problem("middle").check(floor, groups)
+
+
 def test_an_unknown_problem():
     with pytest.raises(UsageError, match="did you mean 'middle'"):
         judge_problem("middel")
@@ -221,6 +228,18 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
         judge_problem("middle").check(stumbles)
     assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
     assert isinstance(failed.value.__cause__, ZeroDivisionError)
+
+
+def test_an_exception_whose_own_text_fails():
+    class MuteError(Exception):
+        def __str__(self):
+            raise ValueError
+
+    def mute(a, b):
+        raise MuteError
+
+    with pytest.raises(AssertionError, match=r"MuteError: \(its text cannot be shown\)"):
+        judge_problem("middle").check(mute)
 
 
 def test_a_wrong_type_says_so():
