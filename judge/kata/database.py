@@ -63,6 +63,7 @@ def connect(path: Path, *, reading: bool) -> sqlite3.Connection:
             return _ready(_opened("file::memory:?mode=memory"), path)
         if not reading:
             _make_folder(path)
+            _make_file(path)
         _look_at(path)
         try:
             return _ready(_opened(_address(path, "rw" if reading else "rwc")), path)
@@ -115,6 +116,12 @@ def _name(fault: sqlite3.Error) -> str:
 def _make_folder(path: Path) -> None:
     with contextlib.suppress(FileExistsError):  # a file in its place shows when the history is opened
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+
+
+def _make_file(path: Path) -> None:
+    """Begin it as the user's own, wherever it is: it holds their sources. SQLite's other files follow it."""
+    with contextlib.suppress(OSError):  # it is there, or cannot be made: SQLite says that better
+        os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
 
 
 def _look_at(path: Path) -> None:

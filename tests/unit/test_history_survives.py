@@ -331,6 +331,19 @@ def test_a_result_that_no_judge_wrote_is_told_in_a_line(packed, own_history):
         history.run(1).result  # noqa: B018
 
 
+def test_nobody_else_can_read_it(tmp_path):
+    path = tmp_path / "shared.sqlite3"
+    before = os.umask(0o022)
+    try:
+        with History.open(path) as history:
+            history.add(past_result(), b"mine", "")
+            files = list(tmp_path.iterdir())
+            assert len(files) == 3
+            assert all(file.stat().st_mode & 0o077 == 0 for file in files)
+    finally:
+        os.umask(before)
+
+
 def test_a_folder_that_cannot_be_written():
     assert "--db" in refusal(Path("/proc/judge/history.sqlite3"))
 
