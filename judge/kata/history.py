@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 Clock = Callable[[], datetime]
 
 FULL_SCORE = 100
+_MOST = 2**63 - 1  # what SQLite can be asked for
 _START = datetime(1970, 1, 1, tzinfo=UTC)
 _MICROSECOND = timedelta(microseconds=1)
 _COLUMNS = (  # of a run, in the order of its table
@@ -186,7 +187,7 @@ class History:
         where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
         rows = self._rows(
             f"SELECT {_COLUMNS} FROM runs {where} ORDER BY id DESC LIMIT ?",
-            (*values, -1 if limit is None else limit),
+            (*values, -1 if limit is None else min(limit, _MOST)),
         )
         return [self._run(row) for row in reversed(rows)]
 
@@ -275,7 +276,7 @@ class History:
 
 
 def _stored(number: int) -> bool:
-    return 0 < number < 2**63  # what SQLite can be asked for
+    return 0 < number <= _MOST
 
 
 def _when(microseconds: int) -> datetime:

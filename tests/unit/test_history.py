@@ -43,6 +43,7 @@ def test_runs_are_listed_oldest_first_and_the_last_of_them_on_demand(history):
     assert [run.id for run in history.runs("count", limit=2)] == [3, 4]
     assert history.runs("nothing") == []
     assert history.runs(limit=0) == []
+    assert len(history.runs(limit=10**30)) == 4
 
 
 def test_a_source_is_kept_once(history):
