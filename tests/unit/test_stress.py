@@ -108,7 +108,7 @@ def test_a_failures_case_is_counted_in_all_cases_of_its_group():
     [
         ("return 1 // 0", Verdict.RTE, "ZeroDivisionError"),
         ("import os; os._exit(3)", Verdict.RTE, "exit status 3"),
-        ("while True: pass", Verdict.TLE, "CPU time"),
+        ("while True: pass", Verdict.TLE, "more than"),
     ],
 )
 def test_a_call_that_gives_no_answer_breaks_it(body, verdict, words):
