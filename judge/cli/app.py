@@ -178,11 +178,11 @@ def _without_debug(words: list[str]) -> tuple[list[str], bool]:
 
 
 def _complain(message: str) -> None:
-    from judge.report.layout import Span, Style, line
-    from judge.report.screen import err
+    from judge.report.layout import Style
+    from judge.report.screen import note
 
     try:
-        err().show([line(Span("judge:", Style.BAD), " ", message)])
+        note(message, Style.BAD)
     except BrokenPipeError:
         _hush()
 

@@ -8,8 +8,7 @@ from typing import Any, TypeVar
 import click
 
 from judge.data import cache_folder
-from judge.report.layout import Span, Style, line
-from judge.report.screen import err
+from judge.report.screen import note
 from judge.run import Mode, Reference, Settings
 from judge.run.parallel import Turnstile
 from judge.sandbox import LEVELS, Box, Boxes, BoxFactory
@@ -80,9 +79,9 @@ class Containment:
             return
         self._warned = True
         text = (
-            " isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
+            "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
         )
-        err().show([line(Span("judge:", Style.WARNING), text)])
+        note(text)
 
     def _take(self, source: bytes, name: str) -> Box:
         return self._ahead.pop((source, name), None) or self.open_box(source, name)

@@ -19,7 +19,7 @@ from judge.errors import ExitCode, UsageError
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
-from judge.report.screen import err, out
+from judge.report.screen import note, out
 from judge.report.values import counted
 from judge.spec.find import find_problem
 
@@ -57,7 +57,8 @@ def command(
     _make_room(target, names, force=force)
     with progress(f"building {problem.id}") as advance:
         data = load_data(problem, seed=seed, progress=advance)
-    err().show(line(Span("judge:", Style.WARNING), f" {note}") for note in data.notes)
+    for text in data.notes:
+        note(text)
     wanted = {group.name for group in chosen}
     cases = 0
     for group in data.groups:

@@ -12,8 +12,7 @@ from msgspec.structs import replace
 from judge.cli.submissions import Submission
 from judge.data import ProblemData
 from judge.errors import JudgeError
-from judge.report.layout import Span, Style, line
-from judge.report.screen import err
+from judge.report.screen import note
 from judge.run import Mode, Reference, Result
 from judge.run.result import Failure
 from judge.sandbox import Box, BoxFactory
@@ -50,7 +49,7 @@ class Diagnosis(Struct, frozen=True):
             found = self._search(result, result.failure, box)
         except Exception as fault:
             told = str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
-            _note(f"no smaller case for {submission.name}: {told}")
+            note(f"no smaller case for {submission.name}: {told}")
             return result
         if self.regression is not None:
             self._save(submission, result, found)
@@ -77,15 +76,11 @@ class Diagnosis(Struct, frozen=True):
 
         assert self.regression is not None
         if found is None or found.replay is None:
-            note = f"{submission.name} fails on no case by itself; {self.regression} is as it was"
+            text = f"{submission.name} fails on no case by itself; {self.regression} is as it was"
         elif result.mode is Mode.PROGRAM:
-            note = f"{submission.name} is a program, not a function; {self.regression} is as it was"
+            text = f"{submission.name} is a program, not a function; {self.regression} is as it was"
         else:
             target = Path(submission.name)
             added = add_case(self.regression, target, self.data, found)
-            note = f"{self.regression} {'now holds' if added else 'already held'} {found.replay}"
-        _note(note)
-
-
-def _note(text: str) -> None:
-    err().show([line(Span("judge:", Style.WARNING), f" {text}")])
+            text = f"{self.regression} {'now holds' if added else 'already held'} {found.replay}"
+        note(text)

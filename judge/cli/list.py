@@ -9,9 +9,9 @@ import click
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
-from judge.report.layout import Span, Style, line
+from judge.report.layout import Style
 from judge.report.problems import cases, list_lines
-from judge.report.screen import err, out
+from judge.report.screen import note, out
 from judge.spec import Problem, Tier
 from judge.spec.find import problem_folders
 from judge.spec.load import load_problem
@@ -34,7 +34,8 @@ def command(as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
     elif problems:
         screen = out()
         screen.show(list_lines(problems, screen.width))
-    err().show(line(Span("judge:", Style.BAD), f" {fault}") for fault in faults)
+    for fault in faults:
+        note(str(fault), Style.BAD)
     return ExitCode.FAULT if faults else ExitCode.ACCEPTED
 
 

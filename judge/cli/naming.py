@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 from judge.data import ProblemData
 from judge.errors import JudgeError
-from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
-from judge.report.screen import err
+from judge.report.screen import note
 from judge.run import Result, Settings
 from judge.spec import Verdict
 
@@ -40,11 +39,11 @@ class Naming:
         try:
             result = namer.named(result)
         except JudgeError as fault:
-            self._note(f"the mistake is not named: {fault}")
+            note(f"the mistake is not named: {fault}")
         with self._lock:
             notes, namer.notes = namer.notes, []
-        for note in notes:
-            self._note(note)
+        for text in notes:
+            note(text)
         return result
 
     def _ready(self) -> Namer:
@@ -63,6 +62,3 @@ class Naming:
                     lambda: progress(label) if self._jobs == 1 else nullcontext(),
                 )
             return self._namer
-
-    def _note(self, text: str) -> None:
-        err().show([line(Span("judge:", Style.WARNING), f" {text}")])

@@ -11,8 +11,8 @@ from msgspec import Struct
 from judge.data import ProblemData
 from judge.data.atomic import replace_file
 from judge.errors import UsageError
-from judge.report.layout import Line, Span, Style, line
-from judge.report.screen import Screen, err
+from judge.report.layout import Line
+from judge.report.screen import Screen, note
 from judge.run import Result
 from judge.spec import Case, Problem
 
@@ -73,8 +73,8 @@ class Drawing(Struct, frozen=True):
 
         picture = self.picture()
         if picture is None:
-            note = f" nothing to draw, {path} is not written: no case of a circle and a line failed"
-            err().show([line(Span("judge:", Style.WARNING), note)])
+            text = f"nothing to draw, {path} is not written: no case of a circle and a line failed"
+            note(text)
             return
         try:
             replace_file(path, to_svg(picture).encode())

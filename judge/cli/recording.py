@@ -9,8 +9,7 @@ import click
 
 from judge.cli.submissions import Submission
 from judge.errors import HistoryError
-from judge.report.layout import Span, Style, line
-from judge.report.screen import err
+from judge.report.screen import note
 from judge.run import Result
 
 if TYPE_CHECKING:
@@ -52,7 +51,7 @@ class Recording:
             self._history.add(result, submission.source, _absolute(submission.name))
         except HistoryError as fault:
             self._wanted = False
-            err().show([line(Span("judge:", Style.WARNING), f" not kept in the history: {fault}")])
+            note(f"not kept in the history: {fault}")
 
 
 def _absolute(name: str) -> str:

@@ -15,9 +15,9 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.data.atomic import replace_file
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
-from judge.report.layout import Link, Span, Style, line
+from judge.report.layout import Link, Span, line
 from judge.report.progress import progress
-from judge.report.screen import err, out
+from judge.report.screen import note, out
 from judge.spec import Problem
 from judge.spec.find import problem_folders
 from judge.spec.load import load_problem
@@ -99,7 +99,7 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
         try:
             problem = load_problem(folder)
         except ProblemError as fault:  # its runs are told of all the same
-            _note(f"{folder.name} is left out: {fault}")
+            note(f"{folder.name} is left out: {fault}")
             continue
         if problem.id not in tried:
             found.append(Known(problem))
@@ -118,7 +118,7 @@ def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]
     try:
         skills, problems = load_skills(folders)
     except ProblemError as fault:
-        _note(f"the checklist is left out: {fault}")
+        note(f"the checklist is left out: {fault}")
         return []
     return assess(skills, runs, problems)
 
@@ -139,10 +139,10 @@ def _matrix(problem: Problem) -> Matrix | None:
             namer = Namer(data, None, settings, workers, lambda: progress(label))
             matrix = namer.matrix()
     except JudgeError as fault:
-        _note(f"the matrix of {problem.id} is left out: {fault}")
+        note(f"the matrix of {problem.id} is left out: {fault}")
         return None
-    for note in (*data.notes, *namer.notes):
-        _note(note)
+    for text in (*data.notes, *namer.notes):
+        note(text)
     return matrix
 
 
@@ -211,7 +211,3 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
         )
         return
     out().show([line(Span(str(path), link=Link(str(path))))])
-
-
-def _note(text: str) -> None:
-    err().show([line(Span("judge:", Style.WARNING), f" {text}")])

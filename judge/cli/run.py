@@ -30,10 +30,10 @@ from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.report.kata import pointer_lines
-from judge.report.layout import Span, Style, line
+from judge.report.layout import line
 from judge.report.progress import progress
 from judge.report.results import result_lines, summary_lines, verdict_lines
-from judge.report.screen import err, out
+from judge.report.screen import note, out
 from judge.run import Result, Settings, exit_code, judge_fault, run_submission
 from judge.run.parallel import in_order
 from judge.spec import Problem
@@ -181,7 +181,8 @@ def named_problem(name: str, folders: Sequence[Path]) -> Problem:
 def _data(problem: Problem, seed: int | None) -> ProblemData:
     with progress(f"building {problem.id}") as advance:
         data = load_data(problem, seed=seed, progress=advance)
-    err().show(line(Span("judge:", Style.WARNING), f" {note}") for note in data.notes)
+    for text in data.notes:
+        note(text)
     return data
 
 

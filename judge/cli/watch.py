@@ -31,8 +31,7 @@ from judge.cli.run import Wish, judged, named_problem, show_result
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, HistoryError, JudgeError, UsageError
 from judge.kata.saves import Mark, Saves, mark, settled
-from judge.report.layout import Span, Style, line
-from judge.report.screen import err, is_terminal, out
+from judge.report.screen import is_terminal, note, out
 from judge.report.terminal import draws
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
@@ -183,7 +182,7 @@ def _take_up(kata: Kata, db: Path | None) -> None:
     try:
         take_up(kata, db)
     except HistoryError as fault:
-        err().show([line(Span("judge:", Style.WARNING), f" not kept in the history: {fault}")])
+        note(f"not kept in the history: {fault}")
 
 
 def _write_on(desk: Desk, *, as_json: bool) -> NoReturn:
@@ -194,7 +193,7 @@ def _write_on(desk: Desk, *, as_json: bool) -> NoReturn:
             if desk.saved():
                 found = desk.judge()
                 if isinstance(found, str):
-                    err().show([line(Span("judge:", Style.WARNING), f" {found}")])
+                    note(found)
                 elif as_json:
                     write_json(found.result.as_json())
                 else:

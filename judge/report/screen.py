@@ -10,7 +10,7 @@ from typing import IO
 
 from msgspec import Struct
 
-from judge.report.layout import Line, Link, Style, printable
+from judge.report.layout import Line, Link, Span, Style, line, printable
 
 # Only the sixteen colours of the person's own theme, so that light and dark backgrounds both serve.
 _CODES = {
@@ -90,6 +90,11 @@ def out() -> Screen:
 def err() -> Screen:
     """The screen of standard error."""
     return Screen.of(sys.stderr)
+
+
+def note(text: str, style: Style = Style.WARNING) -> None:
+    """Say a sentence of the judge's own on standard error, beside what the command writes."""
+    err().show([line(Span("judge:", style), f" {text}")])
 
 
 def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
