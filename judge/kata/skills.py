@@ -7,7 +7,7 @@
         needs = [{ problem = "ray-nearest", groups = ["ahead", "behind"] }]
 
 A need is met by one run that passed all of its groups; a skill is shown when each of its needs was met, and
-lost where the latest run that tried a need fails it.
+lost where the latest run that tried a need fails it. A run that passed no test group at all loses nothing.
 """
 
 from __future__ import annotations
@@ -172,7 +172,8 @@ def _assess(need: Need, tries: Iterable[_Tried], mistakes: Collection[str]) -> N
         if not fails and groups.isdisjoint(passed):  # it was judged on other groups only
             continue
         attempts += since is None
-        missed = fails
+        if run.passed:  # a file that is begun anew passes nothing yet, and takes nothing away
+            missed = fails
         if since is None and groups <= passed:
             since = run.when
         if fails and run.mistake:

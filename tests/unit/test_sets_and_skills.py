@@ -186,6 +186,15 @@ def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
     assert (again.state, again.since) == (SkillState.SHOWN, START)
 
 
+def test_a_file_that_is_begun_anew_loses_nothing(after):
+    shown = after(
+        CLAMP,
+        past_result(passed=("beyond", "tangent-beyond")),
+        past_result(passed=(), failed=("beyond", "tangent-beyond")),
+    )
+    assert (shown.state, shown.since, shown.attempts) == (SkillState.SHOWN, START, 1)
+
+
 def test_a_skill_of_two_problems(after):
     half = after(SMALL, past_result(passed=("small",)))
     assert (half.state, half.met, half.since) == (SkillState.PART, 1, None)
