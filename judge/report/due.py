@@ -43,8 +43,8 @@ def due_lines(
 
 
 def nothing_lines(width: int | None) -> Iterator[Line]:
-    """Nothing was ever judged."""
-    text = "Nothing was judged yet, so nothing comes again; 'judge practice' takes up the first kata."
+    """Nothing was tried; runs of a problem's own solutions are no tries."""
+    text = "You have tried no kata yet, so none comes again; 'judge practice' takes up the first kata."
     yield from hanging(Span(""), Span(text), width, indent=0, column=0)
 
 

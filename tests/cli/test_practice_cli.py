@@ -179,7 +179,7 @@ def test_everything_passed_is_every_skill_shown(judge, own_pack):
 
 
 def test_what_is_due(judge, own_pack, monkeypatch):
-    assert "Nothing was judged yet" in judge("due").out
+    assert "tried no kata yet" in judge("due").out
     start = datetime(2026, 3, 1, 9, tzinfo=UTC)
     monkeypatch.setattr(kept, "now", lambda: start)
     passed("middle", when=start)
