@@ -12,6 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from enum import IntEnum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 class ExitCode(IntEnum):
@@ -48,6 +52,12 @@ class UsageError(JudgeError):
     """What the caller asked for cannot be done as it was asked."""
 
     exit_code = ExitCode.USAGE
+
+
+def unwritable(path: Path, fault: OSError, remedy: str | None = None) -> UsageError:
+    """The error that says that `path` cannot be written, and why."""
+    reason = (fault.strerror or "it failed").lower()
+    return UsageError(f"cannot be written ({reason})", where=str(path), remedy=remedy)
 
 
 class ProblemError(JudgeError):

@@ -15,7 +15,7 @@ from judge.cli.options import (
     write_json,
 )
 from judge.data import load_data
-from judge.errors import ExitCode, UsageError
+from judge.errors import ExitCode, UsageError, unwritable
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
@@ -25,6 +25,7 @@ from judge.spec.find import find_problem
 
 SCHEMA = 1
 _KINDS = (".in", ".ans", ".json")
+_REMEDY = "name another folder with --out"
 
 
 @click.command("data")
@@ -81,8 +82,10 @@ def _make_room(target: Path, names: list[str], *, force: bool) -> None:
     try:
         target.mkdir(parents=True, exist_ok=True)
         there = [name for name in names if (target / name).exists()]
+    except FileExistsError as fault:
+        raise UsageError("it is a file, not a folder", where=str(target), remedy=_REMEDY) from fault
     except OSError as fault:
-        raise _unwritable(target, fault) from fault
+        raise unwritable(target, fault, _REMEDY) from fault
     if there and not force:
         more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
         raise UsageError(
@@ -96,11 +99,4 @@ def _write(path: Path, text: str) -> None:
     try:
         path.write_text(text, encoding="utf-8", newline="\n")
     except OSError as fault:
-        raise _unwritable(path, fault) from fault
-
-
-def _unwritable(path: Path, fault: OSError) -> UsageError:
-    reason = (fault.strerror or "it failed").lower()
-    return UsageError(
-        f"cannot be written ({reason})", where=str(path), remedy="name another folder with --out"
-    )
+        raise unwritable(path, fault, _REMEDY) from fault

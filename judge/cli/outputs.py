@@ -13,12 +13,11 @@ import click
 from judge.cli.options import write_json
 from judge.cli.picture import Drawing
 from judge.cli.submissions import Submission, read_submissions
-from judge.data.atomic import replace_file
+from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.run import Result, exit_code, judge_fault
 
 TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
-_LOOKED_AT = 2000  # bytes of a file in which JUnit XML says that it is that
 
 format_option = click.option(
     "--format",
@@ -62,12 +61,13 @@ class Outputs:
     """
 
     def __init__(self, form: str, screen: Sink, junit: Path | None) -> None:
-        _check_junit(junit)
+        self._junit = Target(junit, "--junit", "JUnit XML", _is_junit) if junit else None
+        if self._junit:
+            self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else
         self.expected: Sequence[Submission] = ()
         self._form = form
         self._screen = screen
-        self._junit = junit
         self._results: list[Result] = []
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
@@ -115,39 +115,8 @@ class Outputs:
             return
         from judge.report.junit import junit  # only who asks for it waits for it
 
-        try:
-            replace_file(self._junit, junit(self._results))
-        except OSError as fault:
-            raise _unwritable(self._junit, fault) from fault
+        self._junit.write(junit(self._results))
 
 
-def _check_junit(path: Path | None) -> None:
-    """Refuse to write over a file that is no JUnit XML, such as a submission named by a slip."""
-    if path is None:
-        return
-    try:
-        if not path.parent.is_dir():
-            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
-        if path.exists() and not _is_junit(path):
-            raise UsageError(
-                "it is there already and is no JUnit XML",
-                where=str(path),
-                remedy="name another file with --junit",
-            )
-    except OSError as fault:
-        raise _unwritable(path, fault) from fault
-
-
-def _is_junit(path: Path) -> bool:
-    if not path.is_file():  # a pipe would be waited for
-        return False
-    with path.open("rb") as file:
-        start = file.read(_LOOKED_AT)
-    return b"<testsuite" in start or not start.strip()
-
-
-def _unwritable(path: Path, fault: OSError) -> UsageError:
-    reason = (fault.strerror or "it failed").lower()
-    return UsageError(
-        f"cannot be written ({reason})", where=str(path), remedy="name another file with --junit"
-    )
+def _is_junit(start: bytes) -> bool:
+    return b"<testsuite" in start

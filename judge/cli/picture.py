@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
+from judge.cli.target import Target
 from judge.data import ProblemData
-from judge.data.atomic import replace_file
 from judge.errors import UsageError
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
@@ -18,8 +18,6 @@ from judge.spec import Case, Problem
 
 if TYPE_CHECKING:
     from judge.diagnose.picture import Picture
-
-_LOOKED_AT = 2000  # bytes of a file in which an SVG says that it is one
 
 svg_option = click.option(
     "--svg",
@@ -76,10 +74,7 @@ class Drawing(Struct, frozen=True):
             text = f"nothing to draw, {path} is not written: no case of a circle and a line failed"
             note(text)
             return
-        try:
-            replace_file(path, to_svg(picture).encode())
-        except OSError as fault:
-            raise _unwritable(path, fault) from fault
+        _target(path).write(to_svg(picture).encode())
 
 
 def check_svg(path: Path | None, submissions: int) -> None:
@@ -88,24 +83,8 @@ def check_svg(path: Path | None, submissions: int) -> None:
         return
     if submissions > 1:
         raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
-    try:
-        if not path.parent.is_dir():
-            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
-        if path.is_dir() or (path.exists() and not _is_svg(path)):
-            raise UsageError(
-                "it is there already and is no SVG", where=str(path), remedy="name another file with --svg"
-            )
-    except OSError as fault:
-        raise _unwritable(path, fault) from fault
+    _target(path).check()
 
 
-def _is_svg(path: Path) -> bool:
-    if not path.is_file():  # a pipe would be waited for
-        return False
-    with path.open("rb") as file:
-        return b"<svg" in file.read(_LOOKED_AT)
-
-
-def _unwritable(path: Path, fault: OSError) -> UsageError:
-    reason = (fault.strerror or "it failed").lower()
-    return UsageError(f"cannot be written ({reason})", where=str(path), remedy="name another file with --svg")
+def _target(path: Path) -> Target:
+    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from judge.cli.target import check_place
 from judge.diagnose.regression import is_ours
 from judge.errors import UsageError
 
@@ -19,8 +20,7 @@ def agree_on(path: Path) -> None:
     Raises:
         UsageError: it may not, or its folder is missing.
     """
-    if not path.parent.is_dir():
-        raise UsageError("there is no such folder", where=str(path.parent), remedy="make it first")
+    check_place(path, "--save-regression")
     if not path.exists() or is_ours(path):
         return
     where, what = str(path), "this file was not written by --save-regression"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.data.atomic import replace_file
+from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.report.layout import Link, Span, line
@@ -29,7 +28,6 @@ if TYPE_CHECKING:
 
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
-_LOOKED_AT = 2000  # bytes of a file in which a report says that it is one
 _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
 _AT_ONCE = 4  # known-wrong programs
 
@@ -70,7 +68,8 @@ def command(
 
     Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
     """
-    _check(path, force=force)
+    target = Target(path, "--out", "report", _is_report)
+    target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with History.open(db, reading=True) as history:
         runs = history.runs()
         if not runs:
@@ -84,7 +83,7 @@ def command(
     known = _known(folders, last, matrix=matrix)
     skills = _skills(folders, runs)
     page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
-    _write(path, page)
+    target.write(page)
     _tell(path, page, runs, last, as_json=as_json)
     return ExitCode.ACCEPTED
 
@@ -155,47 +154,10 @@ def _now() -> datetime:
         raise UsageError(f"{given!r} is no time", where=f"${_EPOCH}", remedy=remedy) from None
 
 
-# -- the file ----------------------------------------------------------------------------------------------
-
-
-def _check(path: Path, *, force: bool) -> None:
-    """Refuse, before anything is read, a place that cannot be written or holds something else."""
-    try:
-        if not path.parent.is_dir():
-            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
-        with suppress(FileNotFoundError):
-            path.stat()  # says at once what the questions below keep to themselves, such as a name too long
-        if path.is_dir():
-            raise UsageError("it is a folder", where=str(path), remedy="name a file with --out")
-        if path.exists() and not path.is_file():
-            raise UsageError("it is no ordinary file", where=str(path), remedy="name another with --out")
-        if path.exists() and not force and not _is_report(path):
-            raise UsageError(
-                "it is there already and is no report",
-                where=str(path),
-                remedy="name another file with --out, or overwrite it with --force",
-            )
-    except OSError as fault:
-        raise _unwritable(path, fault) from fault
-
-
-def _is_report(path: Path) -> bool:
+def _is_report(start: bytes) -> bool:
     from judge.report.page.render import is_report
 
-    with path.open("rb") as file:
-        return is_report(file.read(_LOOKED_AT))
-
-
-def _write(path: Path, page: bytes) -> None:
-    try:
-        replace_file(path.resolve(), page)  # where a link leads, so that the link stays one
-    except OSError as fault:
-        raise _unwritable(path, fault) from fault
-
-
-def _unwritable(path: Path, fault: OSError) -> UsageError:
-    reason = (fault.strerror or "it failed").lower()
-    return UsageError(f"cannot be written ({reason})", where=str(path), remedy="name another file with --out")
+    return is_report(start)
 
 
 def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *, as_json: bool) -> None:

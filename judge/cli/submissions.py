@@ -38,7 +38,8 @@ def _files(name: str) -> list[str]:
         is_folder = stat.S_ISDIR(Path(name).stat().st_mode)
         if not is_folder:
             return [name]
-        found = sorted(path for path in Path(name).glob("*.py") if path.is_file())
+        # Not glob, to which a folder that may not be read is an empty one.
+        found = sorted(path for path in Path(name).iterdir() if path.suffix == ".py" and path.is_file())
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
@@ -79,9 +80,10 @@ def _meant(path: Path) -> str:
         beside = [entry.name for entry in path.parent.iterdir()]
     except OSError:
         return f"there is no folder {path.parent}"
-    meant = nearest(path.name, beside)
-    if meant:
-        return f"did you mean {path.with_name(meant)}?"
+    stem = nearest(path.stem, [Path(name).stem for name in beside])  # every name is like any other's .py
+    alike = [name for name in beside if Path(name).stem == stem]
+    if alike:
+        return f"did you mean {path.with_name(nearest(path.name, alike) or alike[0])}?"
     try:
         return f"paths start from {Path.cwd()}"
     except OSError:

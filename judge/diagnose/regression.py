@@ -13,7 +13,7 @@ from judge.compare.targets import AnyTarget, CountTarget, PointsTarget, Target, 
 from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.diagnose.counterexample import Counterexample
-from judge.errors import UsageError
+from judge.errors import UsageError, unwritable
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
 _HEAD = f'''{_MARK}
@@ -58,8 +58,7 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
     try:
         replace_file(path, ((content if content.strip() else _HEAD) + "\n\n" + case).encode())
     except OSError as fault:
-        reason = (fault.strerror or "unknown").lower()
-        raise UsageError(f"cannot be written ({reason})", where=str(path)) from fault
+        raise unwritable(path, fault, "name another file with --save-regression") from fault
     return True
 
 

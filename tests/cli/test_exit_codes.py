@@ -24,7 +24,7 @@ FILES = {
     "team/mean.py": MEAN,
     "team/floor.py": FLOOR,
     "good/mean.py": MEAN,
-    "note.txt": "",
+    "note.txt": "no report\n",
     "old.svg": "no picture",
     "other.sqlite3": "no history",
 }

@@ -92,8 +92,8 @@ def test_a_broken_problem_is_an_error_for_each_submission(judge, submit):
     [
         ("mine.py", "it is there already and is no JUnit XML"),
         ("nowhere/out.xml", "its folder does not exist"),
-        (".", "it is there already and is no JUnit XML"),
-        ("/dev/null", "it is there already and is no JUnit XML"),
+        (".", "it is a folder"),
+        ("/dev/null", "it is no ordinary file"),
     ],
 )
 def test_a_file_that_cannot_be_meant_is_refused_before_anything_is_judged(place, wanted, judge, submit):

@@ -39,7 +39,7 @@ def refused(ended, *words):
         (["run", "middle", "mine.py", "--problems", "nowhere"], "nowhere is not a folder"),
         (["show", "middel"], "did you mean 'middle'?"),
         (["data", "middle"], "missing option '--out'"),
-        (["data", "middle", "--out", "mine.py"], "cannot be written"),
+        (["data", "middle", "--out", "mine.py"], "it is a file, not a folder"),
         (["verify", "middel"], "did you mean 'middle'?"),
     ],
 )
@@ -87,6 +87,35 @@ def test_an_unreadable_file(judge, submit):
     name = submit(MEAN)
     Path(name).chmod(0)
     refused(judge("run", "middle", name), "cannot be read (permission denied)", "check its permissions")
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_an_unreadable_folder(judge, submit):
+    folder = Path(submit(MEAN, "team/mine.py")).parent
+    folder.chmod(0)
+    try:
+        refused(judge("run", "middle", "team"), "team: cannot be read (permission denied)")
+    finally:
+        folder.chmod(0o755)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+@pytest.mark.parametrize("option", ["--svg", "--junit", "--save-regression"])
+def test_a_folder_that_cannot_be_written_is_told_of_before_anything_is_judged(option, judge, submit):
+    name = submit(MEAN)
+    Path("closed").mkdir(mode=0o555)
+    refused(judge("run", "middle", name, option, "closed/out"), "closed/out: cannot be written", option)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [("mien.py", "mine.py"), ("mine", "mine.py"), ("mine.pyy", "mine.py"), ("other.py", "")],
+)
+def test_a_missing_file_is_taken_for_one_of_a_like_name_only(typed, meant, judge, submit):
+    submit(MEAN)
+    ended = judge("run", "middle", typed)
+    refused(ended, f"{typed}: no such file")
+    assert (f"did you mean {meant}?" in ended.err) if meant else ("did you mean" not in ended.err)
 
 
 def test_a_link_that_leads_nowhere_is_called_one(judge, tmp_path, monkeypatch):

@@ -1,0 +1,88 @@
+"""A file that an option of a command writes: refused before anything is judged, and written whole."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from errno import EACCES
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.data.atomic import replace_file
+from judge.errors import UsageError, unwritable
+
+_LOOKED_AT = 2000  # bytes of a file in which it says what it is
+
+
+class Target(Struct, frozen=True):
+    """The file at `path` that `option` names.
+
+    What is there already is written over only if it is empty or `ours` says of its first bytes that it is
+    such a file, which a person calls by the name `kind`. That protects a submission named by a slip.
+    """
+
+    path: Path
+    option: str
+    kind: str
+    ours: Callable[[bytes], bool]
+
+    def check(self, *, force: bool = False, remedy: str | None = None) -> None:
+        """Refuse a place that cannot be written or, without `force`, holds something else.
+
+        Raises:
+            UsageError: that is so; `remedy` says what to do about something else that is there.
+        """
+        check_place(self.path, self.option)
+        try:
+            if force or not self.path.exists() or self._is_ours():
+                return
+        except OSError as fault:
+            raise unwritable(self.path, fault, _another(self.option)) from fault
+        what = f"it is there already and is no {self.kind}"
+        raise UsageError(what, where=str(self.path), remedy=remedy or _another(self.option))
+
+    def write(self, content: bytes) -> None:
+        """Put `content` there at once; where a link leads, so that the link stays one. Raises UsageError."""
+        try:
+            replace_file(self.path.resolve(), content)
+        except OSError as fault:
+            raise unwritable(self.path, fault, _another(self.option)) from fault
+
+    def _is_ours(self) -> bool:
+        with self.path.open("rb") as file:
+            start = file.read(_LOOKED_AT)
+        return not start.strip() or self.ours(start)
+
+
+def check_place(path: Path, option: str) -> None:
+    """Make sure that `path`, which `option` names, is an ordinary file or nothing yet, and can be written.
+
+    Raises:
+        UsageError: it is not.
+    """
+    where = str(path)
+    try:
+        if not path.parent.is_dir():
+            raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
+        if _exists(path) and path.is_dir():
+            raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
+        if _exists(path) and not path.is_file():  # a pipe would be waited for
+            raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
+        if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
+            raise PermissionError(EACCES, os.strerror(EACCES))
+    except OSError as fault:
+        raise unwritable(path, fault, _another(option)) from fault
+
+
+def _another(option: str) -> str:
+    return f"name another file with {option}"
+
+
+def _exists(path: Path) -> bool:
+    """Whether something is there; a name that cannot be one, such as one too long, raises OSError."""
+    try:
+        path.stat()
+    except FileNotFoundError:
+        return False
+    return True
