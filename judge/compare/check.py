@@ -284,7 +284,7 @@ def _error(given: Given, bounds: Target) -> tuple[float, float | None, float | N
 
 def _off(where: str, given: Given, bounds: Target, target: AnyTarget, answer: Any) -> Rejection:
     absolute, relative, ulps = _error(given, bounds)
-    share = "" if relative is None or ulps is None else f", {relative:.2g} of it ({ulps:.3g} ulps)"
+    share = "" if relative is None or ulps is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
     message = f"{where} is off by {absolute:.2g}{share}"
     return Rejection(message, wanted_text(target), show(answer), where, absolute, relative, ulps)
 
