@@ -207,7 +207,7 @@ class _Board:
         def drawn(screen: Screen) -> str:
             if not has_room(screen):
                 return note_text("a picture wants a terminal of 60 columns that knows braille", screen)
-            lines = [] if isinstance(found, str) else found.lines(screen)
+            lines = [] if isinstance(found, str) else found.lines(screen, beside=_BELOW)
             return screen.text(lines) if lines else note_text("there is no failing case to draw", screen)
 
         return drawn

@@ -54,14 +54,18 @@ class Drawing(Struct, frozen=True):
         exact, _ = self.data.exact(case, group)
         return compose(self.problem, values, exact, wanted=wanted, got=got, heading=heading)
 
-    def lines(self, screen: Screen) -> list[Line]:
-        """The drawing for a terminal; nothing where it cannot be shown."""
+    def lines(self, screen: Screen, *, beside: int) -> list[Line]:
+        """The drawing for a terminal, low enough that so many other lines are seen with it.
+
+        Nothing where it cannot be shown.
+        """
         if self.result.failure is None:
             return []
         from judge.report.picture import has_room, picture_lines
+        from judge.report.terminal import height
 
         picture = self.picture() if has_room(screen) else None
-        return list(picture_lines(picture)) if picture else []
+        return list(picture_lines(picture, height(screen) - beside)) if picture else []
 
     def save(self, path: Path | None) -> None:
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""

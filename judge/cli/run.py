@@ -32,7 +32,7 @@ from judge.errors import ExitCode, JudgeError, UsageError
 from judge.report.kata import pointer_lines
 from judge.report.layout import line
 from judge.report.progress import progress
-from judge.report.results import result_lines, summary_lines, verdict_lines
+from judge.report.results import lines_beside, result_lines, summary_lines, verdict_lines
 from judge.report.screen import note, out
 from judge.run import Result, Settings, exit_code, judge_fault, run_submission
 from judge.run.parallel import in_order
@@ -229,7 +229,7 @@ class _Screen(Struct):
         self.results.append(result)
         screen = out()
         if not self.brief:
-            drawn = drawing.lines(screen)
+            drawn = drawing.lines(screen, beside=lines_beside(result, screen.width))
             if self.pointing and not several and result.exit_code is ExitCode.ACCEPTED:
                 drawn = pointer_lines(result.problem, screen)
             screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])

@@ -21,6 +21,7 @@ from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.report.progress import stages
+from judge.report.results import lines_beside
 from judge.report.screen import out
 from judge.report.stress import stress_lines
 from judge.run import Settings, judge_fault, run_submission
@@ -114,7 +115,8 @@ def command(
         write_json(stressed.as_json())
     else:
         screen = out()
-        screen.show(stress_lines(stressed, screen.width, drawing.lines(screen)))
+        drawn = drawing.lines(screen, beside=lines_beside(stressed.result, screen.width))
+        screen.show(stress_lines(stressed, screen.width, drawn))
     drawing.save(svg)
     if stressed.interrupted and stressed.result.verdict is Verdict.AC:
         return ExitCode.INTERRUPTED

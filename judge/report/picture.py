@@ -29,9 +29,9 @@ def has_room(screen: Screen) -> bool:
     return True
 
 
-def picture_lines(picture: Picture) -> Iterator[Line]:
-    """The drawing, coloured by what is wanted and what was given."""
-    for row in to_braille(picture):
+def picture_lines(picture: Picture, rows: int) -> Iterator[Line]:
+    """The drawing in about so many rows, coloured by what is wanted and what was given."""
+    for row in to_braille(picture, rows):
         yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
 
 

@@ -6,7 +6,21 @@ import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from judge.report.layout import Cell, Column, Line, Link, Span, Style, Table, beside, hanging, line, pad
+from judge.report.layout import (
+    Cell,
+    Column,
+    Line,
+    Link,
+    Span,
+    Style,
+    Table,
+    beside,
+    cells,
+    hanging,
+    line,
+    pad,
+    printable,
+)
 from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
@@ -59,6 +73,27 @@ def result_lines(
         yield from pitfall_lines(result.pitfall, width)
         yield line()
     yield from verdict_lines(result, width)
+
+
+def lines_beside(result: Result, width: int | None) -> int:
+    """How many lines are to be seen together with the drawing of the failing case, and a prompt below them.
+
+    The smallest case, the mistake and the verdict; what is above them may have scrolled away.
+    """
+    parts = [verdict_lines(result, width)]
+    if result.counterexample:
+        parts.append(list(counterexample_lines(result, result.counterexample, width)))
+    elif result.failure:
+        parts.append([*failure_lines(result.failure, width), *place_lines(result, width)])
+    if result.pitfall:
+        parts.append(list(pitfall_lines(result.pitfall, width)))
+    return sum(_rows(laid, width) for part in parts for laid in part) + len(parts) + 1
+
+
+def _rows(laid: Line, width: int | None) -> int:
+    """How many rows of a terminal a line takes: a command is not broken into lines, and may take several."""
+    taken = sum(cells(printable(span.text)) for span in laid)
+    return max(1, -(-taken // width)) if width else 1
 
 
 _MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}

@@ -71,6 +71,16 @@ def test_a_terminal_that_is_wide_enough_shows_it(columns, drawn, submit, tmp_pat
     assert all(len(line) <= columns for line in written.splitlines() if " judge replay " not in line)
 
 
+def test_the_smallest_case_is_seen_with_its_picture(submit):
+    """On a terminal of 24 rows, the last of which the shell's prompt takes."""
+    submit(ALWAYS_ONE)
+    status, written = on_a_terminal("run", "count", "mine.py", *WHERE, NO_COLOR="1")
+    assert status == 1
+    below = written[written.index("  smallest case found") :].splitlines()
+    assert sum(-(-max(len(row), 1) // 80) for row in below) <= 23
+    assert braille("".join(below))
+
+
 def test_a_terminal_without_the_characters_does_without(submit, tmp_path):
     submit(ALWAYS_ONE)
     status, written = on_a_terminal(

@@ -10,7 +10,7 @@ from picture_cases import CASES, FOLDER, ROOT, drawn, picture_of, wanted_words
 
 from judge.data import load_data
 from judge.data.module import load_module
-from judge.diagnose.picture.braille import COLUMNS, ROWS, to_braille
+from judge.diagnose.picture.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
 from judge.diagnose.picture.svg import to_svg
 from judge.spec.load import load_problem
 
@@ -70,6 +70,25 @@ def test_any_case_can_be_drawn_with_any_answer(name):
                 rows = ["".join(piece.text for piece in row) for row in to_braille(picture)]
                 assert len(rows) <= ROWS
                 assert max(map(len, rows)) <= COLUMNS
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_drawing_is_as_low_as_the_terminal_asks(name):
+    problem, case, got = CASES[name]
+    picture = picture_of(load_problem(ROOT / "problems" / problem), case, got)
+    heights = []
+    for asked in (0, LEAST_ROWS, 12, ROWS, 99):
+        title, *body, legend = ["".join(piece.text for piece in row) for row in to_braille(picture, asked)]
+        assert title.startswith("True scale")
+        assert legend.startswith("o wanted")
+        assert body[0].strip()
+        assert body[-1].strip()
+        assert max(map(len, (title, *body))) <= COLUMNS
+        heights.append(len(body) + 2)
+    assert heights == sorted(heights)
+    assert heights[0] == heights[1] <= LEAST_ROWS
+    assert heights[2] <= 12
+    assert heights[3] == heights[4] <= ROWS
 
 
 def test_what_is_drawn_is_near_one():

@@ -13,8 +13,8 @@ from judge.diagnose.picture.shapes import Dot, Mark, Panel, Picture, Role, Strok
 
 COLUMNS = 60
 ROWS = 16
-_WIDE = 29  # characters of a panel
-_HIGH = 14
+LEAST_ROWS = 9  # with fewer a circle is hardly one
+_WIDE = 29  # characters of the widest panel
 _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))  # of a dot, by row and column
 _BLANK = 0x2800
 _ORDER = (Role.BEYOND, Role.CIRCLE, Role.LINE, Role.CASE, Role.WANTED, Role.GOT)  # the last one colours
@@ -29,18 +29,45 @@ class Piece:
     role: Role | None = None
 
 
-def to_braille(picture: Picture) -> list[list[Piece]]:
-    """At most `ROWS` rows of at most `COLUMNS` columns."""
-    grids = [_grid(panel) for panel in picture.panels]
-    titles = [panel.title.removeprefix("Lens: ") for panel in picture.panels]
-    rows = [[Piece(_heading(title).ljust(_WIDE + 2)) for title in titles]]
-    for level in range(_HIGH):
-        row: list[Piece] = []
-        for grid in grids:
-            row += [*_pieces(grid[level]), Piece("  ")]
-        rows.append(row)
-    rows.append([Piece("o wanted", Role.WANTED), Piece("  "), Piece("x got", Role.GOT), Piece("  * both")])
-    return [_trimmed(row) for row in rows]
+def to_braille(picture: Picture, rows: int = ROWS) -> list[list[Piece]]:
+    """At most `rows` rows, or `LEAST_ROWS` where that is more, of at most `COLUMNS` columns.
+
+    A lower drawing is narrower too: true scale stays true. Rows that are blank in every panel at the top and
+    at the bottom are left out.
+    """
+    raster = _Raster(min(max(rows, LEAST_ROWS), ROWS) - 2)
+    grids = [_grid(panel, raster) for panel in picture.panels]
+    levels = [level for level in range(raster.high) if any(_inked(grid[level]) for grid in grids)]
+    titles = [_heading(panel.title.removeprefix("Lens: ")) for panel in picture.panels]
+    drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]]
+    for level in range(levels[0], levels[-1] + 1) if levels else ():
+        drawn.append([piece for grid in grids for piece in (*_pieces(grid[level]), Piece(raster.gap))])
+    drawn.append([Piece("o wanted", Role.WANTED), Piece("  "), Piece("x got", Role.GOT), Piece("  * both")])
+    return [_trimmed(row) for row in drawn]
+
+
+@dataclass(frozen=True, slots=True)
+class _Raster:
+    """The characters of a panel: so many rows, and as many columns as make it square."""
+
+    high: int
+
+    @property
+    def wide(self) -> int:
+        return 2 * self.high + 1
+
+    @property
+    def gap(self) -> str:
+        """From the end of a panel to where the next one begins, below its title."""
+        return " " * (_WIDE + 2 - self.wide)
+
+    def fine(self, dot: Dot) -> Dot:
+        """Where a dot of the panel is on the raster, rows downwards."""
+        return (dot[0] + 1) / 2 * (2 * self.wide - 1), (1 - dot[1]) / 2 * (4 * self.high - 1)
+
+    def cell(self, x: float, y: float) -> tuple[int, int]:
+        """The dot of the raster that is nearest."""
+        return min(max(round(x), 0), 2 * self.wide - 1), min(max(round(y), 0), 4 * self.high - 1)
 
 
 def _heading(title: str) -> str:
@@ -51,12 +78,12 @@ def _heading(title: str) -> str:
 Cell = tuple[str, Role | None]
 
 
-def _grid(panel: Panel) -> list[list[Cell]]:
-    dots = [[0] * _WIDE for _ in range(_HIGH)]
-    roles: list[list[Role | None]] = [[None] * _WIDE for _ in range(_HIGH)]
+def _grid(panel: Panel, raster: _Raster) -> list[list[Cell]]:
+    dots = [[0] * raster.wide for _ in range(raster.high)]
+    roles: list[list[Role | None]] = [[None] * raster.wide for _ in range(raster.high)]
     for stroke in panel.strokes:
         if not stroke.filled:
-            _draw(stroke, dots, roles)
+            _draw(stroke, raster, dots, roles)
     cells: list[list[Cell]] = [
         [(chr(_BLANK + bits) if bits else " ", role) for bits, role in zip(*pair, strict=True)]
         for pair in zip(dots, roles, strict=True)
@@ -64,20 +91,20 @@ def _grid(panel: Panel) -> list[list[Cell]]:
     for role in _ORDER:
         for mark in panel.marks:
             if mark.role is role:
-                _set(mark, cells)
+                _set(mark, raster, cells)
     return cells
 
 
-def _draw(stroke: Stroke, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
+def _draw(stroke: Stroke, raster: _Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
     """Set the dots of a stroke, those beyond a segment's ends two on, two off."""
     travelled = 0
-    for (x1, y1), (x2, y2) in pairwise(map(_fine, stroke.dots)):
+    for (x1, y1), (x2, y2) in pairwise(map(raster.fine, stroke.dots)):
         steps = max(1, int(hypot(x2 - x1, y2 - y1) * 1.5))
         for i in range(steps + 1):
             travelled += 1
             if stroke.role is Role.BEYOND and travelled % 8 >= 3:
                 continue
-            x, y = _cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
+            x, y = raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
             row, column = y // 4, x // 2
             dots[row][column] |= _BITS[y % 4][x % 2]
             before = roles[row][column]
@@ -85,17 +112,8 @@ def _draw(stroke: Stroke, dots: list[list[int]], roles: list[list[Role | None]])
                 roles[row][column] = stroke.role
 
 
-def _fine(dot: Dot) -> Dot:
-    """Where a dot of the panel is on the raster, rows downwards."""
-    return (dot[0] + 1) / 2 * (2 * _WIDE - 1), (1 - dot[1]) / 2 * (4 * _HIGH - 1)
-
-
-def _cell(x: float, y: float) -> tuple[int, int]:
-    return min(max(round(x), 0), 2 * _WIDE - 1), min(max(round(y), 0), 4 * _HIGH - 1)
-
-
-def _set(mark: Mark, cells: list[list[Cell]]) -> None:
-    x, y = _cell(*_fine(mark.at))
+def _set(mark: Mark, raster: _Raster, cells: list[list[Cell]]) -> None:
+    x, y = raster.cell(*raster.fine(mark.at))
     row, column = y // 4, x // 2
     letter = _LETTERS.get(mark.role) or mark.text[:1]
     if not letter:
@@ -104,6 +122,10 @@ def _set(mark: Mark, cells: list[list[Cell]]) -> None:
         cells[row][column] = ("*", Role.WANTED)
     else:
         cells[row][column] = (letter, mark.role)
+
+
+def _inked(cells: list[Cell]) -> bool:
+    return any(letter != " " for letter, _ in cells)
 
 
 def _pieces(cells: list[Cell]) -> list[Piece]:
