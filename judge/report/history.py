@@ -32,7 +32,7 @@ def history_lines(runs: Sequence[Run], width: int | None, *, more: bool = False)
         Column("run", right=True),
         Column("when"),
         Column("problem"),
-        Column("file"),
+        Column("file", broken=True),
         Column("verdict"),
         Column("points", right=True),
         Column("× reference", right=True),

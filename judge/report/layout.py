@@ -182,11 +182,16 @@ def beside(head: Span, aside: str, width: int | None) -> list[Line]:
 
 
 class Column(Struct, frozen=True):
-    """A column of a table. The one that is `flexible` holds prose and gives way when room is short."""
+    """A column of a table.
+
+    The one that is `flexible` holds prose and gives way when room is short. After it names are broken, those
+    of the first column unless another one is `broken` instead.
+    """
 
     title: str
     right: bool = False
     flexible: bool = False
+    broken: bool = False
 
 
 Cell = Span | str
@@ -204,7 +209,7 @@ class Table(Struct, frozen=True):
 
     def lines(self, width: int | None) -> list[Line]:
         """The table within `width` columns: the prose wrapped in its column, or under its row where there is
-        no room beside it; then the first column's names are broken, and at last a row becomes a paragraph.
+        no room beside it; then the names of one column are broken, and at last a row becomes a paragraph.
         """
         rows = [[_span(cell) for cell in row] for row in self.rows]
         widths = self._widths(rows)
@@ -214,7 +219,7 @@ class Table(Struct, frozen=True):
             if widths[flexible] + spare < _PROSE:
                 return self._stacked(rows, flexible, width)
             widths[flexible] += spare
-        elif spare < 0 and not _give_way(widths, spare):
+        elif spare < 0 and not self._give_way(widths, spare):
             return self._paragraphs(rows, width)
         head = [row for titles in self._titles() for row in self._row(titles, widths)]
         return [*head, *(laid for row in rows for laid in self._row(row, widths))]
@@ -224,7 +229,7 @@ class Table(Struct, frozen=True):
         narrow = Table(_without(self.columns, flexible), (), self.indent)
         bare = [_without(row, flexible) for row in rows]
         widths = narrow._widths(bare)
-        if not _give_way(widths, narrow._spare(widths, width)):
+        if not narrow._give_way(widths, narrow._spare(widths, width)):
             return self._paragraphs(rows, width)
         under = " " * (self.indent + 2)
         room = None if width is None else width - len(under)
@@ -266,6 +271,12 @@ class Table(Struct, frozen=True):
         """The columns left over, negative where there are too few."""
         return 0 if width is None else width - self.indent - sum(widths) - _GAP * (len(widths) - 1)
 
+    def _give_way(self, widths: list[int], spare: int) -> bool:
+        """Take what is lacking from the column of names; whether they can bear it."""
+        names = next((index for index, column in enumerate(self.columns) if column.broken), 0)
+        widths[names] += min(0, spare)
+        return spare >= 0 or widths[names] >= _NAME
+
     def _row(self, row: Sequence[Span], widths: Sequence[int]) -> list[Line]:
         """One row, as many lines high as its highest cell."""
         columns = [wrap(span.text, width) for span, width in zip(row, widths, strict=True)]
@@ -279,12 +290,6 @@ class Table(Struct, frozen=True):
                 parts += [Span(filled, row[index].style, row[index].link), " " * _GAP]
             lines.append(_without_trail(line(*parts)))
         return lines
-
-
-def _give_way(widths: list[int], spare: int) -> bool:
-    """Take what is lacking from the names in the first column; whether they can bear it."""
-    widths[0] += min(0, spare)
-    return spare >= 0 or widths[0] >= _NAME
 
 
 def _without(items: Sequence[T], index: int) -> tuple[T, ...]:
