@@ -37,7 +37,7 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     with History.open(db, reading=True) as history:
         runs = [run for run in history.runs() if run.problem in chosen.problems]
     assessed = assess(within, runs, problems)
-    mistakes = Counter(mistake for run in runs for mistake in mistake_names(run))
+    mistakes = Counter(mistake for run in runs if run.counts for mistake in mistake_names(run))
     if as_json:
         write_json(
             {
