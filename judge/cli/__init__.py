@@ -1,9 +1,14 @@
 """The command line: thin, and quick to start.
 
     app.py          the commands' table, loading a command when it is used, and how everything ends
+    commands/       one module a command
     options.py      options and look-ups that several commands share
-    submissions.py  reading the files to judge
-    run.py, list.py, show.py, data.py, verify.py   one command each, named `command`
+    submissions.py  reading the files to judge; target.py: the files that options write
+    containment.py, naming.py, diagnosis.py, regression.py, picture.py, recording.py, outputs.py
+                    what `judge run` and its kin do around the judging of a submission
+    kata.py         the kata in hand
+    board.py        the screen of `judge watch`
+    complete.py     what a shell completes
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.
 """

@@ -19,7 +19,7 @@ from judge.errors import ExitCode, JudgeError, UsageError, nearest
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-# name -> what `judge --help` says of it; the command itself is `judge.cli.<name>.command`.
+# name -> what `judge --help` says of it; the command itself is `judge.cli.commands.<name>.command`.
 COMMANDS = {
     "run": "Judge submissions on a problem.",
     "list": "List the problems.",
@@ -67,7 +67,7 @@ class Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
-        command = importlib.import_module(f"judge.cli.{cmd_name}").command
+        command = importlib.import_module(f"judge.cli.commands.{cmd_name}").command
         gc.enable()
         imported()
         assert isinstance(command, click.Command)

@@ -185,7 +185,7 @@ def test_an_interrupt_is_130(name):
 import os, signal, sys
 class Interrupting:
     def find_spec(self, name, *rest):
-        if name == "judge.cli.{name}":
+        if name == "judge.cli.commands.{name}":
             os.kill(os.getpid(), signal.SIGINT)
 sys.meta_path.insert(0, Interrupting())
 sys.argv = ["judge", {name!r}]

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from cli_support import BROKEN, FLOOR, MEAN, PACK, ROOT
 
-from judge.cli import list as list_module
-from judge.cli import run as run_module
+from judge.cli.commands import list as list_module
+from judge.cli.commands import run as run_module
 from judge.errors import ProblemError
 
 FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
@@ -130,7 +130,7 @@ def test_ctrl_c_in_mid_run(submit, tmp_path):
     assert "Traceback" not in err
 
 
-@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.list"])
+@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.commands.list"])
 def test_ctrl_c_while_modules_are_imported_is_quiet_and_never_lost(module):
     script = f"""
 import os, signal, sys

@@ -60,7 +60,7 @@ def test_the_history_is_not_even_imported_before_a_verdict_is_shown(submit):
     script = (
         "import sys\n"
         "from judge.cli import main\n"
-        "from judge.cli import run\n"
+        "from judge.cli.commands import run\n"
         "def shown(*_, **__):\n"
         "    print('sqlite3' in sys.modules, file=sys.stderr)\n"
         "    return []\n"

@@ -137,7 +137,7 @@ def pressed_early(monkeypatch):
 
         yield stage
 
-    monkeypatch.setattr("judge.cli.stress.stages", stages)
+    monkeypatch.setattr("judge.cli.commands.stress.stages", stages)
     return shown
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from judge.cli.history import as_object as run_object
+from judge.cli.commands.history import as_object as run_object
 from judge.cli.options import db_option, json_option, write_json
 from judge.errors import ExitCode
 from judge.kata.changes import Change, change

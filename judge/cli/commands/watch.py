@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 
 import click
 
+from judge.cli.commands.run import Wish, judged, named_problem, show_result
 from judge.cli.containment import isolation_option
 from judge.cli.diagnosis import no_shrink_option
 from judge.cli.kata import Kata, file_in_hand, take_up
@@ -27,7 +28,6 @@ from judge.cli.options import (
 )
 from judge.cli.picture import Drawing
 from judge.cli.recording import no_history_option
-from judge.cli.run import Wish, judged, named_problem, show_result
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, HistoryError, JudgeError, UsageError
 from judge.kata.saves import Mark, Saves, mark, settled
