@@ -34,13 +34,6 @@ def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]
     yield from Table(columns, rows, indent=0).lines(width)
 
 
-def heading_lines(problem: Problem) -> Iterator[Line]:
-    """Title and tier."""
-    yield line(
-        Span(problem.id, Style.STRONG), f"  {problem.title}", Span(f"  {problem.tier.value}", Style.FAINT)
-    )
-
-
 def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     """What follows the statement: parameters with bounds, test groups with tolerances, limits."""
     yield line(Span("Parameters", Style.STRONG))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from judge.report.layout import Line, Span, Style, beside, hanging, line
-from judge.report.results import counterexample_lines, failure_lines, pitfall_lines, verdict_span
+from judge.report.results import counterexample_lines, failure_lines, pitfall_lines, place_lines, verdict_span
 from judge.report.values import counted, seconds
 from judge.run.result import Mode
 from judge.run.stress import Stressed
@@ -21,7 +21,7 @@ def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] 
     yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
     if result.failure:
-        yield from (*failure_lines(result.failure, width), line())
+        yield from (*failure_lines(result.failure, width), *place_lines(result, width), line())
     if result.counterexample:
         yield from (*counterexample_lines(result, result.counterexample, width), line())
     drawn = list(drawing)

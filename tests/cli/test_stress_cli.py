@@ -121,6 +121,7 @@ def test_a_source_that_does_not_compile(judge, submit):
     ended = judge("stress", "middle", submit("x = (\n"))
     assert ended.status == 1
     assert ended.lines[-1] == "CE  does not compile"
+    assert any(line.split()[:1] == ["at"] and "mine.py:1" in line for line in ended.lines)
 
 
 @pytest.fixture
