@@ -18,13 +18,13 @@ def braille(text):
 def test_the_failing_case_is_drawn_into_a_file(judge, submit, tmp_path):
     words = ("run", "count", submit(ALWAYS_ONE), "--svg", "case.svg", *WHERE)
     titles = []
-    for options in ((), ("--no-shrink",), ("--json",)):
+    for options in ((), ("--no-shrink",), ("--json",), ("--quiet",)):
         ended = judge(*words, *options)
         assert ended.status == 1
         assert not braille(ended.out)  # nobody is looking
         titles.append(ElementTree.parse(tmp_path / "case.svg").getroot()[0].text)
     name = "Line and circle: how many common points"
-    assert titles[0] == titles[2] == f"{name} – counterexample"
+    assert titles[0] == titles[2] == titles[3] == f"{name} – counterexample"
     assert titles[1].startswith(f"{name} – grid, case")
 
 

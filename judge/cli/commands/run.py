@@ -106,7 +106,7 @@ def command(
             seed=seed,
             jobs=jobs,
             level=level,
-            diagnosed=regression is not None or not (unshrunk or quiet),
+            diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
             regression=regression,
             kept=not unrecorded,
