@@ -39,8 +39,8 @@ def file_in_hand(db: Path | None) -> tuple[str, str]:
     current = kata_in_hand(db)
     name = shown(current.path)
     if not Path(current.path).exists():
-        what = f"the file of the kata in hand, {current.problem}, is gone"
-        remedy = f"'judge init {current.problem}' begins it anew"
+        what = f"the file of the kata in hand, {current.problem}, is not there"
+        remedy = f"'judge init {current.problem}' begins it"
         raise UsageError(what, where=name, remedy=remedy)
     return current.problem, name
 

@@ -81,7 +81,9 @@ def test_run_without_arguments_wants_a_kata_in_hand(judge, tmp_path):
     refused(judge("run", "--json"), "there is no kata in hand")
     judge("init", "middle")
     (tmp_path / "middle.py").unlink()
-    refused(judge("run"), "middle.py: the file of the kata in hand, middle, is gone; 'judge init middle'")
+    refused(
+        judge("run"), "middle.py: the file of the kata in hand, middle, is not there", "'judge init middle'"
+    )
 
 
 def test_the_kata_in_hand_stays_whatever_else_is_judged(judge, submit):
@@ -238,7 +240,7 @@ def test_next_goes_along_the_path_only_when_asked(judge, submit):
     ended = judge("next")
     assert ended.lines[0].startswith("count: ")
     assert "judge init count" in ended.out
-    refused(judge("run"), "count.py: the file of the kata in hand, count, is gone")
+    refused(judge("run"), "count.py: the file of the kata in hand, count, is not there")
     told = json.loads(judge("next", "--init", "--json").out)
     assert (told["file"], told["exists"]) == (f"{told['problem'].replace('-', '_')}.py", True)
     assert told["problem"] != "count"
