@@ -17,7 +17,7 @@ _HEADING = 18.0
 _ROW = 18.0
 _MARK = 6.0
 _LETTERS_PER_PIXEL = 1 / 7.4
-_MOST_ROWS = 6  # of one fact
+_MOST_ROWS = 8  # of one fact: all numbers of a case have room, an answer may be longer
 
 _LIGHT = {
     ".card": "fill:#ffffff;stroke:#d4d4d8",
