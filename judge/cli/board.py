@@ -11,11 +11,10 @@ from io import StringIO
 from pathlib import Path
 from queue import SimpleQueue
 
-from judge.cli.commands.hint import hints_of, next_hint, note_seen
-from judge.cli.commands.init import write_stub
-from judge.cli.commands.run import Wish
-from judge.cli.commands.watch import Desk, await_event, handled
-from judge.cli.kata import Kata, next_problem, take_up, the_path
+from judge.cli.desk import Desk, await_event, handled
+from judge.cli.hints import hints_of, next_hint, note_seen
+from judge.cli.judging import Wish
+from judge.cli.kata import Kata, next_problem, take_up, the_path, write_stub
 from judge.cli.picture import Drawing
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode, JudgeError

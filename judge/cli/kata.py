@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from judge.data.atomic import replace_file
 from judge.errors import UsageError
 from judge.spec import Problem
 from judge.spec.find import find_problem
@@ -68,6 +70,38 @@ def take_up(kata: Kata, db: Path | None) -> None:
 
     with History.open(db) as history:
         history.take_up(kata.problem.id, str(kata.path))
+
+
+def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
+    """Write the problem's stub; over a file that is there only with `force`.
+
+    Raises:
+        UsageError: there is a file, or none can be written there.
+        ProblemError: no stub can be made of the problem.
+    """
+    from judge.kata.stub import make_stub  # only what writes one needs it
+
+    text = make_stub(problem).encode()
+    where = str(path)
+    if not path.name or path.is_dir():
+        raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
+    try:
+        if force:
+            replace_file(path, text)
+            return
+        with path.open("xb") as file:  # at once: nobody else's file is lost in between
+            file.write(text)
+    except FileExistsError as fault:
+        remedy = f"'judge watch {problem.id} {path}' goes on with it, --force writes over it"
+        raise UsageError("the file is there already", where=where, remedy=remedy) from fault
+    except FileNotFoundError as fault:
+        remedy = f"make the folder {path.parent} first"
+        raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
+    except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
+        reason = (
+            os.strerror(fault.errno).lower() if isinstance(fault, OSError) and fault.errno else str(fault)
+        )
+        raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 
 def next_problem(after: str, folders: Sequence[Path], db: Path | None) -> Problem | None:

@@ -9,12 +9,17 @@ from pathlib import Path
 from typing import Protocol
 
 import click
+from msgspec import Struct
 
 from judge.cli.options import write_json
 from judge.cli.picture import Drawing
 from judge.cli.submissions import Submission, read_submissions
 from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, UsageError
+from judge.report.kata import pointer_lines
+from judge.report.layout import line
+from judge.report.results import lines_beside, result_lines, summary_lines, verdict_lines
+from judge.report.screen import out
 from judge.run import Result, exit_code, judge_fault
 
 TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
@@ -51,6 +56,38 @@ class Sink(Protocol):
     def close(self) -> ExitCode:
         """Write what comes last; what the results come to."""
         ...
+
+
+class OnScreen(Struct):
+    """Results for a person: the verdict, or the table of them, last."""
+
+    brief: bool
+    pointing: bool  # to what comes after an accepted submission
+    results: list[Result] = []
+
+    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
+        """One more result, of one or several."""
+        self.results.append(result)
+        screen = out()
+        if not self.brief:
+            drawn = drawing.lines(screen, beside=lines_beside(result, screen.width))
+            if self.pointing and not several and result.exit_code is ExitCode.ACCEPTED:
+                drawn = pointer_lines(result.problem, screen)
+            screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])
+        elif not several:
+            screen.show(verdict_lines(result, screen.width, alone=True))
+
+    def close(self) -> ExitCode:
+        """The table of several, and what they come to."""
+        if len(self.results) > 1:
+            screen = out()
+            screen.show(summary_lines(self.results, screen.width))
+        return exit_code(self.results)
+
+
+def show_result(drawing: Drawing) -> None:
+    """One result by itself, for a person."""
+    OnScreen(brief=False, pointing=True).result(drawing.result, several=False, drawing=drawing)
 
 
 class Outputs:

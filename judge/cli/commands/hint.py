@@ -6,13 +6,14 @@ from pathlib import Path
 
 import click
 
+from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, UsageError
 from judge.report.hint import hint_text
 from judge.report.screen import out
 from judge.spec import Problem
-from judge.spec.hints import Hint, read_hints
+from judge.spec.hints import Hint
 
 SCHEMA = 1
 
@@ -59,29 +60,6 @@ def command(
     return ExitCode.ACCEPTED
 
 
-def hints_of(problem: Problem) -> tuple[Hint, ...]:
-    """The problem's hints. Raises UsageError if it has none, ProblemError if they are broken."""
-    hints = read_hints(problem)
-    if not hints:
-        remedy = f"'judge why {problem.id}' says what its test groups probe"
-        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
-    return hints
-
-
-def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hint:
-    """The first that was not seen yet; when all were, the last."""
-    return hints[min(_seen(problem, db), len(hints) - 1)]
-
-
-def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
-    """Remember that the hints up to this one have been seen."""
-    from judge.kata.history import History
-
-    with History.open(db) as history:
-        if hint.number > history.hints_seen(problem.id):
-            history.see_hints(problem.id, hint.number)
-
-
 def as_object(problem: Problem, hint: Hint, steps: int) -> dict[str, object]:
     """The published object of one hint."""
     return {
@@ -94,15 +72,8 @@ def as_object(problem: Problem, hint: Hint, steps: int) -> dict[str, object]:
     }
 
 
-def _seen(problem: Problem, db: Path | None) -> int:
-    from judge.kata.history import History
-
-    with History.open(db, reading=True) as history:
-        return history.hints_seen(problem.id)
-
-
 def _last_seen(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> int:
-    seen = _seen(problem, db)
+    seen = hints_seen(problem, db)
     if not seen:
         remedy = f"'judge hint {problem.id}' gives the first"
         raise UsageError(f"no hint to {problem.id} was given yet", remedy=remedy)

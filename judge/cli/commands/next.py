@@ -6,8 +6,7 @@ from pathlib import Path
 
 import click
 
-from judge.cli.commands.init import write_stub
-from judge.cli.kata import Kata, next_problem, take_up
+from judge.cli.kata import Kata, next_problem, take_up, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name

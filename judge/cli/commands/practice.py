@@ -9,8 +9,7 @@ from typing import Any
 import click
 from msgspec import Struct
 
-from judge.cli.commands.init import write_stub
-from judge.cli.kata import shown
+from judge.cli.kata import shown, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.history import Current, History

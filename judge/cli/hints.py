@@ -1,0 +1,40 @@
+"""The hints to a problem, and which of them the person has seen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from judge.errors import UsageError
+from judge.spec import Problem
+from judge.spec.hints import Hint, read_hints
+
+
+def hints_of(problem: Problem) -> tuple[Hint, ...]:
+    """The problem's hints. Raises UsageError if it has none, ProblemError if they are broken."""
+    hints = read_hints(problem)
+    if not hints:
+        remedy = f"'judge why {problem.id}' says what its test groups probe"
+        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
+    return hints
+
+
+def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hint:
+    """The first that was not seen yet; when all were, the last."""
+    return hints[min(hints_seen(problem, db), len(hints) - 1)]
+
+
+def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    from judge.kata.history import History
+
+    with History.open(db) as history:
+        if hint.number > history.hints_seen(problem.id):
+            history.see_hints(problem.id, hint.number)
+
+
+def hints_seen(problem: Problem, db: Path | None) -> int:
+    """How many of the problem's hints have been seen."""
+    from judge.kata.history import History
+
+    with History.open(db, reading=True) as history:
+        return history.hints_seen(problem.id)
