@@ -1,0 +1,19 @@
+"""loose-epsilon
+
+The threshold is a thousandth of the extent, which makes tangents of lines that anyone can see cross the
+circle. Choose it between the band of the tangents and the promised gap: 1e-10.
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return None
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-3 * e:
+        return 1
+    return 2 if d < r else 0

@@ -1,0 +1,29 @@
+"""disc-for-circle
+
+From inside, the part of the ray within the circle begins at t = 0, and 0 is returned. The circle is the
+curve: from inside the ray meets it where it leaves.
+"""
+
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [foot]
+    else:
+        half = sqrt((r - d) * (r + d))
+        far = foot + half if foot > 0 else foot - half
+        roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    first, last = roots[0], roots[-1]
+    if last < -near:
+        return None
+    return 0 if first <= near else first / n
