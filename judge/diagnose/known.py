@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -22,7 +23,7 @@ from judge.run.parallel import in_order
 FORMAT = 2  # raise it when the form of the file changes
 
 Progress = Callable[[int, int], None]  # programs judged, programs in all
-_CODE = ("run", "sandbox", "diagnose")  # beside the packages that the data depend on
+_CODE = ("run", "sandbox")  # beside the packages that the data depend on
 _WHAT = "the known mistakes' answers"
 
 
@@ -55,55 +56,53 @@ def known_behaviours(
     Beside them a note for the person where they cannot be kept. `settings` say how a program is judged,
     `workers` how many are at once. Raises JudgeError where nothing can be run.
     """
-    kept = KeptFile(
-        cache_folder, "mistakes", kept_stem(data.problem, seed), _key(data, seed, mistakes), _WHAT
-    )
-    found = _from_plain(kept.read(), mistakes)
-    if found is not None:
-        return found, None
+    file = KeptFile(cache_folder, "mistakes", kept_stem(data.problem, seed), _key(data, seed), _WHAT)
+    kept = _from_plain(file.read())
+    keys = [hashlib.sha256(mistake.source).hexdigest() for mistake in mistakes]
+    missing = {key: mistake for key, mistake in zip(keys, mistakes, strict=True) if key not in kept}
+    if not missing:
+        return [kept[key] for key in keys], None
 
     def judge(mistake: Mistake) -> Behaviour:
         name = mistake.path.name
         return behaviour(run_submission(data.problem, data, mistake.source, name, settings=settings))
 
-    found = []
-    for each in in_order(mistakes, workers, judge):
-        found.append(each)
-        if progress:
-            progress(len(found), len(mistakes))
-    return found, kept.write(_as_plain(found, mistakes))
+    found = {key: kept[key] for key in keys if key in kept}
+    done = 0
+    try:
+        for key, each in zip(missing, in_order(list(missing.values()), workers, judge), strict=True):
+            found[key] = each
+            done += 1
+            if progress:
+                progress(done, len(missing))
+    finally:
+        note = file.write({key: _as_plain(each) for key, each in found.items()})
+    return [found[key] for key in keys], note
 
 
-def _key(data: ProblemData, seed: int | None, mistakes: Sequence[Mistake]) -> str:
-    """The hash of all that the behaviours depend on."""
+def _key(data: ProblemData, seed: int | None) -> str:
+    """The hash of all that the behaviours depend on beside the programs."""
     start = f"{FORMAT}/{sys.version}/{data_key(data.problem, seed)}"
-    return content_key(start, [*(each.path for each in mistakes), *code_files(_CODE)])
+    return content_key(start, code_files(_CODE))
 
 
-def _as_plain(found: Sequence[Behaviour], mistakes: Sequence[Mistake]) -> list[Any]:
-    return [
-        [mistake.path.name, {name: _plain_answers(answers) for name, answers in known.items()}]
-        for mistake, known in zip(mistakes, found, strict=True)
-    ]
+def _as_plain(known: Behaviour) -> dict[str, Any]:
+    return {name: _plain_answers(answers) for name, answers in known.items()}
 
 
 def _plain_answers(answers: Answers) -> list[Any]:
     return [answers.reached, [[case, *outline] for case, outline in answers.wrong.items()]]
 
 
-def _from_plain(plain: Any, mistakes: Sequence[Mistake]) -> list[Behaviour] | None:
-    """The behaviours that `_as_plain` wrote, or None if this is anything else."""
+def _from_plain(plain: Any) -> dict[str, Behaviour]:
+    """The behaviours that were written, by program; none if this is anything else."""
     try:
-        if [file for file, _ in plain] != [mistake.path.name for mistake in mistakes]:
-            return None
-        return [
-            {
-                name: Answers(
-                    reached, {case: (form, tuple(map(float, numbers))) for case, form, numbers in wrong}
-                )
+        return {
+            key: {
+                name: Answers(reached, {case: (form, tuple(numbers)) for case, form, numbers in wrong})
                 for name, (reached, wrong) in groups.items()
             }
-            for _, groups in plain
-        ]
+            for key, groups in plain.items()
+        }
     except (TypeError, ValueError, AttributeError):  # whatever a foreign file can hold
-        return None
+        return {}

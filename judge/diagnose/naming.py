@@ -1,45 +1,39 @@
-"""Naming the mistake: whose wrong answers are most like those of a submission.
+"""Naming the mistake: which known one explains a submission's wrong answers best.
 
-The likeness of two programs is the larger of two figures, each between 0 and 1:
+Each hypothesis is that the submission does what a known-wrong program does, what lies between two programs of
+a mistake (an epsilon larger than the one's and smaller than the other's), or what two programs do together.
+Its evidence is the sum over the test groups of `judge.diagnose.evidence`. Against all of them stand the
+hypotheses that nothing known explains it, and that it gives one answer to everything.
 
-    by cases     Σ agreement over the cases that both answer wrongly / (cases that either does + ½)
-    by groups    Σ min(share failed) / Σ max(share failed) over the groups, times the mean agreement
-
-The first is Jaccard's index of the sets of failures, weighted by how alike the wrong answers are; its ½ keeps
-a single case from saying much. The second is for mistakes that lose digits: which of a group's cases fail is
-chance then, how many is not. Of a mistake whose programs fail nested sets of cases, such as a fixed epsilon
-that may be smaller or larger, anything between two of the programs is like them too.
-
-A mistake's score is its likeness to the power 0.7 + 0.3·(the next mistake's likeness)/(its own): between 0
-and 1, and the larger the farther everything else is from explaining the same.
-
-Two mistakes at once are tried as programs that fail wherever either of them fails. A program that gives one
-answer whatever the case makes no mistake that has a name, so nothing that explains less than that is named.
+The score is the probability of the best hypothesis beside those that contradict it, less where it leaves a
+part of the failures unexplained, or fails more than the submission does.
 """
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import combinations
+from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
 from judge.compare import AnyTarget, CountTarget, ParameterTarget
 from judge.compare.outline import Outline
 from judge.data import GroupData
-from judge.diagnose.agreement import agreement, wanted_numbers
+from judge.diagnose.agreement import wanted_numbers
+from judge.diagnose.evidence import Evidence, log_sum
 from judge.diagnose.known import Answers, Behaviour
 
 LEAST = 0.7  # the score below which nothing is named
 
-_ALONE = 0.5  # added to the number of cases: one failing case is little evidence
-_BETWEEN = 0.3  # of a case that one of two related programs fails and the submission does not
-_RELATED = 0.3  # the least likeness of two programs of a mistake for something to be between them
-_PAIR_LEAST = 0.75
-_PAIR_LEFT = 0.6  # two mistakes must leave at most this part of what one leaves unexplained
-_SHARE = 0.08  # of the failures that each of two mistakes must explain by itself
-_MOST_IN_PAIRS = 12
+_UNKNOWN = 6.0  # the evidence that a mistake must have to be as likely as one that nobody knows
+_SECOND = 6.0  # the evidence that a second mistake must add
+_TWIN = 1.5  # the evidence that a second program of the same mistake must add
+_CLEAR = 2.0  # the evidence with which a group speaks for two mistakes, or against one of them alone
+_EXPLAINED = 0.95  # a hypothesis that explains less of the failures loses in score
+_BY_ITSELF = 2.0  # the evidence that a group is given for being explained, before it is asked
+_LEADING = 3  # mistakes that are tried together with others
+_PARTNERS = 10  # programs that each of them is tried with
 
 
 class Known(Struct, frozen=True):
@@ -50,184 +44,136 @@ class Known(Struct, frozen=True):
 
 
 class Match(Struct, frozen=True):
-    """A mistake, or two, by the places of the programs that are most like the submission."""
+    """A mistake, or two, by the places of the programs that are most like the submission.
+
+    `explained` is how much of the failures they explain, of 1.
+    """
 
     places: tuple[int, ...]
-    likeness: float
+    explained: float
     score: float
 
 
 def best_match(submission: Behaviour, known: Sequence[Known], groups: Sequence[GroupData]) -> Match | None:
     """What explains the submission's wrong answers, or None where nothing does well enough."""
-    failures = sum(len(answers.wrong) for answers in submission.values())
-    if not failures:
+    if not known or not any(answers.wrong for answers in submission.values()):
         return None
-    compared = [_Comparison(submission, each.behaviour, groups) for each in known]
-    single = _standing_out(list(_singles(compared, known)), known)
-    doubles = _doubles(submission, compared, known, groups, failures)
-    double = max(doubles, key=lambda match: match.score, default=_NO_MATCH)
-    unexplained = _PAIR_LEFT * (1 - single.likeness)
-    best = double if double.score >= _PAIR_LEAST and 1 - double.score <= unexplained else single
-    plain = _Comparison(submission, _constant(submission, groups), groups).score()
-    return best if best.score >= LEAST and best.likeness > plain else None
+    groups = [data for data in groups if data.group.name in submission]
+    evidence = _gather(submission, known, groups)
+    found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
+    against = [_UNKNOWN, _of_one_answer(submission, groups, evidence)]
+    for best in found:
+        if best.total <= max(against):
+            return None
+        rivals = [each.total for each in found if each is best or not best.names <= each.names]
+        probability = math.exp(best.total - log_sum(rivals + against))
+        explained = _explained(best, evidence)
+        score = probability * min(1.0, explained / _EXPLAINED)
+        if score >= LEAST:
+            return Match(best.named, explained, score)
+        if len(best.names) == 1:
+            return None  # two mistakes may be too much to say where one of them is not
+    return None
 
 
-_NO_MATCH = Match((), 0.0, 0.0)
+class _Hypothesis(Struct, frozen=True):
+    """Programs, by their places, with the evidence of each group; `total` is less what they cost."""
+
+    names: frozenset[str]
+    places: tuple[int, ...]
+    ratios: Sequence[float]
+    total: float
+
+    @property
+    def named(self) -> tuple[int, ...]:
+        """One program for each mistake."""
+        return self.places[: len(self.names)]
 
 
-def _standing_out(matches: Sequence[Match], known: Sequence[Known]) -> Match:
-    """The best match of all, its score raised by as much as it is ahead of every other mistake."""
-    best = max(matches, key=lambda match: match.likeness, default=_NO_MATCH)
-    if not best.likeness:
-        return _NO_MATCH
-    name = known[best.places[0]].name
-    others = (match.likeness for match in matches if known[match.places[0]].name != name)
-    next_best = max(others, default=0.0)
-    return Match(best.places, best.likeness, best.likeness ** (0.7 + 0.3 * next_best / best.likeness))
-
-
-class _Group(Struct, frozen=True):
-    """One group of a comparison: the cases each side fails, how alike the answers are, and its size."""
-
-    ours: frozenset[int]
-    theirs: frozenset[int]
-    alike: Mapping[int, float]
-    size: int
-
-
-class _Comparison:
-    """Two programs' wrong answers on the cases where both are known."""
-
-    def __init__(self, ours: Behaviour, theirs: Behaviour, groups: Sequence[GroupData]) -> None:
-        self.theirs = theirs
-        self.groups: dict[str, _Group] = {}
-        for data in groups:
-            name = data.group.name
-            if name in ours and name in theirs:
-                group = _compare(ours[name], theirs[name], data.targets)
-                if group.ours or group.theirs:
-                    self.groups[name] = group
-        self.matched = sum(sum(group.alike.values()) for group in self.groups.values())
-
-    def score(self) -> float:
-        """The likeness of the two."""
-        return max(self._by_cases(), self._by_groups())
-
-    def _by_cases(self) -> float:
-        either = sum(len(group.ours | group.theirs) for group in self.groups.values())
-        return self.matched / (either + _ALONE)
-
-    def _by_groups(self) -> float:
-        common = sum(len(group.alike) for group in self.groups.values())
-        if not common:
-            return 0.0
-        shares = [
-            (len(group.ours) / group.size, len(group.theirs) / group.size) for group in self.groups.values()
-        ]
-        least = sum(min(pair) for pair in shares)
-        weight = common / (common + _ALONE)
-        return weight * self.matched / common * least / sum(max(pair) for pair in shares)
-
-    def between(self, other: _Comparison) -> float:
-        """The likeness to whatever lies between the program and another one of its mistake."""
-        matched = total = core_size = hull_size = 0.0
-        for name in self.groups.keys() | other.groups.keys():
-            mine, yours = self.groups.get(name, _NOTHING), other.groups.get(name, _NOTHING)
-            ours = mine.ours | yours.ours
-            core, hull = mine.theirs & yours.theirs, mine.theirs | yours.theirs
-            matched += sum(max(mine.alike.get(i, 0.0), yours.alike.get(i, 0.0)) for i in ours & hull)
-            total += len(ours | core) + _BETWEEN * len(hull - core - ours)
-            core_size += len(core)
-            hull_size += len(hull)
-        if not hull_size or core_size / hull_size < _RELATED:
-            return 0.0
-        return matched / (total + _ALONE)
-
-
-_NOTHING = _Group(frozenset(), frozenset(), {}, 1)
-
-
-def _compare(ours: Answers, theirs: Answers, targets: Sequence[AnyTarget]) -> _Group:
-    mine = frozenset(case for case in ours.wrong if _decided(theirs, case))
-    other = frozenset(case for case in theirs.wrong if _decided(ours, case))
-    alike = {
-        case: agreement(ours.wrong[case], theirs.wrong[case], targets[case])
-        for case in mine & other
-        if case < len(targets)
-    }
-    return _Group(mine, other, alike, len(targets))
-
-
-def _decided(answers: Answers, case: int) -> bool:
-    return case < answers.reached or case in answers.wrong
-
-
-def _singles(compared: Sequence[_Comparison], known: Sequence[Known]) -> Iterable[Match]:
-    """Every program by itself, and what lies between two of the same mistake."""
-    scores = [comparison.score() for comparison in compared]
-    for place, score in enumerate(scores):
-        yield Match((place,), score, score)
-    for one, other in combinations(range(len(known)), 2):
-        if known[one].name == known[other].name:
-            closer = max(one, other, key=lambda place: scores[place])
-            between = compared[one].between(compared[other])
-            yield Match((closer,), between, between)
-
-
-def _doubles(
-    submission: Behaviour,
-    compared: Sequence[_Comparison],
-    known: Sequence[Known],
-    groups: Sequence[GroupData],
-    failures: int,
-) -> Iterable[Match]:
-    """Two different mistakes at once, each of which explains something that the other does not."""
-    least = _SHARE * failures
-    promising = sorted(
-        (place for place, each in enumerate(compared) if each.matched >= least),
-        key=lambda place: -compared[place].matched,
-    )
-    promising = [place for place in promising if _mostly_shared(compared[place])][:_MOST_IN_PAIRS]
-    for one, other in combinations(sorted(promising), 2):
-        if known[one].name != known[other].name:
-            together = _both(submission, compared[one], compared[other])
-            joint = _Comparison(submission, together, groups)
-            gain = joint.matched - max(compared[one].matched, compared[other].matched)
-            if gain >= least:
-                yield Match((one, other), joint.score(), joint.score())
-
-
-def _mostly_shared(comparison: _Comparison) -> bool:
-    """Whether most of what the known program fails is failed by the submission too."""
-    theirs = sum(len(group.theirs) for group in comparison.groups.values())
-    return comparison.matched >= 0.6 * theirs
-
-
-def _both(submission: Behaviour, one: _Comparison, other: _Comparison) -> Behaviour:
-    """What a program with both mistakes may answer: in a case that both spoil, whichever is nearer."""
-    together: dict[str, Answers] = {}
-    for name in one.theirs.keys() & other.theirs.keys() & submission.keys():
-        first, second = one.theirs[name], other.theirs[name]
-        wrong = {**second.wrong, **first.wrong}
-        likeness = one.groups.get(name, _NOTHING).alike, other.groups.get(name, _NOTHING).alike
-        for case, alike in likeness[1].items():
-            if alike > likeness[0].get(case, 0.0):
-                wrong[case] = second.wrong[case]
-        together[name] = Answers(min(first.reached, second.reached), wrong)
-    return together
-
-
-def _constant(submission: Behaviour, groups: Sequence[GroupData]) -> Behaviour:
-    """What a program answers that always gives the submission's most frequent wrong answer."""
-    given = Counter(outline for answers in submission.values() for outline in answers.wrong.values())
-    ((usual, _),) = given.most_common(1)
-    return {
-        data.group.name: Answers(
-            len(data.targets),
-            {case: usual for case, target in enumerate(data.targets) if _right(target) != usual},
+def _gather(submission: Behaviour, known: Sequence[Known], groups: Sequence[GroupData]) -> list[Evidence]:
+    programs = Counter(each.name for each in known)
+    weights = [1 / programs[each.name] for each in known]
+    return [
+        Evidence(
+            submission[data.group.name],
+            [each.behaviour.get(data.group.name) for each in known],
+            weights,
+            data.targets,
         )
         for data in groups
-    }
+    ]
+
+
+def _hypotheses(evidence: Sequence[Evidence], known: Sequence[Known]) -> Iterable[_Hypothesis]:
+    """The best one of each mistake, and of each two."""
+    best: dict[frozenset[str], _Hypothesis] = {}
+
+    def consider(places: tuple[int, ...], ratios: Sequence[float], cost: float) -> None:
+        names = frozenset(known[place].name for place in places)
+        total = sum(ratios) - cost
+        if names not in best or total > best[names].total:
+            best[names] = _Hypothesis(names, places, ratios, total)
+
+    for place in range(len(known)):
+        consider((place,), [each.ratios[place] for each in evidence], 0.0)
+    leading = sorted(best.values(), key=lambda each: -each.total)[:_LEADING]
+    for first in (each.places[0] for each in leading):
+        for second in _partners(first, evidence, known):
+            twins = known[first].name == known[second].name
+            joint = [each.union(first, second) for each in evidence]
+            if twins or _both_needed(first, second, joint, evidence):
+                consider((first, second), joint, _TWIN if twins else _SECOND)
+            if twins:
+                consider((first, second), [each.between(first, second) for each in evidence], _TWIN)
+    return best.values()
+
+
+def _partners(place: int, evidence: Sequence[Evidence], known: Sequence[Known]) -> list[int]:
+    """The programs that explain most of what the one at `place` does not."""
+    failing = [each.ratios for each in evidence if each.failed_share]
+    gains = []
+    for other, program in enumerate(known):
+        cost = _TWIN if program.name == known[place].name else _SECOND
+        gain = sum(max(ratios[other] - ratios[place], 0.0) for ratios in failing) - cost
+        if other != place and gain > 0.0:
+            gains.append((gain, other))
+    return [other for _, other in sorted(gains, reverse=True)[:_PARTNERS]]
+
+
+def _both_needed(one: int, other: int, joint: Sequence[float], evidence: Sequence[Evidence]) -> bool:
+    """Whether each of two programs explains a group that speaks against the other one."""
+    return all(
+        any(
+            each.ratios[place] < -_CLEAR and ratio > _CLEAR
+            for each, ratio in zip(evidence, joint, strict=True)
+        )
+        for place in (one, other)
+    )
+
+
+def _explained(best: _Hypothesis, evidence: Sequence[Evidence]) -> float:
+    """How much of the failures of both sides the hypothesis explains, group by group."""
+    explained = total = 0.0
+    for each, ratio in zip(evidence, best.ratios, strict=True):
+        share = max(each.failed_share, *(each.shares[place] for place in best.places))
+        total += math.sqrt(share)
+        explained += math.sqrt(share) / (1 + math.exp(-ratio - _BY_ITSELF))
+    return explained / total if total else 0.0
+
+
+def _of_one_answer(submission: Behaviour, groups: Sequence[GroupData], evidence: Sequence[Evidence]) -> float:
+    """The evidence that the submission always gives its most frequent wrong answer."""
+    given = Counter(outline for answers in submission.values() for outline in answers.wrong.values())
+    ((usual, _),) = given.most_common(1)
+    return sum(
+        each.against(Answers(len(data.targets), _wrong_by(usual, data.targets)))
+        for data, each in zip(groups, evidence, strict=True)
+    )
+
+
+def _wrong_by(answer: Outline, targets: Sequence[AnyTarget]) -> dict[int, Outline]:
+    """What is wrong if `answer` is given to everything."""
+    return {case: answer for case, target in enumerate(targets) if _right(target) != answer}
 
 
 def _right(target: AnyTarget) -> Outline:

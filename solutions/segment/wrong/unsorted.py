@@ -1,28 +1,27 @@
 """unsorted
 
-The stable formula gives the roots q/a and c/q, and which of them is the lesser depends on a sign.
-Sort them by t before returning.
+Which of the two points comes first depends on the side on which the circle lies. Sort them by t before
+returning.
 """
 
-import math
+from math import hypot, sqrt
 
 
 def circle_segment(cx, cy, r, A, B):
-    fx, fy = A[0] - cx, A[1] - cy
-    dx, dy = B[0] - A[0], B[1] - A[1]
-    near = 1e-10 * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
-    a = dx * dx + dy * dy
-    if a == 0:
-        return [A] if abs(math.hypot(fx, fy) - r) <= near else []
-    b = fx * dx + fy * dy
-    k = dx * fy - dy * fx
-    gap = r - abs(k) / math.sqrt(a)
-    if gap < -near:
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    side = ux * ay - uy * ax
+    d = abs(side)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
         return []
-    if gap <= near:
-        ts = [-b / a]
-    else:
-        q = -b - math.copysign(math.sqrt(r * r * a - k * k), b)
-        ts = [q / a, (fx * fx + fy * fy - r * r) / q]
-    slack = near / math.sqrt(a)
-    return [(A[0] + t * dx, A[1] + t * dy) for t in ts if -slack <= t <= 1 + slack]
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    if side < 0:
+        half = -half
+    places = [foot - half, foot + half] if half else [foot]
+    return [(A[0] + s * ux, A[1] + s * uy) for s in places if -near <= s <= length + near]

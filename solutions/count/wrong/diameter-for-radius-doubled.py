@@ -1,0 +1,19 @@
+"""diameter-for-radius
+
+The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    r = 2 * r
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return None
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-10 * e:
+        return 1
+    return 2 if d < r else 0

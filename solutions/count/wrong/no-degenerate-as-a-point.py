@@ -1,0 +1,20 @@
+"""no-degenerate
+
+A == B is treated as a point that is on the circle, or not. There is no line then; return None before
+anything else.
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        on_it = abs(hypot(A[0] - cx, A[1] - cy) - r) <= 1e-10 * max(r, abs(A[0] - cx), abs(A[1] - cy))
+        return 1 if on_it else 0
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-10 * e:
+        return 1
+    return 2 if d < r else 0

@@ -1,0 +1,18 @@
+"""sentinel-degenerate
+
+A == B is answered with 3, for "infinitely many". The contract says None where there is no line.
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return 3
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-10 * e:
+        return 1
+    return 2 if d < r else 0

@@ -1,0 +1,19 @@
+"""swapped-coordinates
+
+The centre is subtracted with x and y exchanged. Its x belongs to the x of the points.
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return None
+    fx, fy = A[0] - cx, A[1] - cy
+    fx, fy = A[0] - cy, A[1] - cx
+    e = max(r, abs(fx), abs(fy), abs(fx + dx), abs(fy + dy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-10 * e:
+        return 1
+    return 2 if d < r else 0

@@ -1,0 +1,21 @@
+"""swapped-coordinates
+
+A is read as (y, x), B as (x, y). Both are (x, y).
+"""
+
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    if tuple(A) == tuple(B):
+        return None
+    A = A[1], A[0]
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return 0
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 1e-10 * e:
+        return 1
+    return 2 if d < r else 0

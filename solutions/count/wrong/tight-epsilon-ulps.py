@@ -1,0 +1,19 @@
+"""tight-epsilon
+
+Four units in the last place are allowed between the distance and the radius: that leaves no room for the
+band within which a line counts as a tangent. Use about 1e-10 of the extent.
+"""
+
+from math import hypot, ulp
+
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == 0 and dy == 0:
+        return None
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    d = abs(dx * fy - dy * fx) / hypot(dx, dy)
+    if abs(d - r) <= 4 * ulp(e):
+        return 1
+    return 2 if d < r else 0

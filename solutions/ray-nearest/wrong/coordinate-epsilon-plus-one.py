@@ -1,0 +1,29 @@
+"""coordinate-epsilon
+
+The threshold is a fraction of 1 plus the coordinates, "to be safe": for a small figure, or one far away
+from the plane's origin, that is too wide. Measure the extent from the centre, and add nothing to it.
+"""
+
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * (1 + max(map(abs, (cx, cy, r, *O))))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [foot]
+    else:
+        half = sqrt((r - d) * (r + d))
+        far = foot + half if foot > 0 else foot - half
+        roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

@@ -1,0 +1,29 @@
+"""equality-tangency
+
+A tangency is where the distance == r, which floats almost never are. Call it a tangency when the two differ
+by less than 1e-10 of the extent.
+"""
+
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d > r:
+        return None
+    if d == r:
+        roots = [foot]
+    else:
+        half = sqrt((r - d) * (r + d))
+        far = foot + half if foot > 0 else foot - half
+        roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

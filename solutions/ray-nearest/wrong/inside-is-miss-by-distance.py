@@ -1,0 +1,31 @@
+"""inside-is-miss
+
+An origin inside the circle is said to see nothing of it, although the ray meets the circle on its way out.
+The circle is the curve: go on to the second root.
+"""
+
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    if hypot(fx, fy) < r - near:
+        return None
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [foot]
+    else:
+        half = sqrt((r - d) * (r + d))
+        far = foot + half if foot > 0 else foot - half
+        roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

@@ -1,0 +1,32 @@
+"""single-precision
+
+The input is stored in an array of 32-bit floats, with a threshold of a millionth to match; what comes after
+is computed in doubles, but the digits are gone. Use an array of doubles, or none.
+"""
+
+from array import array
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    cx, cy, r, *rest = array("f", [cx, cy, r, *O, *D])
+    O, D = rest[:2], rest[2:]
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-6 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d > r + near:
+        return None
+    if d >= r - near:
+        roots = [foot]
+    else:
+        half = sqrt((r - d) * (r + d))
+        far = foot + half if foot > 0 else foot - half
+        roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

@@ -1,0 +1,26 @@
+"""tangent-missed
+
+d < r makes two points, and all else is a miss: a tangent is none, or has two points where it was rounded to
+the inside. Treat the tangency as a case of its own, within a small part of the extent.
+"""
+
+from math import hypot, sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    n = hypot(*D)
+    if n == 0:
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    d = abs(D[0] * fy - D[1] * fx) / n
+    foot = -(fx * D[0] + fy * D[1]) / n
+    if d >= r:
+        return None
+    half = sqrt((r - d) * (r + d))
+    far = foot + half if foot > 0 else foot - half
+    roots = sorted([far, (fx * fx + fy * fy - r * r) / far])
+    for s in roots:
+        if s >= -near:
+            return 0 if s <= near else s / n
+    return None

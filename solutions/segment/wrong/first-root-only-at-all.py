@@ -1,0 +1,25 @@
+"""first-root-only
+
+Only the first of the two roots is looked at: a segment that begins inside the circle leaves it without
+being noticed. Look at both roots, each on its own.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    s = places[0]
+    return [(A[0] + s * ux, A[1] + s * uy)] if -near <= s <= length + near else []

@@ -1,0 +1,27 @@
+"""global-frame
+
+The line is p·x + q·y = s in the plane's own coordinates, where s is the difference of two large products.
+Far from the origin nothing is left of a small figure. Subtract C first, then multiply.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    p, q = uy, -ux
+    s = (float(A[0]) * B[1] - float(B[0]) * A[1]) / length
+    side = s - (p * cx + q * cy)
+    d = abs(side)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    return [(A[0] + s * ux, A[1] + s * uy) for s in places if -near <= s <= length + near]

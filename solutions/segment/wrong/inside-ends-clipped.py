@@ -1,0 +1,27 @@
+"""inside-ends
+
+The part of the segment within the circle is returned by its two ends, whether they are on the circle or
+inside. The circle is the curve; an end inside it is nothing.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    first, last = max(0.0, places[0]), min(length, places[-1])
+    if first > last + near:
+        return []
+    return [(A[0] + s * ux, A[1] + s * uy) for s in (first, last)[: len(places)]]

@@ -1,0 +1,31 @@
+"""kept-between-calls
+
+Answers are kept in a dict whose key is the segment alone, so that another circle gets the answer of the
+first one. Make all arguments the key, or keep nothing.
+"""
+
+from math import hypot, sqrt
+
+
+known = {}
+
+
+def circle_segment(cx, cy, r, A, B):
+    key = A[0], A[1], B[0], B[1]
+    if key in known:
+        return known[key]
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    known[key] = [(A[0] + s * ux, A[1] + s * uy) for s in places if -near <= s <= length + near]
+    return known[key]

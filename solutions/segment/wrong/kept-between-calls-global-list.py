@@ -1,0 +1,30 @@
+"""kept-between-calls
+
+The list of points is a global that is never emptied, and every call returns those of the calls before as
+well. Make a new list in each call.
+"""
+
+from math import hypot, sqrt
+
+
+found = []
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    for s in places:
+        if -near <= s <= length + near:
+            found.append((A[0] + s * ux, A[1] + s * uy))
+    return list(found[:2])

@@ -1,0 +1,25 @@
+"""length-epsilon
+
+A root is kept if −1e-10 <= t <= 1 + 1e-10: a slack that is a fraction of the segment's length, too narrow
+where the segment is short. Measure it in the extent.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    ts = [s / length for s in places]
+    return [(A[0] + t * (bx - ax), A[1] + t * (by - ay)) for t in ts if -1e-10 <= t <= 1 + 1e-10]

@@ -1,0 +1,25 @@
+"""one-sided-extent
+
+The extent leaves out A. Where A alone is far away, the threshold is far too narrow. Take the largest of r
+and both ends' coordinates from C.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    touch, end = 1e-10 * max(r, abs(bx), abs(by)), 1e-10 * max(r, abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= 1e-10 * extent else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + touch:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - touch else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    return [(A[0] + s * ux, A[1] + s * uy) for s in places if -end <= s <= length + end]

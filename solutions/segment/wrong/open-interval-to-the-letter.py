@@ -1,0 +1,24 @@
+"""open-interval
+
+A root counts if 0 < s < length, without any slack: one at an end is dropped, or kept, as rounding has it.
+The segment is closed: let the comparison include the ends, with a little slack outwards.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    return [(A[0] + s * ux, A[1] + s * uy) for s in places if 0 < s < length]

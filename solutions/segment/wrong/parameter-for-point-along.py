@@ -1,0 +1,23 @@
+"""parameter-for-point
+
+The distances from A are returned instead of the points. Put each of them back into the segment: A + s·u.
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    return [s for s in places if -near <= s <= length + near]

@@ -1,0 +1,26 @@
+"""x-range-only
+
+Only the y of a point is held against the segment's ends, which says nothing where the segment is
+horizontal. Compare t with 0 and 1 (or both coordinates).
+"""
+
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    bx, by = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    length = hypot(bx - ax, by - ay)
+    if length == 0:
+        return [A] if abs(hypot(ax, ay) - r) <= near else []
+    ux, uy = (bx - ax) / length, (by - ay) / length
+    d = abs(ux * ay - uy * ax)
+    foot = -(ux * ax + uy * ay)
+    if d > r + near:
+        return []
+    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+    places = [foot - half, foot + half] if half else [foot]
+    found = [(A[0] + s * ux, A[1] + s * uy) for s in places]
+    low, high = min(A[1], B[1]) - near, max(A[1], B[1]) + near
+    return [p for p in found if low <= p[1] <= high]
