@@ -57,7 +57,8 @@ def known(*names, matrix=None):
     found = []
     for name in names:
         problem = find_problem(name)
-        advice = {mistake.name: mistake.advice for mistake in known_mistakes(problem)}
+        # Backwards, so that the usual program of a mistake has the last word over its variants.
+        advice = {mistake.name: mistake.advice for mistake in reversed(known_mistakes(problem))}
         found.append(Known(problem, advice, matrix))
     return found
 
