@@ -15,7 +15,7 @@ from pseudoterminal import COLUMNS, run
 from walk import ROOT
 
 PICTURE = ROOT / ".github" / "screenshot.svg"
-_COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group random"
+_COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group far-circle"
 _TITLE = "judge"
 # Colours that hold on the picture's own dark ground, whatever the page around it; SGR 2 is dimmed by hand.
 _GROUND, _TEXT, _FAINT = (13, 17, 23), (201, 209, 217), "139;148;158"
