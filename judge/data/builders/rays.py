@@ -13,9 +13,18 @@ from collections.abc import Callable, Mapping, Sequence
 from math import isqrt, ldexp, sqrt
 from typing import Any
 
-from judge.data.builders import require
+from judge.data.builders import lines, require
 from judge.data.builders.posing import hair, lopsided_tangent, posed, rational_chord
-from judge.data.builders.transform import Figure, draw_point, ray, scaled, typed
+from judge.data.builders.transform import (
+    Figure,
+    draw_mirrored,
+    draw_point,
+    integer,
+    moved,
+    ray,
+    scaled,
+    typed,
+)
 from judge.data.draw import Draw
 from judge.spec.model import Case, Number, Point
 
@@ -73,6 +82,25 @@ def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str]
     kind = draw.choice(where)
     require(kind in starts, f"{kind!r} is a place for a point of contact")
     return _posed(draw, radius, radius * draw.sign(), starts[kind], poses=poses, **pose)
+
+
+def tangent_off_the_grid(draw: Draw, *, size: int, scale: int, far: int) -> Case:
+    """A tangent ahead of the origin whose point of contact is C ± r·(−q, p)/h, seldom one of the grid.
+
+    The grid's step is 2**scale, and all is moved by up to 2**far: no double there holds that point.
+    """
+    figure = lines.rational_tangent(draw, size)
+    (ax, ay), (bx, by) = ((integer(x), integer(y)) for x, y in figure.points)
+    f = ax - integer(figure.centre[0]), ay - integer(figure.centre[1])
+    direction = bx - ax, by - ay
+    along = f[0] * direction[0] + f[1] * direction[1]
+    if 64 * along * along < (direction[0] ** 2 + direction[1] ** 2) * integer(figure.radius) ** 2:
+        draw.reject()  # the origin is too near to the point of contact
+    if along > 0:
+        direction = (-direction[0], -direction[1])
+    placed = scaled(draw_mirrored(draw, ray(figure.centre, figure.radius, (ax, ay), direction)), scale)
+    dx, dy = (draw.sign() * draw.integer(1 << (far - 1), 1 << far) for _ in range(2))
+    return moved(placed, dx, dy).case
 
 
 def near_tangent(
@@ -282,6 +310,7 @@ RAY_BUILDERS: Mapping[str, Callable[..., Case]] = {
     "uniform": uniform,
     "across": across,
     "tangent": tangent,
+    "tangent-off-the-grid": tangent_off_the_grid,
     "near-tangent": near_tangent,
     "origin-on-circle": origin_on_circle,
     "origin-near-circle": origin_near_circle,
