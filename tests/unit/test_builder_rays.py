@@ -140,6 +140,20 @@ def test_a_lopsided_ray_starts_far_away_along_an_axis():
     assert len(places) == 4
 
 
+def test_a_tangent_off_the_grid_touches_where_no_double_is():
+    rounded = 0
+    for cx, cy, r, origin, direction in made(rays.tangent_off_the_grid, size=600, scale=-6, far=27):
+        fx, fy = Fraction(origin[0]) - Fraction(cx), Fraction(origin[1]) - Fraction(cy)
+        dx, dy = map(Fraction, direction)
+        a, b = dx * dx + dy * dy, fx * dx + fy * dy
+        assert b < 0
+        assert (dx * fy - dy * fx) ** 2 == Fraction(r) ** 2 * a
+        foot = Fraction(origin[0]) - b / a * dx
+        assert abs(foot) > 2**25
+        rounded += Fraction(float(foot)) != foot
+    assert rounded > 10
+
+
 def test_a_scaled_cancellation_is_the_same_figure():
     (plain,) = (made(rays.cancellation, size=1000, numbers="float", count=200)[:1],)
     (small,) = (made(rays.cancellation, size=1000, numbers="float", scale=-30, count=200)[:1],)
