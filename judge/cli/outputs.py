@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol
 
 import click
 from msgspec import Struct
@@ -46,28 +45,14 @@ def chosen_format(form: str | None, *, as_json: bool) -> str:
     return JSON if as_json else form or TEXT
 
 
-class Sink(Protocol):
-    """One way of writing results on standard output."""
-
-    def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
-        """One more result, of one or several."""
-        ...
-
-    def close(self) -> ExitCode:
-        """Write what comes last; what the results come to."""
-        ...
-
-
-class OnScreen(Struct):
+class OnScreen(Struct, frozen=True):
     """Results for a person: the verdict, or the table of them, last."""
 
     brief: bool
     pointing: bool  # to what comes after an accepted submission
-    results: list[Result] = []
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several."""
-        self.results.append(result)
         screen = out()
         if not self.brief:
             drawn = drawing.lines(screen, beside=lines_beside(result, screen.width))
@@ -77,12 +62,11 @@ class OnScreen(Struct):
         elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))
 
-    def close(self) -> ExitCode:
-        """The table of several, and what they come to."""
-        if len(self.results) > 1:
+    def close(self, results: Sequence[Result]) -> None:
+        """The table of several."""
+        if len(results) > 1:
             screen = out()
-            screen.show(summary_lines(self.results, screen.width))
-        return exit_code(self.results)
+            screen.show(summary_lines(results, screen.width))
 
 
 def show_result(drawing: Drawing) -> None:
@@ -97,7 +81,7 @@ class Outputs:
     before anything is judged, where the JUnit file cannot be written.
     """
 
-    def __init__(self, form: str, screen: Sink, junit: Path | None) -> None:
+    def __init__(self, form: str, screen: OnScreen, junit: Path | None) -> None:
         self._junit = Target(junit, "--junit", "JUnit XML", _is_junit) if junit else None
         if self._junit:
             self._junit.check()
@@ -129,7 +113,7 @@ class Outputs:
     def close(self) -> ExitCode:
         """Write what comes last; what the results come to."""
         if self._form == TEXT:
-            self._screen.close()
+            self._screen.close(self._results)
         self._save()
         return exit_code(self._results)
 

@@ -11,6 +11,7 @@ sign (plus, minus) and for False or True. Those integers, in order, are a case's
 from __future__ import annotations
 
 import hashlib
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from random import Random
 from typing import Never, Protocol, TypeVar, final
@@ -144,7 +145,7 @@ class QuickDraw:
         raise Rejected
 
 
-class ChosenDraw:
+class ChosenDraw(ABC):
     """Choices that all go through `pick`; what was chosen is remembered in `choices`."""
 
     __slots__ = ("choices",)
@@ -152,9 +153,9 @@ class ChosenDraw:
     def __init__(self) -> None:
         self.choices: list[int] = []
 
+    @abstractmethod
     def pick(self, low: int, high: int) -> int:
         """An int from low to high, both included; there is one."""
-        raise NotImplementedError
 
     @final
     def integer(self, low: int, high: int) -> int:

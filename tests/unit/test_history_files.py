@@ -1,0 +1,244 @@
+"""Files that are no history of this judge's: newer, older, damaged, another program's, not to be written."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import pytest
+from histories import HERE, PRELUDE, ROOT, filled, refusal, started
+from past_runs import past_result
+
+from judge.errors import HistoryError
+from judge.kata import database, migrations
+from judge.kata.history import Current, History
+
+
+@pytest.mark.parametrize("reading", [False, True])
+def test_a_newer_judges_file_is_left_as_it_is(reading, own_history):
+    filled(own_history)
+    newer = len(migrations.MIGRATIONS) + 1
+    with contextlib.closing(sqlite3.connect(own_history)) as connection:
+        connection.execute("CREATE TABLE marvels (id INTEGER)")
+        connection.execute(f"PRAGMA user_version = {newer}")
+        connection.commit()
+    before = own_history.read_bytes()
+    told = refusal(own_history, reading=reading)
+    assert f"newer judge (version {newer}, this one knows {newer - 1})" in told
+    assert "upgrade the judge" in told
+    assert own_history.read_bytes() == before
+    assert sorted(own_history.parent.iterdir()) == [own_history]
+
+
+@pytest.mark.parametrize("reading", [False, True])
+def test_a_file_that_a_newer_judge_has_open(reading, own_history):
+    """Then its version may stand in the log beside it only."""
+    filled(own_history)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection:
+        connection.execute("PRAGMA user_version = 99")
+        connection.commit()
+        before = own_history.read_bytes()
+        assert "newer judge (version 99" in refusal(own_history, reading=reading)
+        assert own_history.read_bytes() == before
+
+
+@pytest.mark.parametrize("reading", [False, True])
+@pytest.mark.parametrize(
+    "content",
+    [b"My diary.\n", b"x", b"SQLite format 3\0", b"SQLite format 3\0" + b"\xff" * 5000, bytes(4096)],
+)
+def test_what_is_no_database_is_left_as_it_is(content, reading, tmp_path):
+    path = tmp_path / "diary"
+    path.write_bytes(content)
+    assert refusal(path, reading=reading)
+    assert path.read_bytes() == content
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_another_programs_database_is_left_as_it_is(tmp_path):
+    path = tmp_path / "photos.db"
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        connection.execute("CREATE TABLE runs (id INTEGER)")
+        connection.commit()
+    before = path.read_bytes()
+    assert "another program's database" in refusal(path)
+    assert path.read_bytes() == before
+
+
+def test_an_empty_file_becomes_a_history(tmp_path):
+    path = tmp_path / "new.db"
+    path.touch()
+    assert filled(path)
+
+
+def test_a_damaged_history_says_so(own_history):
+    whole = filled(own_history, runs=200)
+    own_history.write_bytes(whole[:8192] + b"\xee" * (len(whole) - 8192))
+    with History.open() as history, pytest.raises(HistoryError, match="move it away"):
+        history.runs()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        "verdict = 'XX'",
+        "mode = 'none'",
+        "time = 9223372036854775807",
+        "time = 'now'",
+        "problem = x'ff'",
+        "passed = x'ff'",
+    ],
+)
+def test_a_run_that_no_judge_wrote_is_told_in_a_line(change, own_history):
+    filled(own_history, runs=1)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute(f"UPDATE runs SET {change}")
+    with History.open(reading=True) as history:
+        with pytest.raises(HistoryError, match="run 1 is damaged"):
+            history.runs()
+        with pytest.raises(HistoryError, match="run 1 is damaged"):
+            history.run(1)
+
+
+@pytest.mark.parametrize("packed", [b"", zlib.compress(b"[]"), zlib.compress(b"[" * 100_000), "text"])
+def test_a_result_that_no_judge_wrote_is_told_in_a_line(packed, own_history):
+    filled(own_history, runs=1)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute("UPDATE runs SET result = ?", (packed,))
+    with History.open(reading=True) as history, pytest.raises(HistoryError, match="run 1 is damaged"):
+        history.run(1).result  # noqa: B018
+
+
+def test_nobody_else_can_read_it(tmp_path):
+    path = tmp_path / "shared.sqlite3"
+    before = os.umask(0o022)
+    try:
+        with History.open(path) as history:
+            history.add(past_result(), b"mine", "")
+            files = list(tmp_path.iterdir())
+            assert len(files) == 3
+            assert all(file.stat().st_mode & 0o077 == 0 for file in files)
+    finally:
+        os.umask(before)
+
+
+def test_a_folder_that_cannot_be_written():
+    assert "--db" in refusal(Path("/proc/judge/history.sqlite3"))
+
+
+def test_a_folder_or_a_file_stands_in_its_place(tmp_path):
+    assert "--db" in refusal(tmp_path)
+    (tmp_path / "file").touch()
+    assert "--db" in refusal(tmp_path / "file" / "history.sqlite3")
+    with pytest.raises(HistoryError, match="no name for a file"):
+        History.open(Path("a\0b"))
+
+
+@pytest.fixture
+def read_only(tmp_path):
+    """Run a script where `tmp_path/place` cannot be written, as any user."""
+    place = tmp_path / "place"
+    place.mkdir()
+
+    def run(script: str) -> str:
+        command = [sys.executable, "-c", PRELUDE + script, str(place / "history.sqlite3")]
+        if os.geteuid() == 0:
+            if not shutil.which("bwrap"):
+                pytest.skip("root may write everything, and there is no bubblewrap")
+            command = ["bwrap", "--bind", "/", "/", "--ro-bind", str(place), str(place), *command]
+        else:
+            place.chmod(0o555)
+        environment = {**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}{HERE}"}
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+        place.chmod(0o755)
+        if "bwrap:" in done.stderr:
+            pytest.skip(done.stderr)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    run.place = place
+    return run
+
+
+READ = """
+from pathlib import Path
+try:
+    with History.open(Path(sys.argv[1]), reading=True) as history:
+        print(len(history.runs()), history.current())
+    with History.open(Path(sys.argv[1])) as history:
+        history.add(past_result(), b"", "")
+except Exception as fault:
+    print(type(fault).__name__, fault)
+"""
+
+
+def test_a_history_in_a_read_only_folder_can_be_read(read_only):
+    before = filled(read_only.place / "history.sqlite3")
+    first, second = read_only(READ).splitlines()
+    assert first == "3 None"
+    assert second.startswith("HistoryError ")
+    assert "make it writable, or name another file with --db or $JUDGE_DB" in second
+    assert (read_only.place / "history.sqlite3").read_bytes() == before
+
+
+def test_no_history_in_a_read_only_folder(read_only):
+    first, second = read_only(READ).splitlines()
+    assert first == "0 None"
+    assert "--db" in second
+    assert list(read_only.place.iterdir()) == []
+
+
+def test_a_log_left_in_a_read_only_folder_is_not_passed_over(read_only):
+    """A judge that was killed leaves the last runs in the log: without it they would seem lost."""
+    path = read_only.place / "history.sqlite3"
+    filled(path)
+    script = (
+        "from pathlib import Path\n"
+        "history = History.open(Path(sys.argv[1]))\n"
+        "history.add(past_result(), b'', '')\n"
+        "print(1, flush=True)\ntime.sleep(60)\n"
+    )
+    holder = started(script, path)
+    assert holder.stdout.readline() == "1\n"
+    holder.kill()
+    holder.communicate(timeout=60)
+    path.with_name("history.sqlite3-shm").unlink(missing_ok=True)
+    assert path.with_name("history.sqlite3-wal").exists()
+    (told,) = read_only(READ).splitlines()
+    assert "make the folder writable" in told
+    with History.open(path) as history:
+        assert len(history.runs()) == 4
+
+
+def test_an_older_judges_file_is_brought_up_to_date(own_history, monkeypatch):
+    with monkeypatch.context() as older:
+        older.setattr(migrations, "MIGRATIONS", migrations.MIGRATIONS[:1])
+        older.setattr(database, "MIGRATIONS", migrations.MIGRATIONS[:1])
+        filled(own_history)
+    with History.open() as history:
+        assert [history.source(run.id) for run in history.runs()] == [b"0", b"1", b"2"]
+        assert history.current() is None
+        history.take_up("count", "/count.py")
+        history.see_hints("count", 1)
+    with History.open() as history:
+        assert history.current() == Current("count", "/count.py")
+        ((version,),) = history._rows("PRAGMA user_version")
+        assert version == len(migrations.MIGRATIONS)
+
+
+def test_a_migration_that_fails_changes_nothing(own_history, monkeypatch):
+    before = filled(own_history)
+    steps = (*migrations.MIGRATIONS, ("CREATE TABLE fine (id INTEGER)", "CREATE TABLE runs (id INTEGER)"))
+    with monkeypatch.context() as newer:
+        newer.setattr(migrations, "MIGRATIONS", steps)
+        newer.setattr(database, "MIGRATIONS", steps)
+        assert "already exists" in refusal(own_history)
+    assert own_history.read_bytes() == before
+    with History.open() as history:
+        assert len(history.runs()) == 3
