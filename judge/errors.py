@@ -48,6 +48,11 @@ class JudgeError(Exception):
         return f"{place}{self.what}{advice}"
 
 
+def told(fault: Exception) -> str:
+    """What a person is told of a fault that costs less than the whole run: a line, whatever it was."""
+    return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
+
+
 class UsageError(JudgeError):
     """What the caller asked for cannot be done as it was asked."""
 

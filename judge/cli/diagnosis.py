@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from judge.cli.submissions import Submission
 from judge.data import ProblemData
-from judge.errors import JudgeError
+from judge.errors import told
 from judge.report.screen import note
 from judge.run import Mode, Reference, Result
 from judge.run.result import Failure
@@ -48,8 +48,7 @@ class Diagnosis(Struct, frozen=True):
         try:
             found = self._search(result, result.failure, box)
         except Exception as fault:
-            told = str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
-            note(f"no smaller case for {submission.name}: {told}")
+            note(f"no smaller case for {submission.name}: {told(fault)}")
             return result
         if self.regression is not None:
             self._save(submission, result, found)

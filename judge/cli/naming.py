@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from judge.data import ProblemData
-from judge.errors import JudgeError
+from judge.errors import told
 from judge.report.progress import progress
 from judge.report.screen import note
 from judge.run import Result, Settings
@@ -38,8 +38,8 @@ class Naming:
         namer = self._ready()
         try:
             result = namer.named(result)
-        except JudgeError as fault:
-            note(f"the mistake is not named: {fault}")
+        except Exception as fault:  # the verdict is known, and worth more
+            note(f"the mistake is not named: {told(fault)}")
         with self._lock:
             notes, namer.notes = namer.notes, []
         for text in notes:

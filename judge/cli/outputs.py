@@ -14,7 +14,7 @@ from judge.cli.options import write_json
 from judge.cli.picture import Drawing
 from judge.cli.submissions import Submission, read_submissions
 from judge.cli.target import Target
-from judge.errors import ExitCode, JudgeError, UsageError
+from judge.errors import ExitCode, UsageError, told
 from judge.report.kata import pointer_lines
 from judge.report.layout import line
 from judge.report.results import lines_beside, result_lines, summary_lines, verdict_lines
@@ -104,10 +104,9 @@ class Outputs:
         """
         if isinstance(fault, UsageError | OSError) or self.on_screen:
             return
-        told = str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
         self.expected = self.expected or read_submissions(files)
         for submission in self.expected[len(self._results) :]:
-            self._write(judge_fault(problem, submission.name, told), "")
+            self._write(judge_fault(problem, submission.name, told(fault)), "")
         self._save()
 
     def close(self) -> ExitCode:

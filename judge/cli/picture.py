@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from judge.cli.target import Target
 from judge.data import ProblemData
-from judge.errors import UsageError
+from judge.errors import UsageError, told
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
 from judge.run import Result
@@ -64,7 +64,11 @@ class Drawing(Struct, frozen=True):
         from judge.report.picture import has_room, picture_lines
         from judge.report.terminal import height
 
-        picture = self.picture() if has_room(screen) else None
+        try:
+            picture = self.picture() if has_room(screen) else None
+        except Exception as fault:  # the verdict is known, and worth more
+            note(f"the failing case is not drawn: {told(fault)}")
+            return []
         return list(picture_lines(picture, height(screen) - beside)) if picture else []
 
     def save(self, path: Path | None) -> None:

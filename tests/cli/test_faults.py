@@ -67,6 +67,30 @@ def test_a_fault_in_the_search_for_a_smaller_case_leaves_the_verdict_alone(fault
     assert str(fault) in ended.err
 
 
+@pytest.mark.parametrize("fault", [ProblemError("the reference fails"), ArithmeticError("too many digits")])
+def test_a_fault_in_naming_the_mistake_leaves_the_verdict_alone(fault, judge, submit, monkeypatch):
+    def faulty(*_arguments):
+        raise fault
+
+    monkeypatch.setattr("judge.diagnose.namer.best_match", faulty)
+    ended = judge("run", "middle", submit(FLOOR), "--json")
+    assert (ended.status, json.loads(ended.out)["verdict"]) == (1, "WA")
+    assert ended.err.startswith("judge: the mistake is not named: ")
+    assert str(fault) in ended.err
+
+
+def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch):
+    def faulty(*_arguments, **_settings):
+        raise ArithmeticError("too many digits")
+
+    monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
+    monkeypatch.setattr("judge.diagnose.picture.compose", faulty)
+    ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
+    assert ended.status == 1
+    assert ended.lines[-1].startswith("WA  ")
+    assert "judge: the failing case is not drawn: internal fault: ArithmeticError" in ended.err
+
+
 def test_verify_reports_a_broken_problem_as_its_fault(judge):
     ended = judge("verify", "bad-toml", "--problems", BROKEN)
     assert ended.status == 3
