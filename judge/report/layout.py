@@ -170,14 +170,18 @@ def hanging(label: Span, text: Span, width: int | None, *, indent: int, column: 
 
 
 def beside(head: Span, aside: str, width: int | None) -> list[Line]:
-    """`head` and a quiet remark to its right, or below it where there is no room."""
+    """`head` and a quiet remark to its right, or below it, indented alike, where there is no room."""
     remark = Span(aside, Style.FAINT)
     if not aside:
         return [line(Span(row, head.style, head.link)) for row in wrap(head.text, width)]
     if width is None or cells(head.text) + _GAP + cells(aside) <= width:
         return [line(head, " " * _GAP, remark)]
+    text = head.text.lstrip(" ")
+    indent = " " * (len(head.text) - len(text))
     return [
-        line(Span(row, span.style, span.link)) for span in (head, remark) for row in wrap(span.text, width)
+        line(indent, Span(row, span.style, span.link))
+        for span in (Span(text, head.style, head.link), remark)
+        for row in wrap(span.text, width - len(indent))
     ]
 
 

@@ -133,3 +133,9 @@ def test_no_table_is_wider_than_its_room():
 def test_a_table_keeps_styles_and_ends_no_line_in_spaces():
     lines = Table((Column(""), Column("")), [[Span("a", Style.BAD), ""]], indent=0).lines(20)
     assert lines == [(Span(""), Span("a", Style.BAD))]
+
+
+def test_a_remark_that_has_no_room_stands_below_its_head_and_as_far_in():
+    laid = beside(Span("  two mistakes: one + other"), "likely, score 0.87", 20)
+    rows = ["".join(span.text for span in each) for each in laid]
+    assert rows == ["  two mistakes: one", "  + other", "  likely, score 0.87"]
