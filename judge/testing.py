@@ -24,6 +24,8 @@ from judge.compare.check import check
 from judge.data import GroupData, ProblemData, load_data
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import UsageError, nearest
+from judge.problem import Group, Problem
+from judge.problem.find import find_problem
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
@@ -31,8 +33,6 @@ from judge.run.result import GroupResult, Mode
 from judge.run.tally import Tally
 from judge.sandbox import Stop
 from judge.sandbox.encode import encode
-from judge.spec import Group, Problem
-from judge.spec.find import find_problem
 
 Routine = Callable[..., Any]
 

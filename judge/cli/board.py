@@ -20,6 +20,7 @@ from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
+from judge.problem import Verdict
 from judge.report.hint import hint_text
 from judge.report.layout import Style, line
 from judge.report.picture import has_room
@@ -29,7 +30,6 @@ from judge.report.screen import Screen, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.watch import note_text, prompt_text, report_text
 from judge.report.why import why_lines
-from judge.spec import Verdict
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)

@@ -105,7 +105,7 @@ class _Offered(_ParamType):
 
 def _problems(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> Items:
     """Ids of problems; installed packs are searched, which takes longer, only where no other one fits."""
-    from judge.spec.find import near_problem_folders, problem_folders
+    from judge.problem.find import near_problem_folders, problem_folders
 
     extra = ctx.params.get("folders") or ()
     given = ctx.params.get(parameter.name or "")
@@ -120,7 +120,7 @@ def _problems(ctx: click.Context, parameter: click.Parameter, incomplete: str) -
 
 def _groups(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
     """The test groups of the problem that was typed before."""
-    from judge.spec.find import find_problem
+    from judge.problem.find import find_problem
 
     typed = [ctx.params.get(each.name or "") for each in ctx.command.params if _name(each) == "PROBLEM"]
     # Behind an option that still lacks its value click has not looked: there the words are as they came.

@@ -8,11 +8,11 @@ from typing import Any, TypeVar
 import click
 
 from judge.data import cache_folder
+from judge.problem import Problem
 from judge.report.screen import note
 from judge.run import Mode, Reference, Settings
 from judge.run.parallel import Turnstile
 from judge.sandbox import LEVELS, Box, Boxes, BoxFactory
-from judge.spec import Problem
 
 F = TypeVar("F", bound=Callable[..., Any])
 

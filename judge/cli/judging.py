@@ -19,12 +19,12 @@ from judge.cli.recording import Recording
 from judge.cli.submissions import Submission
 from judge.data import ProblemData, load_data
 from judge.errors import JudgeError, UsageError
+from judge.problem import Problem
+from judge.problem.find import find_problem
 from judge.report.progress import progress
 from judge.report.screen import note
 from judge.run import Result, Settings, judge_fault, run_submission
 from judge.run.parallel import in_order
-from judge.spec import Problem
-from judge.spec.find import find_problem
 
 
 class Wish(Struct, frozen=True):

@@ -11,8 +11,8 @@ from msgspec import Struct
 
 from judge.data.atomic import replace_file
 from judge.errors import UsageError
-from judge.spec import Problem
-from judge.spec.find import find_problem
+from judge.problem import Problem
+from judge.problem.find import find_problem
 
 if TYPE_CHECKING:
     from judge.kata.history import Current

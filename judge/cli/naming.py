@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from judge.data import ProblemData
 from judge.errors import told
+from judge.problem import Verdict
 from judge.report.progress import progress
 from judge.report.screen import note
 from judge.run import Result, Settings
-from judge.spec import Verdict
 
 if TYPE_CHECKING:
     from judge.diagnose import Namer

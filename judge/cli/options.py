@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import click
 
 from judge.errors import UsageError, nearest
-from judge.spec import Group, Problem
+from judge.problem import Group, Problem
 
 F = TypeVar("F", bound=Callable[..., Any])
 

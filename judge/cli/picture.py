@@ -11,10 +11,10 @@ from msgspec import Struct
 from judge.cli.target import Target
 from judge.data import ProblemData
 from judge.errors import UsageError, told
+from judge.problem import Case, Problem
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
 from judge.run import Result
-from judge.spec import Case, Problem
 
 if TYPE_CHECKING:
     from judge.diagnose.picture import Picture

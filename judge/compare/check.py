@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from judge.compare.decode import Fault, Given, Written, fault, near, number, show
 from judge.compare.targets import AnyTarget, CountTarget, ParameterTarget, PointsTarget, Target
-from judge.spec import AnswerKind, Tolerance
+from judge.problem import AnswerKind, Tolerance
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer

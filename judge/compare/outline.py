@@ -17,7 +17,7 @@ from typing import Any
 
 from judge.compare.decode import Fault, Given, Written, near, number
 from judge.compare.text import read_line
-from judge.spec import AnswerKind
+from judge.problem import AnswerKind
 
 Outline = tuple[str, tuple[float, ...]]
 

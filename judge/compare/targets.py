@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from judge.spec import AnswerKind, Tolerance
+from judge.problem import AnswerKind, Tolerance
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer

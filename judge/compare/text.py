@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from judge.compare.check import Exact, Outcome, Rejection, check
 from judge.compare.decode import Fault, Written, decimal, shown
 from judge.compare.targets import AnyTarget, CountTarget, ParameterTarget, PointsTarget
-from judge.spec import AnswerKind
+from judge.problem import AnswerKind
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from judge.errors import ProblemError
 from judge.exact import Surd, root_sign, rounding
 from judge.exact.surd import make
-from judge.spec import Tolerance
+from judge.problem import Tolerance
 
 _ATTEMPTS = 3  # enclosures tried before the general path, each 64 bits finer
 _TOTAL_BITS = 128  # of the first enclosure: a double's 53, 30 for a tolerance of 1e-9, and as many to spare

@@ -21,9 +21,9 @@ from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
-from judge.spec import AnswerKind, Case, Example, Group, Problem, Tolerance
-from judge.spec.statement import EXAMPLES
-from judge.spec.tomlfile import group_place
+from judge.problem import AnswerKind, Case, Example, Group, Problem, Tolerance
+from judge.problem.statement import EXAMPLES
+from judge.problem.tomlfile import group_place
 
 _ANSWERS: dict[AnswerKind, type[Answer]] = {
     AnswerKind.COUNT: Count,

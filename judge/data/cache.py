@@ -15,7 +15,7 @@ from pathlib import Path
 
 from judge.data.kept import VARIABLE, KeptFile
 from judge.errors import ProblemError
-from judge.spec import Problem
+from judge.problem import Problem
 
 FORMAT = 2  # raise it when the form of the file changes
 

@@ -23,9 +23,9 @@ from judge.data.model import GroupData
 from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import UsageError
-from judge.spec import Case, Group, Problem
-from judge.spec.statement import EXAMPLES
-from judge.spec.tomlfile import group_place
+from judge.problem import Case, Group, Problem
+from judge.problem.statement import EXAMPLES
+from judge.problem.tomlfile import group_place
 
 BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
 IMAGES_EACH = 3

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from judge.compare.targets import AnyTarget, PointsTarget, Target
-from judge.spec import Case
-from judge.spec.model import Point
+from judge.problem import Case
+from judge.problem.model import Point
 
 Image = tuple[Case, AnyTarget]
 Images = Callable[[Case, AnyTarget, Sequence[int]], list[Image]]

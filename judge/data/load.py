@@ -7,7 +7,7 @@ from typing import Any
 from judge.compare.targets import from_json, to_json
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
-from judge.spec import Case, Group, Problem
+from judge.problem import Case, Group, Problem
 
 
 def load_data(

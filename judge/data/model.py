@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.spec import Case, Group, Problem, Tolerance
-from judge.spec.statement import EXAMPLES
+from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem.statement import EXAMPLES
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer

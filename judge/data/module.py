@@ -6,7 +6,7 @@
     IMAGES = mirror_images               optional: cases that follow from one (judge.data.images), for stress
 
 It is the setter's own code and is trusted. A problem.py that needs the bands of its problem.toml takes them
-from `judge.spec.load.bands_beside(__file__)`. Whatever it raises becomes a ProblemError with its line.
+from `judge.problem.load.bands_beside(__file__)`. Whatever it raises becomes a ProblemError with its line.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Any, cast
 from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
-from judge.spec import Case, Problem
-from judge.spec.tomlfile import read_text
+from judge.problem import Case, Problem
+from judge.problem.tomlfile import read_text
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer

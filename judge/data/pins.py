@@ -14,7 +14,7 @@ from judge.compare.targets import to_json
 from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
-from judge.spec import Problem
+from judge.problem import Problem
 
 SCHEMA = 1
 _REMEDY = "write it with: judge verify {} --pin"

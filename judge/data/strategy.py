@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from judge.data.builders import BuilderError
 from judge.data.draw import ChosenDraw, Draw, Rejected
-from judge.spec import Case
+from judge.problem import Case
 
 
 class Built(Struct, frozen=True):

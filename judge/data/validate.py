@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from judge.errors import ProblemError
-from judge.spec import Case, Number, Parameter, ParameterType, Problem
+from judge.problem import Case, Number, Parameter, ParameterType, Problem
 
 _POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
 _INTEGERS = (ParameterType.INTEGER, ParameterType.INTEGER_POINT)

@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.spec import Case
+from judge.problem import Case
 
 
 class Counterexample(Struct, frozen=True):

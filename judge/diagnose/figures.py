@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 
-from judge.spec import Case
-from judge.spec.model import Number, Point
+from judge.problem import Case
+from judge.problem.model import Number, Point
 
 _DIGITS = 60  # of the roots taken here: whatever a double holds, and the narrowest gaps
 _FINEST = 16  # digits that are kept at most

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.spec import Problem
+from judge.problem import Problem
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
 

@@ -12,9 +12,9 @@ from judge.data import ProblemData
 from judge.diagnose.known import Behaviour, Progress, behaviour, known_behaviours
 from judge.diagnose.mistakes import Mistake, known_mistakes
 from judge.diagnose.naming import Known, best_match
+from judge.problem import Verdict
 from judge.run import GroupResult, Pitfall, Result, Settings
 from judge.run.matrix import Matrix, kill_matrix
-from judge.spec import Verdict
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 

@@ -14,8 +14,8 @@ from math import gcd
 from judge.diagnose.figures import levelled, moved
 from judge.diagnose.simplicity import measure, numbers_of
 from judge.diagnose.trial import Finding, Trial
-from judge.spec import Case, Group
-from judge.spec.model import Number
+from judge.problem import Case, Group
+from judge.problem.model import Number
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first

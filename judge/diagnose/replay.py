@@ -22,9 +22,9 @@ from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
 from judge.errors import JudgeError, UsageError
-from judge.spec import Case, Group, Problem
-from judge.spec.model import Argument, Number, ParameterType
-from judge.spec.statement import EXAMPLES
+from judge.problem import Case, Group, Problem
+from judge.problem.model import Argument, Number, ParameterType
+from judge.problem.statement import EXAMPLES
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
 _INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)

@@ -27,11 +27,11 @@ from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import measure
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
+from judge.problem import Case, Group, Problem, Verdict
+from judge.problem.statement import EXAMPLES
 from judge.run.result import Failure, Mode
 from judge.run.tally import named_input
 from judge.sandbox import Box
-from judge.spec import Case, Group, Problem, Verdict
-from judge.spec.statement import EXAMPLES
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters

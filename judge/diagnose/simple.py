@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from judge.data.draw import Draw
-from judge.spec import Case, Problem
-from judge.spec.model import Number, ParameterType
+from judge.problem import Case, Problem
+from judge.problem.model import Number, ParameterType
 
 _INTEGERS = (ParameterType.INTEGER, ParameterType.INTEGER_POINT)
 _POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from judge.spec.model import Case, Number
+from judge.problem.model import Case, Number
 
 Measure = tuple[int, int, tuple[float, ...]]
 

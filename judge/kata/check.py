@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 from judge.errors import ProblemError
 from judge.kata.stub import make_stub
+from judge.problem import Problem
+from judge.problem.hints import read_hints
 from judge.run.verify import Fault
-from judge.spec import Problem
-from judge.spec.hints import read_hints
 
 
 def kata_faults(problem: Problem) -> Iterator[Fault]:

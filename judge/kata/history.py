@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import HistoryError, UsageError
+from judge.problem import Verdict
 from judge.run.result import Mode, Result
-from judge.spec import Verdict
 
 if TYPE_CHECKING:
     import sqlite3

@@ -8,7 +8,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.spec import Problem
+from judge.problem import Problem
 
 
 class Model(Struct, frozen=True):

@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from judge.errors import UsageError
 from judge.kata.tables import Table, unlike_any
-from judge.spec.find import problem_folders, problem_roots
+from judge.problem.find import problem_folders, problem_roots
 
 USUAL = "path"  # the set that stands for all of them in order
 

@@ -24,8 +24,8 @@ from msgspec import Struct
 from judge.errors import UsageError
 from judge.kata.history import Run
 from judge.kata.tables import Table, unlike_any
-from judge.spec import Problem
-from judge.spec.find import find_problem, problem_roots
+from judge.problem import Problem
+from judge.problem.find import find_problem, problem_roots
 
 _FILE = "skills.toml"
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
-from judge.spec import AnswerKind, Example, ParameterType, Problem
+from judge.problem import AnswerKind, Example, ParameterType, Problem
 
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "

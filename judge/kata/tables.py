@@ -10,8 +10,8 @@ from typing import TypeVar
 import msgspec
 
 from judge.errors import ProblemError, nearest
-from judge.spec.lines import KeyPath, key_lines, line_of, parse_path
-from judge.spec.tomlfile import read_text
+from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
+from judge.problem.tomlfile import read_text
 
 T = TypeVar("T")
 

@@ -11,8 +11,8 @@ from judge.compare.targets import to_json
 from judge.compare.text import render
 from judge.data import GroupData, ProblemData
 from judge.exact import Surd
+from judge.problem import Case, Problem
 from judge.run.program import render_group
-from judge.spec import Case, Problem
 
 SCHEMA = 1
 _DIGITS = 40  # of an irrational number's decimal text, correctly rounded

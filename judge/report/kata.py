@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from judge.problem import Problem
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.screen import Screen, is_terminal
-from judge.spec import Problem
 
 
 def pointer_lines(problem: str, screen: Screen) -> list[Line]:

@@ -6,8 +6,8 @@ import re
 
 from msgspec import Struct
 
+from judge.problem.verdict import Verdict
 from judge.run.result import Result
-from judge.spec.verdict import Verdict
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
 _COMPILED = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import bound, counted, size
-from judge.spec import Group, Parameter, Problem, Tolerance
 
 
 def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]:

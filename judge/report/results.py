@@ -6,6 +6,7 @@ import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from judge.problem.verdict import Verdict
 from judge.report.layout import (
     Cell,
     Column,
@@ -24,7 +25,6 @@ from judge.report.layout import (
 from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
-from judge.spec.verdict import Verdict
 
 _STYLES = {
     Verdict.AC: Style.GOOD,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from judge.problem import Verdict
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.results import counterexample_lines, failure_lines, pitfall_lines, place_lines, verdict_span
 from judge.report.values import counted, seconds
 from judge.run.result import Mode
 from judge.run.stress import Stressed
-from judge.spec import Verdict
 
 _MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}
 

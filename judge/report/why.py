@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from judge.problem import Group, Problem
 from judge.report.layout import Line, Span, Style, beside, cells, hanging, line, wrap
-from judge.spec import Group, Problem
 
 _INDENT = 2
 _BESIDE = 28  # columns an explanation needs beside the names; with less it goes below them

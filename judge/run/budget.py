@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import threading
 
+from judge.problem import Problem, Verdict
 from judge.sandbox import Limits, Stop, Usage
-from judge.spec import Problem, Verdict
 
 MOST_TIMEOUTS = 2
 MOST_LOSSES = 10

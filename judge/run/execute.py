@@ -11,6 +11,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from judge.errors import nearest
+from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.function import judge_calls
 from judge.run.measure import Reference, measure
@@ -20,7 +21,6 @@ from judge.run.result import Failure, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.run.timing import Decision
 from judge.sandbox import Box, Boxes, BoxFactory, Inspection, SourceFault, Usage
-from judge.spec import Problem, Verdict
 
 if TYPE_CHECKING:
     from judge.data import GroupData, ProblemData

@@ -7,13 +7,13 @@ from itertools import takewhile
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
+from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
 from judge.run.tally import VERDICTS, Tally
 from judge.run.timing import Decision, race
 from judge.sandbox import Box, BoxFactory, Limits, Stop, Usage
-from judge.spec import Case, Problem, Verdict
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases

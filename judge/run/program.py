@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from judge.problem import Argument, Case, Verdict
 from judge.run.budget import Budget
 from judge.run.tally import VERDICTS, Tally, group_limits
 from judge.sandbox import Box, ProgramResult, Stop
-from judge.spec import Argument, Case, Verdict
 
 SHOWN = 80  # characters of a line that is quoted
 SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at

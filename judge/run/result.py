@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.spec import Verdict
+from judge.problem import Verdict
 
 if TYPE_CHECKING:
     from judge.compare.outline import Outline

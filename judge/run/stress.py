@@ -18,6 +18,7 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.data.fresh import Fresh, Series
+from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.execute import fault_text, noted
 from judge.run.function import judge_calls
@@ -25,7 +26,6 @@ from judge.run.program import judge_programs
 from judge.run.result import SCHEMA, Failure, GroupResult, Mode, Result, Timing
 from judge.run.tally import Tally
 from judge.sandbox import Box, Usage
-from judge.spec import Problem, Verdict
 
 MOST_SERIES = 16  # in one process: about as many cases as a problem's pinned ones, which share one too
 _SHORT, _LONG = 0.1, 0.4  # seconds: more series at once below the first, fewer above the second

@@ -7,16 +7,16 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from judge.problem import Case, Problem, Verdict
 from judge.run.result import Failure, GroupResult, Mode
 from judge.sandbox import Limits, Stop, Usage
-from judge.spec import Case, Problem, Verdict
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
     from judge.compare.check import Accepted, Rejection
     from judge.compare.outline import Outline
     from judge.data import GroupData, ProblemData
-    from judge.spec import Tolerance
+    from judge.problem import Tolerance
 
 VERDICTS = {
     Stop.EXCEPTION: Verdict.RTE,

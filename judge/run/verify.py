@@ -22,10 +22,10 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
+from judge.problem import Group, Problem, Verdict
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
-from judge.spec import Group, Problem, Verdict
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 

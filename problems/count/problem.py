@@ -8,8 +8,8 @@ from judge.compare.answers import Count
 from judge.data.builders import counting
 from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
+from judge.problem.load import bands_beside
+from judge.problem.model import Number, Point
 
 _WIDTHS = bands_beside(__file__)
 _BANDS = Bands(snap=_WIDTHS["snap"], clear=_WIDTHS["clear"])

@@ -8,8 +8,8 @@ from judge.compare.answers import Parameter
 from judge.data.builders.rays import RAY_BUILDERS
 from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
+from judge.problem.load import bands_beside
+from judge.problem.model import Number, Point
 
 BANDS = Bands(**bands_beside(__file__))
 BUILDERS = RAY_BUILDERS

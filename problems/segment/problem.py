@@ -8,8 +8,8 @@ from judge.compare.answers import Points
 from judge.data.builders.endpoints import SEGMENT_BUILDERS
 from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
+from judge.problem.load import bands_beside
+from judge.problem.model import Number, Point
 
 BANDS = Bands(**bands_beside(__file__))
 BUILDERS = SEGMENT_BUILDERS

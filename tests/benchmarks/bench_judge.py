@@ -25,8 +25,8 @@ sys.path.insert(0, str(ROOT))
 
 from judge.compare.targets import compile_answer  # noqa: E402
 from judge.data.module import load_module  # noqa: E402
-from judge.spec import Tolerance  # noqa: E402
-from judge.spec.find import find_problem  # noqa: E402
+from judge.problem import Tolerance  # noqa: E402
+from judge.problem.find import find_problem  # noqa: E402
 
 ROUNDS = 15
 CASES = 10_000

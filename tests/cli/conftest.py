@@ -12,7 +12,7 @@ from cli_support import PACK, ROOT, Outcome
 from judge.cli import main
 from judge.data import load_data
 from judge.data.pins import write_pins
-from judge.spec.find import find_problem
+from judge.problem.find import find_problem
 
 
 @pytest.fixture(scope="session")

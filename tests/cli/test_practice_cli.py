@@ -11,9 +11,9 @@ from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
+from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
-from judge.spec import Verdict
-from judge.spec.find import find_problem
 
 SET = 'title = "Means"\nabout = "The middle of two numbers."\nproblems = ["middle"]\n'
 SKILLS = """

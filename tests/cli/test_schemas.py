@@ -19,9 +19,9 @@ from cli_support import BROKEN, FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import COMMANDS, app
+from judge.problem import Verdict
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
-from judge.spec import Verdict
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FIXTURES = str(ROOT / "tests" / "fixtures" / "problems")

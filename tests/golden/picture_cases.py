@@ -8,7 +8,7 @@ from judge.compare.answers import Count, Points
 from judge.data.module import load_module
 from judge.diagnose.picture import compose
 from judge.diagnose.picture.svg import to_svg
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent
 FOLDER = Path(__file__).parent / "pictures"

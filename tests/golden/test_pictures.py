@@ -12,7 +12,7 @@ from judge.data import load_data
 from judge.data.module import load_module
 from judge.diagnose.picture.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
 from judge.diagnose.picture.svg import to_svg
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 SVG = "{http://www.w3.org/2000/svg}"
 ANSWERS = ["1", "None", "[]", "[(1.5, 2.0), (-3e9, 1e-300)]", "[(1e300, -4)]", "2 1 2 3 4", "0.25", "\x00<&"]

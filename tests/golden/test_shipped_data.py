@@ -10,7 +10,7 @@ from judge.data import load_data
 from judge.data.module import load_module
 from judge.data.pins import differences, read_pins
 from judge.data.validate import Validator, prove
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 NAMES = ["count", "exact-count", "ray-nearest", "segment"]

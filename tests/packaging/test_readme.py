@@ -10,8 +10,8 @@ from screenshot import PICTURE, real_run, text_of
 from walk import WALKS, go, missing, plain, steps
 
 from judge.errors import ExitCode
-from judge.spec import Verdict
-from judge.spec.find import all_problems
+from judge.problem import Verdict
+from judge.problem.find import all_problems
 
 PAGES = ("README.md", ".github/CONTRIBUTING.md", ".github/CHANGELOG.md", "tests/README.md")
 TOUR = WALKS[0][1]

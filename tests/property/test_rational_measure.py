@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from judge.compare.tolerance import exact_ends, measure
 from judge.exact import Surd
-from judge.spec import Tolerance
+from judge.problem import Tolerance
 
 TOLERANCES = (
     Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4)),

@@ -16,7 +16,7 @@ from judge.compare.check import Accepted, Rejection
 from judge.compare.tolerance import acceptance, exact_ends, measure, widths
 from judge.errors import ProblemError
 from judge.exact import CircleLine, Surd, rounding
-from judge.spec import AnswerKind, Tolerance
+from judge.problem import AnswerKind, Tolerance
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))

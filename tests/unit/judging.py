@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from judge.compare.targets import CountTarget, ParameterTarget
 from judge.data.model import GroupData, ProblemData
+from judge.problem import AnswerKind, Group, Limits, Parameter, ParameterType, Problem, Tier, Tolerance
 from judge.run import run_submission
-from judge.spec import AnswerKind, Group, Limits, Parameter, ParameterType, Problem, Tier, Tolerance
 
 LIMITS = Limits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]

@@ -10,11 +10,11 @@ from past_runs import StoppedClock
 
 from judge.diagnose import known_mistakes
 from judge.kata.history import History
+from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.report.page.compose import Known, compose_page
 from judge.report.page.render import render
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
-from judge.spec import Verdict
-from judge.spec.find import find_problem
 
 GENERATED = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
 INPUT = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}

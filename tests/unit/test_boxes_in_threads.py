@@ -12,9 +12,9 @@ import pytest
 from judging import judged, make_data
 from sandboxed import LIMITS, children, limits, require
 
+from judge.problem import Verdict
 from judge.run import Settings
 from judge.sandbox import LEVELS, Stop, open_box
-from judge.spec import Verdict
 
 THREADS = 4
 

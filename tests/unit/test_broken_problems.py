@@ -9,7 +9,7 @@ import pytest
 
 from judge.data import load_data
 from judge.errors import ExitCode, ProblemError
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 BROKEN = Path(__file__).parent.parent / "fixtures" / "broken_problems"
 

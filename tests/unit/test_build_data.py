@@ -15,8 +15,8 @@ from judge.data.module import load_module
 from judge.data.pins import differences, hash_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
-from judge.spec import Parameter, ParameterType
-from judge.spec.load import load_problem
+from judge.problem import Parameter, ParameterType
+from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 

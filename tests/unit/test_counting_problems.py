@@ -10,10 +10,10 @@ import pytest
 
 from judge.data import load_data
 from judge.data.module import load_module
+from judge.problem import Verdict
+from judge.problem.load import load_problem
 from judge.run import run_submission
 from judge.run.verify import verify_problem
-from judge.spec import Verdict
-from judge.spec.load import load_problem
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 IDS = ["count", "exact-count"]

@@ -15,7 +15,7 @@ import pytest
 
 from judge.data import load_data
 from judge.data.pins import hash_of
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent
 SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"
@@ -220,7 +220,7 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
         "from judge.data import load_data\n"
-        "from judge.spec.find import find_problem\n"
+        "from judge.problem.find import find_problem\n"
         "load_data(find_problem('segment'))\n"
         "print(*sys.modules)"
     )

@@ -5,7 +5,7 @@ import pytest
 from judge.data.build import bound_builder, choices_of
 from judge.data.draw import RecordedDraw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.module import load_module
-from judge.spec.find import find_problem
+from judge.problem.find import find_problem
 
 
 def some(draw):

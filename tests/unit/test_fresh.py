@@ -16,9 +16,9 @@ from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
 from judge.errors import ProblemError, UsageError
-from judge.spec.find import find_problem
-from judge.spec.load import load_problem
-from judge.spec.statement import EXAMPLES
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.problem.statement import EXAMPLES
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 PROBLEMS = ("count", "segment", "ray-nearest", "exact-count")

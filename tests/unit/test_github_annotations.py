@@ -6,10 +6,10 @@ import re
 
 import pytest
 
+from judge.problem import Verdict
 from judge.report.github import annotation
 from judge.report.places import Place, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Mode, Pitfall, Result, judge_fault
-from judge.spec import Verdict
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
 SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"

@@ -7,9 +7,9 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 
+from judge.problem import Verdict
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
-from judge.spec import Verdict
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.spec import AnswerKind, ParameterType, Tier, Tolerance
-from judge.spec.load import bands_beside, load_problem
+from judge.problem import AnswerKind, ParameterType, Tier, Tolerance
+from judge.problem.load import bands_beside, load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 

@@ -15,9 +15,9 @@ from judge.diagnose.agreement import Alike, WrongAnswer
 from judge.diagnose.known import Answers, known_behaviours
 from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.naming import LEAST, Known, best_match
+from judge.problem import AnswerKind
+from judge.problem.find import find_problem
 from judge.run import Settings
-from judge.spec import AnswerKind
-from judge.spec.find import find_problem
 
 # Programs of one mistake in two hands; the first is recognised by the second alone.
 TWINS = [

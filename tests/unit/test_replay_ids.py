@@ -7,7 +7,7 @@ from judge.data.load import load_data
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode, problem_name
 from judge.errors import UsageError
-from judge.spec.find import find_problem
+from judge.problem.find import find_problem
 
 CASE = (0, 0, 1, (0, 1), (80, 0))
 

@@ -6,11 +6,11 @@ import pytest
 from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
+from judge.problem import Verdict
 from judge.run import Mode
 from judge.run.budget import MOST_LOSSES, Budget
 from judge.run.tally import Tally, group_limits
 from judge.sandbox import Stop, Usage, levels
-from judge.spec import Verdict
 
 
 def test_an_accepted_submission():

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from judging import CASES, judged, make_data
 
+from judge.problem import Verdict
 from judge.run import Mode, budget, program
 from judge.run.program import answer_lines, render_group
-from judge.spec import Verdict
 
 PROGRAM = """
 import sys

@@ -8,8 +8,8 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.errors import JudgeError
+from judge.problem import TimeRule, Verdict
 from judge.run import budget
-from judge.spec import TimeRule, Verdict
 
 PROGRAM = """
 import sys

@@ -13,7 +13,7 @@ from judge.kata.history import History
 from judge.kata.sets import find_set, set_names
 from judge.kata.skills import Need, Skill, SkillState, assess, load_skills
 from judge.kata.standing import State, standings
-from judge.spec.find import all_problems, find_problem
+from judge.problem.find import all_problems, find_problem
 
 
 @pytest.fixture(autouse=True)

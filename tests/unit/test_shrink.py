@@ -18,10 +18,10 @@ from judge.diagnose.figures import levelled
 from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.replay import decode
 from judge.diagnose.simplicity import digits, measure, numbers_of
+from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.run import Mode, Reference, Settings, run_submission
 from judge.sandbox import open_box
-from judge.spec import Verdict
-from judge.spec.find import find_problem
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 

@@ -16,10 +16,10 @@ from msgspec.structs import replace
 from judge.data import load_data
 from judge.errors import ProblemError
 from judge.kata.stub import file_name, make_stub
+from judge.problem import AnswerKind, ParameterType, Verdict
+from judge.problem.find import all_problems
+from judge.problem.load import load_problem
 from judge.run import Mode, run_submission
-from judge.spec import AnswerKind, ParameterType, Verdict
-from judge.spec.find import all_problems
-from judge.spec.load import load_problem
 
 ROOT = Path(__file__).parents[2]
 PROBLEMS = [problem for problem in all_problems() if problem.folder.parent == ROOT / "problems"]

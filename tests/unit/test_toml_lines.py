@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.spec.lines import key_lines, line_of, parse_path
+from judge.problem.lines import key_lines, line_of, parse_path
 
 TEXT = '''title = "a"
 summary = """

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from judge.problem import Verdict
+from judge.problem.load import load_problem
 from judge.run.verify import verify_problem
-from judge.spec import Verdict
-from judge.spec.load import load_problem
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 

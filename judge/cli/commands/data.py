@@ -16,12 +16,12 @@ from judge.cli.options import (
 )
 from judge.data import load_data
 from judge.errors import ExitCode, UsageError, unwritable
+from judge.problem.find import find_problem
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.report.values import counted
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 _KINDS = (".in", ".ans", ".json")

@@ -9,12 +9,12 @@ import click
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
+from judge.problem import Problem, Tier
+from judge.problem.find import problem_folders
+from judge.problem.load import load_problem
 from judge.report.layout import Style
 from judge.report.problems import cases, list_lines
 from judge.report.screen import note, out
-from judge.spec import Problem, Tier
-from judge.spec.find import problem_folders
-from judge.spec.load import load_problem
 
 SCHEMA = 1
 

@@ -10,9 +10,9 @@ from judge.cli.kata import Kata, next_problem, take_up, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
+from judge.problem import Problem
 from judge.report.kata import begun_lines, finished_lines, next_lines
 from judge.report.screen import out
-from judge.spec import Problem
 
 SCHEMA = 1
 

@@ -16,10 +16,10 @@ from judge.kata.history import Current, History
 from judge.kata.sets import USUAL, PracticeSet, find_set
 from judge.kata.standing import Standing, State, standings
 from judge.kata.stub import file_name
+from judge.problem import Problem
+from judge.problem.find import find_problem
 from judge.report.practice import all_passed_lines, next_lines, practice_lines
 from judge.report.screen import out
-from judge.spec import Problem
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 _NEXT = "judge run"  # without arguments: the kata in hand

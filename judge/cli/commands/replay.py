@@ -12,11 +12,11 @@ from judge.cli.options import json_option, problems_option, write_json
 from judge.cli.submissions import read_submissions
 from judge.data import GroupData, ProblemData
 from judge.errors import ExitCode, UsageError
+from judge.problem import Problem
+from judge.problem.find import find_problem
 from judge.report.results import result_lines
 from judge.report.screen import out
 from judge.run import run_submission
-from judge.spec import Problem
-from judge.spec.find import find_problem
 
 
 @click.command("replay")

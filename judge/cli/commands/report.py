@@ -14,12 +14,12 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
+from judge.problem import Problem
+from judge.problem.find import problem_folders
+from judge.problem.load import load_problem
 from judge.report.layout import Link, Span, line
 from judge.report.progress import progress
 from judge.report.screen import note, out
-from judge.spec import Problem
-from judge.spec.find import problem_folders
-from judge.spec.load import load_problem
 
 if TYPE_CHECKING:
     from judge.kata.skills import SkillProgress

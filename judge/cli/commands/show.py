@@ -10,12 +10,12 @@ import click
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
+from judge.problem import Group, Parameter, Problem, Tolerance
+from judge.problem.find import find_problem
 from judge.report.layout import line
 from judge.report.problems import detail_lines
 from judge.report.screen import out
 from judge.report.statement import show_statement
-from judge.spec import Group, Parameter, Problem, Tolerance
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 

@@ -20,6 +20,8 @@ from judge.cli.picture import Drawing, check_svg, svg_option
 from judge.cli.submissions import Submission, read_submissions
 from judge.data import ProblemData, load_data
 from judge.errors import ExitCode, JudgeError, UsageError
+from judge.problem import Group, Problem, Verdict
+from judge.problem.find import find_problem
 from judge.report.progress import stages
 from judge.report.results import lines_beside
 from judge.report.screen import out
@@ -27,8 +29,6 @@ from judge.report.stress import stress_lines
 from judge.run import Settings, judge_fault, run_submission
 from judge.run.stress import Broken, Stressed, stress
 from judge.sandbox import Box, BoxFactory
-from judge.spec import Group, Problem, Verdict
-from judge.spec.find import find_problem
 
 if TYPE_CHECKING:
     from judge.data.fresh import Fresh

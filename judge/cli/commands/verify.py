@@ -12,13 +12,13 @@ from msgspec.structs import replace
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
 from judge.kata.check import kata_faults
+from judge.problem.find import find_problem, problem_folders
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
-from judge.spec.find import find_problem, problem_folders
 
 SCHEMA = 1
 

@@ -27,7 +27,7 @@ from judge.data.builders.transform import (
     with_radius,
 )
 from judge.data.draw import Draw
-from judge.spec.model import Case
+from judge.problem.model import Case
 
 Sizes = int | Fraction | Sequence[int | Fraction]
 Exponents = int | Sequence[int]

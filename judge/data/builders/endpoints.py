@@ -21,7 +21,7 @@ from judge.data.builders.transform import (
     with_radius,
 )
 from judge.data.draw import Draw
-from judge.spec.model import Case
+from judge.problem.model import Case
 
 
 def grid(draw: Draw, *, size: int) -> Case:

@@ -29,7 +29,7 @@ from judge.data.builders.transform import (
     typed,
 )
 from judge.data.draw import Draw
-from judge.spec.model import Case, Number, Point
+from judge.problem.model import Case, Number, Point
 
 POSES = ("axis", "exact", "any")
 CLEAR = 10**7  # units to a level one, for a gap that is to be just wider than 1e-7 of the extent

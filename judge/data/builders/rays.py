@@ -26,7 +26,7 @@ from judge.data.builders.transform import (
     typed,
 )
 from judge.data.draw import Draw
-from judge.spec.model import Case, Number, Point
+from judge.problem.model import Case, Number, Point
 
 _CONDITION = 1e5  # how much larger than a rounding error, relatively, the error of a root may come out
 _STEPS = 6  # bounds the level direction (length, 0) before it is stretched

@@ -20,7 +20,7 @@ from judge.data.builders import require
 from judge.data.builders.numbers import pythagorean
 from judge.data.draw import Draw
 from judge.exact.dyadic import integers
-from judge.spec.model import Case, Number, Point
+from judge.problem.model import Case, Number, Point
 
 NUMBER_TYPES = ("int", "float", "mixed")
 

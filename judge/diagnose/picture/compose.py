@@ -11,7 +11,7 @@ from judge.diagnose.picture.scene import Figure, Scene, read_scene
 from judge.diagnose.picture.shapes import Fact, Panel, Picture, Role
 from judge.diagnose.picture.whole import whole_panel
 from judge.diagnose.picture.words import short
-from judge.spec import Problem
+from judge.problem import Problem
 
 
 def compose(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from judge.compare.decode import Raw, Written, decimal, show
-from judge.spec import AnswerKind
+from judge.problem import AnswerKind
 
 _LONGEST = 5000
 _MOST = 4  # points that are drawn

@@ -11,7 +11,7 @@ from typing import Any
 from judge.compare.answers import Answer, Count, Parameter, Points
 from judge.diagnose.picture.given import Given, read_given
 from judge.exact import CircleLine, Surd
-from judge.spec import AnswerKind, Problem
+from judge.problem import AnswerKind, Problem
 
 Exact = Fraction | Surd
 

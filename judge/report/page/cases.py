@@ -16,10 +16,10 @@ from judge.diagnose.picture.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
+from judge.problem import Case, Problem, Verdict
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
-from judge.spec import Case, Problem, Verdict
 
 MOST = 12  # kinds of failure of one problem
 _LONGEST = 2000  # characters of a submission's own words that are shown

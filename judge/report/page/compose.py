@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from judge import __version__
 from judge.kata.history import Run
 from judge.kata.skills import SkillProgress, mistake_names
+from judge.problem import Problem, Tier, Verdict
 from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
 from judge.report.page.checklist import skill_lines
 from judge.report.page.kills import kill_table
@@ -28,7 +29,6 @@ from judge.report.page.plot import ratio_plot
 from judge.report.page.record import GroupRecord, read_record
 from judge.report.values import counted, times
 from judge.run.matrix import Matrix
-from judge.spec import Problem, Tier, Verdict
 
 MOST_RUNS = 300  # of one problem in its tables
 _FIRST_RUNS = 12  # that are in sight; the earlier ones are folded away

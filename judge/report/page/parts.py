@@ -6,7 +6,7 @@ from datetime import datetime
 
 from msgspec import Struct
 
-from judge.spec import Verdict
+from judge.problem import Verdict
 
 
 class Tile(Struct, frozen=True):

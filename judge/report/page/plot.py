@@ -10,10 +10,10 @@ from itertools import pairwise
 from math import ceil, floor, log10
 
 from judge.kata.history import Run
+from judge.problem import Verdict
 from judge.report.page.parts import Dot, Level, Plot
 from judge.report.page.record import RatioRecord, read_record
 from judge.report.values import counted, times
-from judge.spec import Verdict
 
 MOST = 40  # runs: more could not be told apart on a phone
 _HEIGHT = 200.0

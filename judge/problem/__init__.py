@@ -1,6 +1,6 @@
 """What a problem is, and the words it is judged in."""
 
-from judge.spec.model import (
+from judge.problem.model import (
     AnswerKind,
     Argument,
     Case,
@@ -16,7 +16,7 @@ from judge.spec.model import (
     TimeRule,
     Tolerance,
 )
-from judge.spec.verdict import Verdict
+from judge.problem.verdict import Verdict
 
 __all__ = [
     "AnswerKind",

@@ -11,9 +11,9 @@ from typing import Any, NoReturn
 import msgspec
 
 from judge.errors import ProblemError, nearest
-from judge.spec import schema
-from judge.spec.lines import KeyPath, key_lines, line_of, parse_path
-from judge.spec.model import Problem
+from judge.problem import schema
+from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
+from judge.problem.model import Problem
 
 _KINDS = {
     "`int | decimal`": "a number",

@@ -8,7 +8,7 @@ from typing import Any
 
 import msgspec
 
-from judge.spec.model import AnswerKind, ParameterType, Tier
+from judge.problem.model import AnswerKind, ParameterType, Tier
 
 Exact = int | Decimal  # a number of the file, never rounded
 

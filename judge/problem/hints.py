@@ -15,10 +15,10 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.spec.load import words_beside
-from judge.spec.model import Problem
-from judge.spec.statement import filled
-from judge.spec.tomlfile import read_text
+from judge.problem.load import words_beside
+from judge.problem.model import Problem
+from judge.problem.statement import filled
+from judge.problem.tomlfile import read_text
 
 HINTS = "hints.md"
 _STEP = "## "

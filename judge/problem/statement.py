@@ -15,8 +15,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from judge.errors import ProblemError, nearest
-from judge.spec.model import Argument, Case, Example, Problem
-from judge.spec.tomlfile import read_text
+from judge.problem.model import Argument, Case, Example, Problem
+from judge.problem.tomlfile import read_text
 
 EXAMPLES = "examples"  # the builder whose cases are the worked examples
 

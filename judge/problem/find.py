@@ -18,8 +18,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.errors import ProblemError, UsageError, nearest
-from judge.spec.load import load_problem
-from judge.spec.model import Problem
+from judge.problem.load import load_problem
+from judge.problem.model import Problem
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"

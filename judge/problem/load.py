@@ -16,11 +16,11 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
-from judge.spec import schema
-from judge.spec.lines import KeyPath
-from judge.spec.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
-from judge.spec.statement import EXAMPLES, read_statement
-from judge.spec.tomlfile import TomlFile
+from judge.problem import schema
+from judge.problem.lines import KeyPath
+from judge.problem.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
+from judge.problem.statement import EXAMPLES, read_statement
+from judge.problem.tomlfile import TomlFile
 
 _POINTS = 100
 _MOST_CASES = 1_000_000
