@@ -17,7 +17,7 @@ from judge.report.screen import Screen, note
 from judge.run import Result
 
 if TYPE_CHECKING:
-    from judge.diagnose.picture import Picture
+    from judge.topics.circles.picture import Picture
 
 svg_option = click.option(
     "--svg",
@@ -36,7 +36,7 @@ class Drawing(Struct, frozen=True):
 
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
-        from judge.diagnose.picture import compose  # late: an accepted submission does without
+        from judge.topics.circles.picture import compose  # late: an accepted submission does without
 
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
@@ -75,7 +75,7 @@ class Drawing(Struct, frozen=True):
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
         if path is None:
             return
-        from judge.diagnose.picture.svg import to_svg
+        from judge.drawing.svg import to_svg
 
         picture = self.picture()
         if picture is None:

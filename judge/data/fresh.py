@@ -18,7 +18,6 @@ from msgspec import Struct
 from judge.compare.targets import AnyTarget, compile_answer
 from judge.data.build import bound_builder, new_case
 from judge.data.draw import Draw, QuickDraw, RecordedDraw
-from judge.data.images import SYMMETRIES
 from judge.data.model import GroupData
 from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
@@ -26,6 +25,7 @@ from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.statement import EXAMPLES
 from judge.problem.tomlfile import group_place
+from judge.topics.circles.images import SYMMETRIES
 
 BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
 IMAGES_EACH = 3

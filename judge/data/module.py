@@ -3,7 +3,7 @@
     reference(*case) -> Answer           the exact answer (judge.compare.answers)
     promise(*case) -> str | None         how the case breaks the statement's promise, or None
     BUILDERS = {"name": function}        function(draw, **parameters) -> case
-    IMAGES = mirror_images               optional: cases that follow from one (judge.data.images), for stress
+    IMAGES = mirror_images               optional: cases that follow from one, for stress
 
 It is the setter's own code and is trusted. A problem.py that needs the bands of its problem.toml takes them
 from `judge.problem.load.bands_beside(__file__)`. Whatever it raises becomes a ProblemError with its line.
@@ -27,7 +27,7 @@ from judge.problem.tomlfile import read_text
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
-    from judge.data.images import Images
+    from judge.topics.circles.images import Images
 
 Builder = Callable[..., Case]
 

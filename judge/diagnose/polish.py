@@ -11,11 +11,11 @@ from fractions import Fraction
 from itertools import combinations, islice
 from math import gcd
 
-from judge.diagnose.figures import levelled, moved
 from judge.diagnose.simplicity import measure, numbers_of
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group
 from judge.problem.model import Number
+from judge.topics.circles.simpler import levelled, moved
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first

@@ -5,11 +5,12 @@ from __future__ import annotations
 from functools import lru_cache
 
 from judge.compare.answers import Count
-from judge.data.builders import counting
-from judge.data.images import mirror_images
-from judge.exact import Bands, CircleLine
 from judge.problem.load import bands_beside
 from judge.problem.model import Number, Point
+from judge.topics.circles.bands import Bands
+from judge.topics.circles.images import mirror_images
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.recipes import counting
 
 _WIDTHS = bands_beside(__file__)
 _BANDS = Bands(snap=_WIDTHS["snap"], clear=_WIDTHS["clear"])

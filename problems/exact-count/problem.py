@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from judge.compare.answers import Count
-from judge.data.builders import counting
-from judge.data.images import mirror_images
+from judge.topics.circles.images import mirror_images
+from judge.topics.circles.recipes import counting
 
 IntPoint = tuple[int, int]
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from judge.compare.answers import Count, Points
 from judge.data.module import load_module
-from judge.diagnose.picture import compose
-from judge.diagnose.picture.svg import to_svg
+from judge.drawing.svg import to_svg
 from judge.problem.load import load_problem
+from judge.topics.circles.picture import compose
 
 ROOT = Path(__file__).parent.parent.parent
 FOLDER = Path(__file__).parent / "pictures"

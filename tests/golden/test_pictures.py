@@ -10,8 +10,8 @@ from picture_cases import CASES, FOLDER, ROOT, drawn, picture_of, wanted_words
 
 from judge.data import load_data
 from judge.data.module import load_module
-from judge.diagnose.picture.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
-from judge.diagnose.picture.svg import to_svg
+from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
+from judge.drawing.svg import to_svg
 from judge.problem.load import load_problem
 
 SVG = "{http://www.w3.org/2000/svg}"

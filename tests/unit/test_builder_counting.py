@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import BuilderError, counting
-from judge.data.draw import Rejected, SeededDraw
+from judge.data.draw import BuilderError, Rejected, SeededDraw
+from judge.topics.circles.recipes import counting
 
 SNAP, CLEAR = Fraction(1, 10**12), Fraction(1, 10**7)
 

@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import posing
-from judge.data.builders.transform import Turn, line, ray
 from judge.data.draw import SeededDraw
 from judge.errors import ProblemError
+from judge.topics.circles.figures import posing
+from judge.topics.circles.figures.figure import Turn, line, ray
 
 FIGURE = line((0, 0), 5, (-9, 3), (7, 3))
 

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import rays
 from judge.data.draw import Rejected, SeededDraw
 from judge.errors import ProblemError
+from judge.topics.circles.recipes import rays
 
 EXACT = ["axis", "exact"]
 

@@ -6,9 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import BuilderError
-from judge.data.builders import transform as t
-from judge.data.draw import SeededDraw
+from judge.data.draw import BuilderError, SeededDraw
+from judge.topics.circles.figures import figure as t
 
 FIGURE = t.line((2, -3), 5, (7, 1), (-4, 6))
 RAY = t.ray((2, -3), 5, (7, 1), (-11, 5))

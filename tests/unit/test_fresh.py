@@ -11,7 +11,6 @@ import pytest
 from judge.compare.targets import PointsTarget, compile_answer, to_json
 from judge.data.draw import QuickDraw, Rejected, ReplayedDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
-from judge.data.images import SYMMETRIES, mirror_images
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
@@ -19,6 +18,7 @@ from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.statement import EXAMPLES
+from judge.topics.circles.images import SYMMETRIES, mirror_images
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 PROBLEMS = ("count", "segment", "ray-nearest", "exact-count")

@@ -10,9 +10,8 @@ from datetime import datetime
 from judge.data import ProblemData
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
-from judge.diagnose.picture import Picture, compose
-from judge.diagnose.picture.shapes import Role
-from judge.diagnose.picture.svg import panel_svg
+from judge.drawing.shapes import Role
+from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
@@ -20,6 +19,7 @@ from judge.problem import Case, Problem, Verdict
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
+from judge.topics.circles.picture import Picture, compose
 
 MOST = 12  # kinds of failure of one problem
 _LONGEST = 2000  # characters of a submission's own words that are shown

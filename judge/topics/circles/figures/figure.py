@@ -16,11 +16,10 @@ from itertools import chain
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.builders import require
-from judge.data.builders.numbers import pythagorean
-from judge.data.draw import Draw
+from judge.data.draw import Draw, require
 from judge.exact.dyadic import integers
 from judge.problem.model import Case, Number, Point
+from judge.topics.circles.figures.numbers import pythagorean
 
 NUMBER_TYPES = ("int", "float", "mixed")
 

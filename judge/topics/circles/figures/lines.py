@@ -11,10 +11,16 @@ from __future__ import annotations
 from itertools import count
 from math import gcd, isqrt
 
-from judge.data.builders import require
-from judge.data.builders.numbers import bezout, is_prime, pell, pythagorean, root_modulo_square, two_squares
-from judge.data.builders.transform import Figure, draw_point, integer, line
-from judge.data.draw import Draw
+from judge.data.draw import Draw, require
+from judge.topics.circles.figures.figure import Figure, draw_point, integer, line
+from judge.topics.circles.figures.numbers import (
+    bezout,
+    is_prime,
+    pell,
+    pythagorean,
+    root_modulo_square,
+    two_squares,
+)
 
 IntPoint = tuple[int, int]
 HIT, TANGENT, MISS = "hit", "tangent", "miss"

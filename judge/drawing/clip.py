@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from judge.diagnose.picture.shapes import Dot
+from judge.drawing.shapes import Dot
 
 
 def inside(dot: Dot) -> bool:

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import hypot, sqrt
 
-from judge.diagnose.picture.clip import inside, polygon, polyline
-from judge.diagnose.picture.frame import Frame, length, near, over_root, pieces, root, rounded
-from judge.diagnose.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
-from judge.diagnose.picture.scene import Figure, Scene, Spot
-from judge.diagnose.picture.shapes import Bar, Dot, Mark, Panel, Role, Stroke
-from judge.diagnose.picture.whole import scale_bar, whole_frame
-from judge.diagnose.picture.words import round_below, short
+from judge.drawing.clip import inside, polygon, polyline
+from judge.drawing.lengths import round_below, short
+from judge.drawing.shapes import Bar, Dot, Mark, Panel, Role, Stroke
 from judge.exact import Surd
+from judge.topics.circles.picture.frame import Frame, length, near, over_root, pieces, root, rounded
+from judge.topics.circles.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
+from judge.topics.circles.picture.scene import Figure, Scene, Spot
+from judge.topics.circles.picture.whole import scale_bar, whole_frame
 
 _CLOSE = Fraction(1, 50)  # what is closer than this share of the window cannot be seen at true scale
 _EXACT = Fraction(1, 10**9)  # of e: the scale on which a distance of exactly 0 is shown

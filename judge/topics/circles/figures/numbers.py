@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import gcd, isqrt, prod
 
-from judge.data.builders import require
-from judge.data.draw import Draw
+from judge.data.draw import Draw, require
 
 SMALL_PRIMES = tuple(n for n in range(2, 1000) if all(n % d for d in range(2, isqrt(n) + 1)))
 _WITNESSES = SMALL_PRIMES[:16]  # prove primality below 3.3e24 (Sorenson and Webster, 2015)

@@ -12,9 +12,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from judge.data.builders import lines, require
-from judge.data.builders.lines import HIT, KINDS, MISS, TANGENT
-from judge.data.builders.transform import (
+from judge.data.draw import Draw, require
+from judge.problem.model import Case
+from judge.topics.circles.figures import lines
+from judge.topics.circles.figures.figure import (
     Figure,
     as_floats,
     draw_mirrored,
@@ -26,8 +27,7 @@ from judge.data.builders.transform import (
     typed,
     with_radius,
 )
-from judge.data.draw import Draw
-from judge.problem.model import Case
+from judge.topics.circles.figures.lines import HIT, KINDS, MISS, TANGENT
 
 Sizes = int | Fraction | Sequence[int | Fraction]
 Exponents = int | Sequence[int]

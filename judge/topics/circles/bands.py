@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
 
-from judge.exact.circle_line import CircleLine
 from judge.exact.signs import two_root_sign
 from judge.exact.surd import Surd, make
+from judge.topics.circles.line import CircleLine
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from judge.data.builders import require
-from judge.data.builders.numbers import pythagorean
-from judge.data.builders.transform import (
+from judge.data.draw import Draw, require
+from judge.problem.model import Case, Number, Point
+from judge.topics.circles.figures.figure import (
     Figure,
     Turn,
     draw_mirrored,
@@ -28,8 +28,7 @@ from judge.data.builders.transform import (
     turned,
     typed,
 )
-from judge.data.draw import Draw
-from judge.problem.model import Case, Number, Point
+from judge.topics.circles.figures.numbers import pythagorean
 
 POSES = ("axis", "exact", "any")
 CLEAR = 10**7  # units to a level one, for a gap that is to be just wider than 1e-7 of the extent

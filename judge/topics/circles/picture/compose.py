@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from judge.compare.answers import Answer, Count
-from judge.diagnose.picture.lens import gap_words, lens_panel
-from judge.diagnose.picture.scene import Figure, Scene, read_scene
-from judge.diagnose.picture.shapes import Fact, Panel, Picture, Role
-from judge.diagnose.picture.whole import whole_panel
-from judge.diagnose.picture.words import short
+from judge.drawing.lengths import short
+from judge.drawing.shapes import Fact, Panel, Picture, Role
 from judge.problem import Problem
+from judge.topics.circles.picture.lens import gap_words, lens_panel
+from judge.topics.circles.picture.scene import Figure, Scene, read_scene
+from judge.topics.circles.picture.whole import whole_panel
 
 
 def compose(

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import cos, hypot, pi, sin, sqrt
 
-from judge.diagnose.picture.clip import polygon, polyline
-from judge.diagnose.picture.scene import Exact, Figure, Scene
-from judge.diagnose.picture.shapes import Dot, Role, Stroke
-from judge.exact import CircleLine, Surd
+from judge.drawing.clip import polygon, polyline
+from judge.drawing.shapes import Dot, Role, Stroke
+from judge.exact import Surd
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.picture.scene import Exact, Figure, Scene
 
 FAR = 1e6  # whatever is further away than this, in panels, is drawn as if it were there
 _FLAT = 30.0  # a circle of more panels than this is drawn as the arc that can be seen

@@ -7,11 +7,11 @@ from dataclasses import replace
 from fractions import Fraction
 from math import hypot
 
-from judge.diagnose.picture.clip import inside
-from judge.diagnose.picture.frame import Frame, direction, length, rounded
-from judge.diagnose.picture.scene import Figure, Scene, Spot
-from judge.diagnose.picture.shapes import Dot, Mark, Role, Stroke
-from judge.diagnose.picture.words import short
+from judge.drawing.clip import inside
+from judge.drawing.lengths import short
+from judge.drawing.shapes import Dot, Mark, Role, Stroke
+from judge.topics.circles.picture.frame import Frame, direction, length, rounded
+from judge.topics.circles.picture.scene import Figure, Scene, Spot
 
 _TOGETHER = 0.035  # marks closer than this share a label
 _EDGE = 0.97

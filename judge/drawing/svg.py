@@ -7,8 +7,8 @@ from html import escape
 from itertools import pairwise
 from math import atan2, cos, hypot, sin
 
-from judge.diagnose.picture.labels import Box, place_labels
-from judge.diagnose.picture.shapes import Bar, Dot, Fact, Mark, Panel, Picture, Role, Stroke
+from judge.drawing.labels import Box, place_labels
+from judge.drawing.shapes import Bar, Dot, Fact, Mark, Panel, Picture, Role, Stroke
 
 _SIDE = 400.0
 _GAP = 24.0

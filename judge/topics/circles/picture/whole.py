@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from judge.diagnose.picture.frame import Frame, length, rounded
-from judge.diagnose.picture.marks import every_spot, extent, marks_in
-from judge.diagnose.picture.scene import Exact, Scene
-from judge.diagnose.picture.shapes import Bar, Panel
-from judge.diagnose.picture.words import round_below, short
+from judge.drawing.lengths import round_below, short
+from judge.drawing.shapes import Bar, Panel
+from judge.topics.circles.picture.frame import Frame, length, rounded
+from judge.topics.circles.picture.marks import every_spot, extent, marks_in
+from judge.topics.circles.picture.scene import Exact, Scene
 
 _FAR = 6  # points further out than so many radii (or distances of the line) are shown at the edge
 _MARGIN = Fraction(5, 4)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot
 
-from judge.diagnose.picture.shapes import Dot, Mark, Panel, Picture, Role, Stroke
+from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
 
 COLUMNS = 60
 ROWS = 16

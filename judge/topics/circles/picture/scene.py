@@ -9,9 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 from judge.compare.answers import Answer, Count, Parameter, Points
-from judge.diagnose.picture.given import Given, read_given
-from judge.exact import CircleLine, Surd
+from judge.exact import Surd
 from judge.problem import AnswerKind, Problem
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.picture.given import Given, read_given
 
 Exact = Fraction | Surd
 

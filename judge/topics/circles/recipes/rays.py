@@ -13,9 +13,10 @@ from collections.abc import Callable, Mapping, Sequence
 from math import isqrt, ldexp, sqrt
 from typing import Any
 
-from judge.data.builders import lines, require
-from judge.data.builders.posing import hair, lopsided_tangent, posed, rational_chord
-from judge.data.builders.transform import (
+from judge.data.draw import Draw, require
+from judge.problem.model import Case, Number, Point
+from judge.topics.circles.figures import lines
+from judge.topics.circles.figures.figure import (
     Figure,
     draw_mirrored,
     draw_point,
@@ -25,8 +26,7 @@ from judge.data.builders.transform import (
     scaled,
     typed,
 )
-from judge.data.draw import Draw
-from judge.problem.model import Case, Number, Point
+from judge.topics.circles.figures.posing import hair, lopsided_tangent, posed, rational_chord
 
 _CONDITION = 1e5  # how much larger than a rounding error, relatively, the error of a root may come out
 _STEPS = 6  # bounds the level direction (length, 0) before it is stretched

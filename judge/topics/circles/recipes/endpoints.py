@@ -10,18 +10,17 @@ from collections.abc import Callable, Mapping, Sequence
 from math import isqrt
 from typing import Any
 
-from judge.data.builders import require
-from judge.data.builders.numbers import off_by_one
-from judge.data.builders.posing import hair, lopsided_tangent, posed, rational_chord
-from judge.data.builders.transform import (
+from judge.data.draw import Draw, require
+from judge.problem.model import Case
+from judge.topics.circles.figures.figure import (
     Figure,
     draw_point,
     line,
     typed,
     with_radius,
 )
-from judge.data.draw import Draw
-from judge.problem.model import Case
+from judge.topics.circles.figures.numbers import off_by_one
+from judge.topics.circles.figures.posing import hair, lopsided_tangent, posed, rational_chord
 
 
 def grid(draw: Draw, *, size: int) -> Case:

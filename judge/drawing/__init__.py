@@ -1,0 +1,1 @@
+"""Drawing any Picture: as SVG, and in braille characters for a terminal."""

@@ -1,0 +1,1 @@
+"""Circles, and lines, segments and rays that meet them."""
