@@ -13,11 +13,11 @@ from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
 
 COLUMNS = 60
 ROWS = 16
-LEAST_ROWS = 9  # with fewer a circle is hardly one
+LEAST_ROWS = 9  # with fewer nothing round looks round
 _WIDE = 29  # characters of the widest panel
 _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))  # of a dot, by row and column
 _BLANK = 0x2800
-_ORDER = (Role.BEYOND, Role.CIRCLE, Role.LINE, Role.CASE, Role.WANTED, Role.GOT)  # the last one colours
+_ORDER = (Role.BEYOND, Role.SHAPE, Role.LINE, Role.CASE, Role.WANTED, Role.GOT)  # the last one colours
 _LETTERS = {Role.WANTED: "o", Role.GOT: "x"}
 
 
@@ -96,7 +96,7 @@ def _grid(panel: Panel, raster: _Raster) -> list[list[Cell]]:
 
 
 def _draw(stroke: Stroke, raster: _Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
-    """Set the dots of a stroke, those beyond a segment's ends two on, two off."""
+    """Set the dots of a stroke, those beyond a line's ends two on, two off."""
     travelled = 0
     for (x1, y1), (x2, y2) in pairwise(map(raster.fine, stroke.dots)):
         steps = max(1, int(hypot(x2 - x1, y2 - y1) * 1.5))

@@ -17,7 +17,7 @@ def polyline(dots: Sequence[Dot]) -> list[tuple[Dot, ...]]:
     """The parts of a polyline that lie in the panel."""
     parts: list[list[Dot]] = []
     for first, last in pairwise(dots):
-        kept = _segment(first, last)
+        kept = _piece(first, last)
         if kept is None:
             continue
         if parts and parts[-1][-1] == kept[0]:
@@ -27,7 +27,7 @@ def polyline(dots: Sequence[Dot]) -> list[tuple[Dot, ...]]:
     return [tuple(part) for part in parts]
 
 
-def _segment(first: Dot, last: Dot) -> tuple[Dot, Dot] | None:
+def _piece(first: Dot, last: Dot) -> tuple[Dot, Dot] | None:
     """Liang and Barsky's clipping: the range of s in first + s·(last − first) between all four sides."""
     enter, leave = 0.0, 1.0
     steps = last[0] - first[0], last[1] - first[1]

@@ -14,10 +14,10 @@ Dot = tuple[float, float]
 class Role(Enum):
     """What a thing is, not how it looks."""
 
-    CIRCLE = "circle"
+    SHAPE = "shape"  # a closed figure
     LINE = "line"
-    BEYOND = "beyond"  # the line where it is no part of the segment or the ray
-    BAND = "band"  # what counts as a tangency
+    BEYOND = "beyond"  # where the line goes on beyond its ends
+    BAND = "band"  # what counts as if it were exact
     CASE = "case"  # a point of the input
     WANTED = "wanted"
     GOT = "got"

@@ -176,8 +176,9 @@ def _drawing(panel: Panel) -> Iterator[str]:
         yield _text(box.x, box.y + 4.5, mark.text, f"halo {kind}".strip(), middle=True)
 
 
+_CLASSES = {role: role.value for role in Role} | {Role.SHAPE: "circle"}  # as published pictures have it
 _ROLE_TEXT = {Role.WANTED: "t-wanted", Role.GOT: "t-got"} | dict.fromkeys(
-    (Role.CASE, Role.CIRCLE, Role.LINE, Role.BEYOND, Role.BAND), ""
+    (Role.CASE, Role.SHAPE, Role.LINE, Role.BEYOND, Role.BAND), ""
 )
 
 
@@ -188,8 +189,8 @@ def _pixel(dot: Dot) -> Dot:
 def _stroke(stroke: Stroke) -> str:
     dots = " ".join(f"{_n(x)},{_n(y)}" for x, y in map(_pixel, stroke.dots))
     if stroke.filled:
-        return f'<polygon class="{stroke.role.value}-area" points="{dots}"/>'
-    return f'<polyline class="{stroke.role.value}" points="{dots}"/>'
+        return f'<polygon class="{_CLASSES[stroke.role]}-area" points="{dots}"/>'
+    return f'<polyline class="{_CLASSES[stroke.role]}" points="{dots}"/>'
 
 
 def _arrow_place(stroke: Stroke) -> tuple[float, float, float] | None:

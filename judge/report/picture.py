@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from judge.drawing import Picture
 from judge.drawing.braille import COLUMNS, to_braille
 from judge.drawing.shapes import Role
 from judge.report.layout import Line, Span, Style, line
 from judge.report.screen import Screen, is_terminal
-from judge.topics.circles.picture import Picture
 
 _STYLES = {
     Role.WANTED: Style.GOOD,

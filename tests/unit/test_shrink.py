@@ -170,8 +170,8 @@ def test_the_smallest_case_of_a_mistake(name, mistake):
     problem, result, found = shrunk(name, source)
     assert found is not None
     module = load_module(problem)
-    assert Validator(problem, module.promise).fault(found.case) is None
-    assert decode(found.replay, problem, module) == (problem.group(found.group), found.case)
+    assert Validator(problem, module.solve).proof(found.case).fault is None
+    assert decode(found.replay, problem, module)[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     assert found.expected != found.got
     assert found.message

@@ -8,8 +8,10 @@ such distance lies strictly between snap·e and clear·e.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 from math import isqrt
 
 from judge.exact.signs import two_root_sign
@@ -31,6 +33,11 @@ class Bands:
             raise ValueError("the bands' widths are 0 <= snap <= clear")
         object.__setattr__(self, "_snap", _Width.of(self.snap))
         object.__setattr__(self, "_clear", _Width.of(self.clear))
+
+    @staticmethod
+    def of(widths: Mapping[str, Fraction]) -> Bands:
+        """The bands that problem.toml names `snap` and `clear`."""
+        return _bands(widths["snap"], widths["clear"])
 
     def count(self, line: CircleLine) -> int | None:
         """0, 1 or 2 common points of the circle and the infinite line; None where there is no line."""
@@ -111,6 +118,11 @@ class Bands:
                     length = abs(float(away)) * float(Surd(0, 1, line.a, line.extent))
                     return f"a common point's distance to {name} is {length:.2g} {_FORBIDDEN}"
         return None
+
+
+@lru_cache(maxsize=8)  # every case of a problem asks for the same
+def _bands(snap: Fraction, clear: Fraction) -> Bands:
+    return Bands(snap, clear)
 
 
 _FORBIDDEN = "of the extent, inside the forbidden band"

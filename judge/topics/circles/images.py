@@ -3,36 +3,40 @@
 The symmetries of the square about the origin change signs and swap x and y. In doubles nothing is rounded
 by that, and all that a case promises is kept: lengths, the extent (which is a maximum over both axes), the
 parameters along the line and so the order of the points. So an image's target is the image of the target, and
-needs neither a reference nor a proof; the tests prove it of every group all the same.
+needs neither an exact answer nor a proof; the tests prove it of every group all the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 from judge.compare.targets import AnyTarget, PointsTarget, Target
-from judge.problem import Case
+from judge.problem import Case, Problem
 from judge.problem.model import Point
+from judge.problem.topic import Chance, Image
+from judge.topics.circles.signature import layout
 
-Image = tuple[Case, AnyTarget]
-Images = Callable[[Case, AnyTarget, Sequence[int]], list[Image]]
-
-# Numbered as in transform.mirrored: 1 negates x, 2 negates y, 4 then swaps them; 0 would do nothing.
+# Numbered as in figure.mirrored: 1 negates x, 2 negates y, 4 then swaps them; 0 would do nothing.
 SYMMETRIES = range(1, 8)
 
 
-def mirror_images(case: Case, target: AnyTarget, symmetries: Sequence[int]) -> list[Image]:
-    """The images of a case (cx, cy, r, point or vector, …) under these symmetries that differ from it.
+def mirror_images(problem: Problem, case: Case, target: AnyTarget, chance: Chance, most: int) -> list[Image]:
+    """The images of a case under `most` symmetries, as `chance` has it; those that differ from it.
 
-    A target of points, of a count or of a parameter.
+    The case is of points, vectors, lengths and radii; the target is one of points, a count or a parameter.
     """
-    cx, cy, radius, *pairs = case
+    first, step = chance.integer(0, 6), chance.integer(1, 6)
+    return images_under(problem, case, target, [SYMMETRIES[(first + step * n) % 7] for n in range(most)])
+
+
+def images_under(problem: Problem, case: Case, target: AnyTarget, symmetries: Sequence[int]) -> list[Image]:
+    """The images of a case under these symmetries that differ from it."""
+    places = layout(problem.parameters)
     images: list[Image] = []
     seen = [case]
     for symmetry in symmetries:
-        # A case of this form has numbers first and pairs last; mypy knows only that it has arguments.
-        centre = _mirrored((cx, cy), symmetry)  # type: ignore[arg-type]
-        image: Case = (*centre, radius, *[_mirrored(pair, symmetry) for pair in pairs])  # type: ignore[arg-type]
+        image = places.mapped(case, partial(_mirrored, symmetry))
         if image not in seen:
             seen.append(image)
             mirrored = _target(target, symmetry) if isinstance(target, PointsTarget) else target
@@ -40,7 +44,7 @@ def mirror_images(case: Case, target: AnyTarget, symmetries: Sequence[int]) -> l
     return images
 
 
-def _mirrored(point: Point, symmetry: int) -> Point:
+def _mirrored(symmetry: int, point: Point) -> Point:
     x, y = point
     # Not -x: a zero has no sign in the data, and the image of 0.0 is 0.0.
     if symmetry & 1:

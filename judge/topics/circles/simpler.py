@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 
-from judge.problem import Case
+from judge.problem import Case, Problem
 from judge.problem.model import Number, Point
+from judge.topics.circles.signature import circle_and_pairs
 
 _DIGITS = 60  # of the roots taken here: whatever a double holds, and the narrowest gaps
 _FINEST = 16  # digits that are kept at most
@@ -19,9 +20,22 @@ _FINEST = 16  # digits that are kept at most
 Level = tuple[Decimal, Decimal, Decimal, Decimal]  # radius, height, start, end (seen from the foot)
 
 
+def simpler(_problem: Problem, case: Case) -> Iterator[Case]:
+    """Cases that are simpler as a whole."""
+    yield from moved(case)
+    yield from levelled(case)
+
+
+def special(case: Case) -> int:
+    """How many points are there twice, and one more for a radius of 0."""
+    points = [argument for argument in case if isinstance(argument, tuple)]
+    lone = [argument for argument in case if not isinstance(argument, tuple)]
+    return len(points) - len(set(points)) + (lone[-1:] == [0])
+
+
 def levelled(case: Case) -> Iterator[Case]:
     """The case laid level about the origin, at its own size or blown up to integers, and rounded."""
-    figure = _shape(case)
+    figure = circle_and_pairs(case)
     if figure is None:
         return
     centre, radius, p, q = figure
@@ -40,24 +54,13 @@ def levelled(case: Case) -> Iterator[Case]:
 
 def moved(case: Case) -> Iterator[Case]:
     """The case with its centre at the origin: its numbers exact, or not moved at all."""
-    figure = _shape(case)
+    figure = circle_and_pairs(case)
     if figure is None or figure[0] == (0, 0):
         return
     centre, radius, p, q = figure
     for both in (True, False):
         points = [_less(p, centre), _less(q, centre) if both else q]
         yield (0, 0, radius, *points)
-
-
-def _shape(case: Case) -> tuple[Point, Number, Point, Point] | None:
-    if len(case) != 5:
-        return None
-    cx, cy, radius, p, q = case
-    if isinstance(cx, tuple) or isinstance(cy, tuple) or isinstance(radius, tuple):
-        return None
-    if not isinstance(p, tuple) or not isinstance(q, tuple):
-        return None
-    return (cx, cy), radius, p, q
 
 
 def _level(f: tuple[Fraction, Fraction], d: tuple[Fraction, Fraction], radius: Fraction) -> Level | None:

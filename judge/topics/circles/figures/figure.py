@@ -18,7 +18,7 @@ from msgspec.structs import replace
 
 from judge.data.draw import Draw, require
 from judge.exact.dyadic import integers
-from judge.problem.model import Case, Number, Point
+from judge.problem.model import Number, Point
 from judge.topics.circles.figures.numbers import pythagorean
 
 NUMBER_TYPES = ("int", "float", "mixed")
@@ -33,16 +33,14 @@ class Figure(Struct, frozen=True):
     vectors: tuple[Point, ...] = ()
 
     @property
-    def case(self) -> Case:
-        """The arguments of a call: cx, cy, r, the points, the vectors."""
-        return (*self.centre, self.radius, *self.points, *self.vectors)
-
-    @property
     def extent(self) -> Fraction:
         """The largest of r and of |x|, |y| of the points seen from the centre, exactly."""
         (cx, cy, radius, *flat), shift = integers(*self.centre, self.radius, *chain(*self.points))
         spans = [abs(x - cx) for x in flat[::2]] + [abs(y - cy) for y in flat[1::2]]
         return Fraction(max(radius, *spans), 1 << shift)
+
+
+Recipe = Callable[..., Figure]  # (draw, **parameters), every choice taken from `draw`
 
 
 class Turn(Struct, frozen=True):
@@ -54,12 +52,12 @@ class Turn(Struct, frozen=True):
 
 
 def line(centre: Point, radius: Number, a: Point, b: Point) -> Figure:
-    """The figure of a line or segment from A to B: the case (cx, cy, r, A, B)."""
+    """The figure of a line or segment from A to B."""
     return Figure(centre, radius, (a, b))
 
 
 def ray(centre: Point, radius: Number, origin: Point, direction: Point) -> Figure:
-    """The figure of a ray from O along D: the case (cx, cy, r, O, D)."""
+    """The figure of a ray from O along D."""
     return Figure(centre, radius, (origin,), (direction,))
 
 

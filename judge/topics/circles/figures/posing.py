@@ -1,5 +1,4 @@
-"""From a level figure to a case: how the recipes of endpoints.py and rays.py put a circle and a line into the
-plane.
+"""From a level figure to any other: how recipes put a circle and a line into the plane.
 
 A recipe lays its line level: the circle's centre at the origin, the line at height `offset`, running
 towards +x, so that a place on the line is one integer, counted from the foot of the perpendicular. A pose
@@ -16,7 +15,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from judge.data.draw import Draw, require
-from judge.problem.model import Case, Number, Point
+from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import (
     Figure,
     Turn,
@@ -48,8 +47,8 @@ def posed(
     centre: int = 2,
     scale: int = 0,
     far: int = 0,
-) -> Case:
-    """The case of a level integer figure in one of `poses`.
+) -> Figure:
+    """A level integer figure in one of `poses`.
 
     `divisor` divides it (by more than 1 only in the pose "any"), `centre` moves it by up to that many times
     its extent, `scale` multiplies it by 2**scale, and `far` finally moves it by up to ±2**far (exactly).
@@ -70,7 +69,7 @@ def posed(
         figure = moved(
             figure, draw.sign() * draw.integer(half, 2 * half), draw.sign() * draw.integer(half, 2 * half)
         )
-    return typed(draw, figure, numbers).case
+    return typed(draw, figure, numbers)
 
 
 def spun(figure: Figure, turn: Turn) -> Figure:

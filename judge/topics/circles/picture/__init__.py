@@ -4,8 +4,6 @@ The geometry is exact (fractions and square roots) until it is relative to a pan
 minimal case is 1e-9 of its circle and coordinates go to 10**100; what draws only ever sees numbers near 1.
 """
 
-from judge.drawing.shapes import Picture
 from judge.topics.circles.picture.compose import compose
-from judge.topics.circles.picture.given import given_words
 
-__all__ = ["Picture", "compose", "given_words"]
+__all__ = ["compose"]

@@ -1,50 +1,34 @@
-"""A picture from a problem, a case and two answers."""
+"""A picture from a case and its two answers."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from judge.compare.answers import Answer, Count
 from judge.drawing.lengths import short
 from judge.drawing.shapes import Fact, Panel, Picture, Role
-from judge.problem import Problem
+from judge.problem.topic import Shown
+from judge.topics.circles.part import Part
 from judge.topics.circles.picture.lens import gap_words, lens_panel
-from judge.topics.circles.picture.scene import Figure, Scene, read_scene
+from judge.topics.circles.picture.scene import Scene, read_scene
 from judge.topics.circles.picture.whole import whole_panel
 
 
-def compose(
-    problem: Problem,
-    values: Mapping[str, Any],
-    exact: Answer,
-    *,
-    wanted: str | None,
-    got: str | None,
-    heading: str = "",
-) -> Picture | None:
-    """The picture of one case, or None where the problem is not about a circle and a line.
-
-    Args:
-        problem: the problem, for its parameters, its kind of answer and its bands.
-        values: the arguments by parameter name.
-        exact: the exact answer.
-        wanted: the wanted answer as it is shown to a person.
-        got: the submission's answer as it is shown, whatever it was (`given_words` of its JSON form).
-        heading: which case it is.
-    """
-    scene = read_scene(problem, values, exact, got)
+def compose(part: Part, shown: Shown) -> Picture | None:
+    """The picture of one case, or None where its arguments are no circle and line."""
+    scene = read_scene(part, shown)
     if scene is None:
         return None
     lens = lens_panel(scene)
+    got = shown.got or "no answer"
     facts = [
-        Fact("input", ", ".join(f"{name}={_argument(value)}" for name, value in values.items())),
-        Fact("wanted", wanted or "", Role.WANTED),
-        Fact("got", got or "no answer", Role.GOT),
-        Fact("geometry", _situation(scene, exact) + _turned(lens)),
+        Fact("input", ", ".join(f"{name}={_argument(value)}" for name, value in shown.values.items())),
+        Fact("wanted", shown.wanted or "", Role.WANTED),
+        Fact("got", got, Role.GOT),
+        Fact("geometry", _situation(scene, shown.exact) + _turned(lens)),
     ]
-    description = f"Wanted {wanted}, got {got or 'no answer'}; {gap_words(scene)}."
-    return Picture(problem.title, heading, description, whole_panel(scene), lens, tuple(facts))
+    description = f"Wanted {shown.wanted}, got {got}; {gap_words(scene)}."
+    return Picture(shown.problem.title, shown.heading, description, whole_panel(scene), lens, tuple(facts))
 
 
 def _turned(lens: Panel | None) -> str:
@@ -60,13 +44,13 @@ def _argument(value: Any) -> str:
     return text if len(text) <= 26 else f"{text[:12]}…{text[-6:]} ({len(text.lstrip('-'))} digits)"
 
 
-_FIGURES = {Figure.LINE: "A = B: no line", Figure.SEGMENT: "A = B: one point", Figure.RAY: "D = 0: no ray"}
+_NO_LINE = {Part.LINE: "A = B: no line", Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
 
 
 def _situation(scene: Scene, exact: Answer) -> str:
     """The geometry in words; `e` is explained because the lens measures in it."""
     line = scene.line
-    parts = [] if line.a else [_FIGURES[scene.figure]]
+    parts = [] if line.a else [_NO_LINE[scene.part]]
     parts.append(gap_words(scene))
     banded = (isinstance(exact, Count) and exact.value == 1) or len(scene.wanted) == 1
     if line.a and banded and scene.gap.sign() and abs(scene.gap) <= scene.snap * line.extent:

@@ -1,20 +1,16 @@
-"""What a submission answered, read from the words that a person is shown; any words whatever."""
+"""The numbers in a submission's answer, JSON of any shape whatever: what of it can be drawn."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import islice
 
-from judge.compare.decode import Raw, Written, decimal, show
-from judge.problem import AnswerKind
+from judge.compare.decode import Fault, Raw, Written, number
 
-_LONGEST = 5000
 _MOST = 4  # points that are drawn
-_PLAIN = r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
-_NUMBER = rf"(?:{_PLAIN}|Fraction\([+-]?[0-9]+, [0-9]+\))"
-_POINT = re.compile(rf"\(({_NUMBER}), ({_NUMBER})\)", re.ASCII)
-_LINE = re.compile(rf"[0-9]+(?:[ \t]+{_PLAIN})*", re.ASCII)
+_DEPTH = 3  # levels of lists that are looked into
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,37 +21,27 @@ class Given:
     number: Fraction | None = None
 
 
-def read_given(kind: AnswerKind, text: str | None) -> Given:
-    """What `text` holds, as a function's answer is shown or as a program's line; nothing if unreadable."""
-    text = (text or "").strip()
-    if len(text) > _LONGEST:
-        return Given()
-    if kind is AnswerKind.POINTS and _LINE.fullmatch(text):
-        numbers = [_value(token) for token in text.split()[1:]]
-        return Given(_pairs(list(zip(numbers[::2], numbers[1::2], strict=False))))
-    pairs = [(_value(x), _value(y)) for x, y in _POINT.findall(text)]
-    if pairs:
-        return Given(_pairs(pairs))
-    return Given(number=_value(text))
+def read_given(raw: Raw) -> Given:
+    """What `raw` holds: every two numbers in a list of their own are a point."""
+    if type(raw) in (list, tuple):
+        return Given(tuple(islice(_points(raw, _DEPTH), _MOST)))
+    return Given(number=_number(raw))
 
 
-def given_words(answer: Raw) -> str:
-    """An answer's JSON form in the words that `read_given` reads."""
-    return show(answer)
+def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:
+    if len(items) == 2:
+        x, y = map(_number, items)
+        if x is not None and y is not None:
+            yield x, y
+            return
+    if depth:
+        for item in items[:_MOST]:
+            if type(item) in (list, tuple):
+                yield from _points(item, depth - 1)
 
 
-def _pairs(
-    found: list[tuple[Fraction | None, Fraction | None]],
-) -> tuple[tuple[Fraction, Fraction], ...]:
-    return tuple((x, y) for x, y in found if x is not None and y is not None)[:_MOST]
-
-
-def _value(text: str) -> Fraction | None:
-    """The number a token is, None for any other text and for one of absurd size."""
-    if text.startswith("Fraction("):
-        top, _, bottom = text[9:-1].partition(", ")
-        if not re.fullmatch(r"[+-]?[0-9]{1,400}/[0-9]{1,400}", f"{top}/{bottom}", re.ASCII):
-            return None
-        return Fraction(int(top), int(bottom)) if int(bottom) else None
-    read = decimal(text)
-    return read.exact() if isinstance(read, Written) else None
+def _number(raw: Raw) -> Fraction | None:
+    read = number(raw)
+    if isinstance(read, Fault):
+        return None
+    return read.exact() if isinstance(read, Written) else Fraction(read)

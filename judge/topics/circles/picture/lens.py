@@ -12,12 +12,14 @@ from fractions import Fraction
 from math import hypot, sqrt
 
 from judge.drawing.clip import inside, polygon, polyline
+from judge.drawing.frame import Frame, length, near, over_root, root, rounded
 from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Dot, Mark, Panel, Role, Stroke
 from judge.exact import Surd
-from judge.topics.circles.picture.frame import Frame, length, near, over_root, pieces, root, rounded
+from judge.topics.circles.part import Part
 from judge.topics.circles.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
-from judge.topics.circles.picture.scene import Figure, Scene, Spot
+from judge.topics.circles.picture.scene import Scene, Spot
+from judge.topics.circles.picture.strokes import circle, pieces, straight
 from judge.topics.circles.picture.whole import scale_bar, whole_frame
 
 _CLOSE = Fraction(1, 50)  # what is closer than this share of the window cannot be seen at true scale
@@ -47,7 +49,7 @@ def lens_panel(scene: Scene) -> Panel | None:
     if place.tangency and scene.line.r > 4 * unit:
         return _stretched(scene, place, unit)
     frame = Frame(place.x, place.y, unit)
-    strokes = (*frame.circle(scene.line), *frame.straight(scene))
+    strokes = (*circle(frame, scene.line), *straight(frame, scene))
     bar = scale_bar(frame, scene, of_extent=True)
     marks = marks_in(frame, scene, beyond=False)
     return Panel(_magnified(place.title, window / unit), strokes, marks, (bar,), place.note)
@@ -100,7 +102,7 @@ def _tangency(scene: Scene) -> list[_Place]:
 def gap_words(scene: Scene) -> str:
     """Where the line, or the one point A == B, runs relative to the circle."""
     line, gap = scene.line, scene.gap
-    what = "the line" if line.a else ("O" if scene.figure is Figure.RAY else "the point")
+    what = "the line" if line.a else ("O" if scene.part is Part.RAY else "the point")
     side = gap.sign()
     if not side:
         if not line.r:
@@ -117,10 +119,10 @@ def gap_words(scene: Scene) -> str:
 def _ends(scene: Scene) -> list[_Place]:
     line = scene.line
     ends = {
-        Figure.LINE: (),
-        Figure.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
-        Figure.RAY: ((scene.start, "O"),),
-    }[scene.figure]
+        Part.LINE: (),
+        Part.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
+        Part.RAY: ((scene.start, "O"),),
+    }[scene.part]
     places = []
     for (x, y), name in ends if line.a else ends[:1]:
         square = (x - line.cx) ** 2 + (y - line.cy) ** 2
@@ -130,7 +132,7 @@ def _ends(scene: Scene) -> list[_Place]:
         where = (
             f"{share} e {'outside' if side > 0 else 'inside'} the circle" if side else "exactly on the circle"
         )
-        label = name if line.a else ("O" if scene.figure is Figure.RAY else "A = B")
+        label = name if line.a else ("O" if scene.part is Part.RAY else "A = B")
         note = f"{label} is {where}"
         places.append(_Place(abs(rounded(away)), Fraction(x), Fraction(y), f"{label} and the circle", note))
     return places
@@ -141,7 +143,7 @@ def _small(scene: Scene, window: Fraction) -> _Place | None:
     line = scene.line
     if line.r and line.r < _CLOSE * window:
         return _Place(Fraction(line.r), Fraction(line.cx), Fraction(line.cy), "the circle", gap_words(scene))
-    if scene.figure is not Figure.SEGMENT or not line.a:
+    if scene.part is not Part.SEGMENT or not line.a:
         return None
     size = root(Fraction(line.a))
     if size >= 2 * _CLOSE * window:
@@ -197,15 +199,15 @@ class _Stretch:
         (x1, _), (x2, _) = dots[0], dots[-1]
         depth = self.side * 9.0
         area = polygon((*dots, (x2, depth), (x1, depth)))
-        fill = (Stroke(area, Role.CIRCLE, filled=True),) if area else ()
-        return (*fill, *(Stroke(part, Role.CIRCLE) for part in polyline(dots)))
+        fill = (Stroke(area, Role.SHAPE, filled=True),) if area else ()
+        return (*fill, *(Stroke(part, Role.SHAPE) for part in polyline(dots)))
 
     def straight(self) -> tuple[Stroke, ...]:
         """The line, level, as far as the figure has any."""
         line = self.scene.line
         start = over_root(line.b / self.along, line.a)
         end = over_root((line.b + line.a) / self.along, line.a)
-        return pieces(self.scene.figure, (0.0, -self.middle), (1.0, 0.0), start, end)
+        return pieces(self.scene.part, (0.0, -self.middle), (1.0, 0.0), start, end)
 
     def band(self) -> tuple[Stroke, ...]:
         """Where the circle's edge may be for the line to count as tangent."""

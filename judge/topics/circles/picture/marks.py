@@ -8,10 +8,12 @@ from fractions import Fraction
 from math import hypot
 
 from judge.drawing.clip import inside
+from judge.drawing.frame import Frame, direction, length, rounded
 from judge.drawing.lengths import short
 from judge.drawing.shapes import Dot, Mark, Role, Stroke
-from judge.topics.circles.picture.frame import Frame, direction, length, rounded
-from judge.topics.circles.picture.scene import Figure, Scene, Spot
+from judge.topics.circles.part import Part
+from judge.topics.circles.picture.scene import Scene, Spot
+from judge.topics.circles.picture.strokes import straight
 
 _TOGETHER = 0.035  # marks closer than this share a label
 _EDGE = 0.97
@@ -20,7 +22,7 @@ _EDGE = 0.97
 def marks_in(frame: Frame, scene: Scene, *, beyond: bool) -> tuple[Mark, ...]:
     """Every point of the scene in the panel; those outside at its edge where `beyond` asks for them."""
     found: list[Mark] = []
-    line = frame.straight(scene)
+    line = straight(frame, scene)
     for spot, role in every_spot(scene):
         at = frame.place(spot.x, spot.y)
         if inside(at):
@@ -73,7 +75,7 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
 
 
 def _names(scene: Scene) -> tuple[str, str]:
-    if scene.figure is Figure.RAY:
+    if scene.part is Part.RAY:
         return ("O", "O + D (t = 1)") if scene.line.a else ("O (D = 0)", "")
     return ("A", "B") if scene.line.a else ("A = B", "")
 

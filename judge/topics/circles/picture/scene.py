@@ -2,27 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import Enum
 from fractions import Fraction
 from typing import Any
 
 from judge.compare.answers import Answer, Count, Parameter, Points
+from judge.drawing.frame import Exact
 from judge.exact import Surd
-from judge.problem import AnswerKind, Problem
+from judge.problem.topic import Shown
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.part import Part
 from judge.topics.circles.picture.given import Given, read_given
-
-Exact = Fraction | Surd
-
-
-class Figure(Enum):
-    """How much of the line the problem is about."""
-
-    LINE = "line"
-    SEGMENT = "segment"
-    RAY = "ray"
+from judge.topics.circles.signature import circle_and_pairs
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +33,7 @@ class Scene:
     units of the extent, 0 where the problem has none.
     """
 
-    figure: Figure
+    part: Part
     line: CircleLine
     wanted: tuple[Spot, ...]
     given: tuple[Spot, ...]
@@ -75,24 +66,21 @@ class Scene:
         return Surd(-line.r, 1, (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2, 1)
 
 
-def read_scene(problem: Problem, values: Mapping[str, Any], exact: Answer, got: str | None) -> Scene | None:
-    """The scene of a case given by parameter name, or None where the problem is not of this kind.
-
-    `got` is the submission's answer as it is shown; words that hold no numbers give no points.
-    """
-    names = [parameter.name for parameter in problem.parameters]
-    if names == ["cx", "cy", "r", "O", "D"] and set(names) <= set(values):
-        figure = Figure.RAY
-    elif names == ["cx", "cy", "r", "A", "B"] and set(names) <= set(values):
-        figure = Figure.LINE if problem.answer is AnswerKind.COUNT else Figure.SEGMENT
-    else:
+def read_scene(part: Part, shown: Shown) -> Scene | None:
+    """The scene of a case, or None where its arguments are not (cx, cy, r, A, B) or (cx, cy, r, O, D)."""
+    case = circle_and_pairs(tuple(_argument(value) for value in shown.values.values()))
+    if case is None:
         return None
-    cx, cy, r, first, second = (values[name] for name in names)
-    build = CircleLine.ray if figure is Figure.RAY else CircleLine.through
-    line = build(cx, cy, r, (first[0], first[1]), (second[0], second[1]))
-    snap = problem.bands.get("snap", Fraction(0))
-    given = _given(line, figure, read_given(problem.answer, got))
-    return Scene(figure, line, _wanted(line, exact), given, snap)
+    (cx, cy), radius, first, second = case
+    build = CircleLine.ray if part is Part.RAY else CircleLine.through
+    line = build(cx, cy, radius, first, second)
+    snap = shown.problem.bands.get("snap", Fraction(0))
+    given = _given(line, part, read_given(shown.given))
+    return Scene(part, line, _wanted(line, shown.exact), given, snap)
+
+
+def _argument(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value
 
 
 def _wanted(line: CircleLine, exact: Answer) -> tuple[Spot, ...]:
@@ -112,11 +100,11 @@ def _wanted(line: CircleLine, exact: Answer) -> tuple[Spot, ...]:
     return tuple(Spot(x * one, y * one, "common point") for x, y in points)
 
 
-def _given(line: CircleLine, figure: Figure, given: Given) -> tuple[Spot, ...]:
+def _given(line: CircleLine, part: Part, given: Given) -> tuple[Spot, ...]:
     one = 1 << line.shift
     if given.points:
         return _numbered([(x * one, y * one) for x, y in given.points], "got")
-    if figure is not Figure.RAY or given.number is None:
+    if part is not Part.RAY or given.number is None:
         return ()
     t = given.number
     return (Spot(t * line.dx + line.ax, t * line.dy + line.ay, f"got t = {Surd.of(t).decimal(6)}"),)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from judge.drawing.frame import Exact, Frame, length, rounded
 from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Panel
-from judge.topics.circles.picture.frame import Frame, length, rounded
 from judge.topics.circles.picture.marks import every_spot, extent, marks_in
-from judge.topics.circles.picture.scene import Exact, Scene
+from judge.topics.circles.picture.scene import Scene
+from judge.topics.circles.picture.strokes import circle, straight
 
 _FAR = 6  # points further out than so many radii (or distances of the line) are shown at the edge
 _MARGIN = Fraction(5, 4)
@@ -20,7 +21,7 @@ Box = tuple[Fraction, Fraction, Fraction, Fraction]
 def whole_panel(scene: Scene) -> Panel:
     """The circle with whatever lies within a few of its sizes, and arrows to the rest."""
     frame = whole_frame(scene)
-    strokes = (*frame.circle(scene.line), *frame.straight(scene))
+    strokes = (*circle(frame, scene.line), *straight(frame, scene))
     return Panel("True scale", strokes, marks_in(frame, scene, beyond=True), (scale_bar(frame, scene),))
 
 

@@ -1,19 +1,19 @@
 """Recipes for a circle and a segment A→B: which points of the line lie between the ends, and how nearly.
 
-Each returns the case (cx, cy, r, A, B). `size` bounds the level figure's numbers before its pose enlarges
+Each draws a figure of two points, A and B. `size` bounds the level figure's numbers before its pose enlarges
 or divides them; what goes to `posed` is explained there (posing.py).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import isqrt
 from typing import Any
 
 from judge.data.draw import Draw, require
-from judge.problem.model import Case
 from judge.topics.circles.figures.figure import (
     Figure,
+    Recipe,
     draw_point,
     line,
     typed,
@@ -23,19 +23,19 @@ from judge.topics.circles.figures.numbers import off_by_one
 from judge.topics.circles.figures.posing import hair, lopsided_tangent, posed, rational_chord
 
 
-def grid(draw: Draw, *, size: int) -> Case:
+def grid(draw: Draw, *, size: int) -> Figure:
     """Everything from a small grid, the degenerate included: coordinates up to ±size, radius up to size."""
     centre, a, b = (draw_point(draw, size) for _ in range(3))
-    return line(centre, draw.integer(0, size), a, b).case
+    return line(centre, draw.integer(0, size), a, b)
 
 
-def uniform(draw: Draw, *, size: int, numbers: str) -> Case:
+def uniform(draw: Draw, *, size: int, numbers: str) -> Figure:
     """Centre and ends anywhere in ±size, the radius up to size."""
     centre, a, b = (draw_point(draw, size) for _ in range(3))
-    return typed(draw, line(centre, draw.integer(1, size), a, b), numbers).case
+    return typed(draw, line(centre, draw.integer(1, size), a, b), numbers)
 
 
-def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A line that cuts the circle twice, or passes it clearly; `where` says which of it the segment holds.
 
     through (2 points), entering (1), leaving (1), inside, before, after (none: both roots outside the
@@ -79,7 +79,7 @@ def _places(draw: Draw, kind: str, inner: int, outer: int, size: int) -> tuple[i
     return (-farther, -near) if kind == "before" else (near, farther)
 
 
-def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A tangent: its one point is within the segment, at one of its ends, or beyond them."""
     radius = draw.integer(1, size)
     kind = draw.choice(where)
@@ -96,7 +96,7 @@ def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str]
 
 def near_tangent(
     draw: Draw, *, sides: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
-) -> Case:
+) -> Figure:
     """A line that cuts ("hit") or misses ("miss") the circle by a `hair`, between the segment's ends."""
     radius = draw.integer(max(1, size // 4), size)
     start, end = -draw.integer(radius, 2 * size), draw.integer(radius, 2 * size)
@@ -109,7 +109,9 @@ def near_tangent(
     return posed(draw, figure, poses=("any",), divisor=divisor, **pose)
 
 
-def end_on_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def end_on_circle(
+    draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any
+) -> Figure:
     """An end exactly on the circle (before rounding, in the pose "any"), the other one wherever `where` says.
 
     inward (the other end is inside the circle), across (beyond its other side), outward (the segment leaves
@@ -136,7 +138,7 @@ def end_on_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequenc
 
 def end_near_circle(
     draw: Draw, *, where: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
-) -> Case:
+) -> Figure:
     """An end that is a `hair` from the circle, measured along the line.
 
     short (the segment comes from outside and stops before the circle), touching (it goes on just past
@@ -158,7 +160,7 @@ def end_near_circle(
     return posed(draw, figure, poses=("any",), divisor=divisor, **pose)
 
 
-def end_off_by_one(draw: Draw, *, size: int, numbers: str) -> Case:
+def end_off_by_one(draw: Draw, *, size: int, numbers: str) -> Figure:
     """Integers with f·f − r² = ±1, f = end − C: the root is within 1 / r of that end, far inside the band.
 
     Such points are everywhere on a circle (numbers.off_by_one), not only near its axes.
@@ -173,7 +175,7 @@ def end_off_by_one(draw: Draw, *, size: int, numbers: str) -> Case:
     return posed(draw, line((0, 0), radius, *ends), poses=("axis",), centre=0, numbers=numbers)
 
 
-def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Case:
+def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Figure:
     """A banded tangent along an axis, one end `ratio` (bounds) radii away: that coordinate is the extent."""
     radius, away, changed = lopsided_tangent(draw, size, ratio)
     ends = (-draw.integer(1, radius), away)
@@ -181,7 +183,9 @@ def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Cas
     return posed(draw, with_radius(figure, changed), poses=("axis",), centre=1, **pose)
 
 
-def point_segment(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def point_segment(
+    draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any
+) -> Figure:
     """A segment that is one point, A == B.
 
     It is on the circle, inside, outside, at the centre, or (point) all of a circle of radius 0.
@@ -202,7 +206,7 @@ def point_segment(draw: Draw, *, where: Sequence[str], size: int, poses: Sequenc
     return posed(draw, figure, poses=poses, **pose)
 
 
-def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A circle of radius 0: within the segment, at-end, beyond it on its line, or off the line."""
     kind = draw.choice(where)
     first, second = draw.integer(1, size), draw.integer(1, size)
@@ -219,7 +223,7 @@ def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence
     )
 
 
-def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Case:
+def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Figure:
     """A circle that is tiny beside the segment, one end of which is `ratio` (bounds) radii away."""
     radius = draw.integer(max(5, size // 2), size)
     distance = radius * draw.integer(*ratio)
@@ -237,7 +241,7 @@ def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[i
     return posed(draw, level(radius, offset * draw.sign(), start, end), centre=0, **pose)
 
 
-def one_far_end(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Case:
+def one_far_end(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Figure:
     """One end near a circle that is tiny beside the distance (`ratio` radii, bounds) of the other end.
 
     The near end (short, touching) or the circle itself (tangent) is off by most of the band: a common point
@@ -259,7 +263,7 @@ def one_far_end(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[
     return posed(draw, figure, poses=("any",), divisor=divisor, centre=0, **pose)
 
 
-def short(draw: Draw, *, where: Sequence[str], size: int, **pose: Any) -> Case:
+def short(draw: Draw, *, where: Sequence[str], size: int, **pose: Any) -> Figure:
     """A segment 1e-5 to 1e-4 radii long that touches (tangent) or crosses the circle, or ends at it.
 
     A tangent, and the end in short and touching, is off the circle by most of the band, which is far more
@@ -287,7 +291,7 @@ def short(draw: Draw, *, where: Sequence[str], size: int, **pose: Any) -> Case:
 
 def point_near_circle(
     draw: Draw, *, sides: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
-) -> Case:
+) -> Figure:
     """A segment that is one point, A == B, a `hair` inside or outside the circle."""
     radius = draw.integer(max(1, size // 4), size)
     side = draw.choice(sides)
@@ -297,7 +301,7 @@ def point_near_circle(
     return posed(draw, level(radius * divisor, 0, place, place), poses=("any",), divisor=divisor, **pose)
 
 
-def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Case:
+def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Figure:
     """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the segment nearly meets.
 
     hit and miss are near tangents, stop and pass near ends, point is A == B; all of them are off by 4e-7 to
@@ -337,7 +341,7 @@ def _crossings(figure: Figure) -> int:
     return int(first) + int(last)
 
 
-SEGMENT_BUILDERS: Mapping[str, Callable[..., Case]] = {
+RECIPES: Mapping[str, Recipe] = {
     "grid": grid,
     "uniform": uniform,
     "across": across,

@@ -1,7 +1,7 @@
 """Recipes for a circle and a ray O + t·D: where the origin is, which root comes first, and how nearly.
 
-Each returns the case (cx, cy, r, O, D). A level ray stands at x = `start` on its line and runs towards
-+x, the foot of the perpendicular being x = 0. What goes to `posed` is explained in posing.py.
+Each draws a figure of a point O and a vector D. A level ray stands at x = `start` on its line and runs
+towards +x, the foot of the perpendicular being x = 0. What goes to `posed` is explained in posing.py.
 
 The parameter is judged by its relative error, so a recipe also keeps it well conditioned
 (`_well_conditioned`): a program that works carefully in doubles must be able to meet the tolerance.
@@ -9,15 +9,18 @@ The parameter is judged by its relative error, so a recipe also keeps it well co
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import isqrt, ldexp, sqrt
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.data.draw import Draw, require
-from judge.problem.model import Case, Number, Point
+from judge.problem.model import Number, Point
 from judge.topics.circles.figures import lines
 from judge.topics.circles.figures.figure import (
     Figure,
+    Recipe,
     draw_mirrored,
     draw_point,
     integer,
@@ -32,22 +35,22 @@ _CONDITION = 1e5  # how much larger than a rounding error, relatively, the error
 _STEPS = 6  # bounds the level direction (length, 0) before it is stretched
 
 
-def grid(draw: Draw, *, size: int) -> Case:
+def grid(draw: Draw, *, size: int) -> Figure:
     """Everything from a small grid, the null direction included: numbers up to ±size."""
     centre, origin, direction = (draw_point(draw, size) for _ in range(3))
-    return ray(centre, draw.integer(0, size), origin, direction).case
+    return ray(centre, draw.integer(0, size), origin, direction)
 
 
-def uniform(draw: Draw, *, size: int, numbers: str) -> Case:
+def uniform(draw: Draw, *, size: int, numbers: str) -> Figure:
     """Centre and origin anywhere in ±size, the direction too, the radius up to size."""
     centre, origin, direction = (draw_point(draw, size) for _ in range(3))
     radius = draw.integer(1, size)
     if direction == (0, 0) or not _well_conditioned(*_as_level(centre, radius, origin, direction)):
         draw.reject()
-    return typed(draw, ray(centre, radius, origin, direction), numbers).case
+    return typed(draw, ray(centre, radius, origin, direction), numbers)
 
 
-def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A line that cuts the circle twice, or passes it clearly; `where` says where the origin stands.
 
     ahead (the circle is before it: the nearer root), inside (the exit), from-foot (inside, at the foot),
@@ -75,7 +78,7 @@ def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str],
     return _posed(draw, radius, offset, start, poses=poses, **pose)
 
 
-def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A tangent whose one point is ahead of the origin, behind it, or the origin itself."""
     radius = draw.integer(1, size)
     starts = {"ahead": -draw.integer(1, 2 * size), "behind": draw.integer(1, 2 * size), "at-origin": 0}
@@ -84,7 +87,7 @@ def tangent(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str]
     return _posed(draw, radius, radius * draw.sign(), starts[kind], poses=poses, **pose)
 
 
-def tangent_off_the_grid(draw: Draw, *, size: int, scale: int, far: int) -> Case:
+def tangent_off_the_grid(draw: Draw, *, size: int, scale: int, far: int) -> Figure:
     """A tangent ahead of the origin whose point of contact is C ± r·(−q, p)/h, seldom one of the grid.
 
     The grid's step is 2**scale, and all is moved by up to 2**far: no double there holds that point.
@@ -100,12 +103,12 @@ def tangent_off_the_grid(draw: Draw, *, size: int, scale: int, far: int) -> Case
         direction = (-direction[0], -direction[1])
     placed = scaled(draw_mirrored(draw, ray(figure.centre, figure.radius, (ax, ay), direction)), scale)
     dx, dy = (draw.sign() * draw.integer(1 << (far - 1), 1 << far) for _ in range(2))
-    return moved(placed, dx, dy).case
+    return moved(placed, dx, dy)
 
 
 def near_tangent(
     draw: Draw, *, sides: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
-) -> Case:
+) -> Figure:
     """A line that cuts ("hit") or misses ("miss") the circle by a `hair`, well ahead of the origin."""
     radius = draw.integer(max(1, size // 4), size)
     start = -draw.integer(radius, 2 * size)
@@ -120,7 +123,7 @@ def near_tangent(
 
 def origin_on_circle(
     draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any
-) -> Case:
+) -> Figure:
     """The origin exactly on the circle (before rounding, in the pose "any"), looking in or out."""
     radius, offset, half = rational_chord(draw, size)
     kind = draw.choice(where)
@@ -130,7 +133,7 @@ def origin_on_circle(
 
 def origin_near_circle(
     draw: Draw, *, where: Sequence[str], size: int, within: bool = False, bits: int = 1, **pose: Any
-) -> Case:
+) -> Figure:
     """The origin a `hair` from the circle, measured along the ray.
 
     past (just outside, looking out), inside (just inside, looking across). So the root nearby is never
@@ -146,7 +149,7 @@ def origin_near_circle(
     return _posed(draw, radius * divisor, offset * divisor, start, divisor=divisor, poses=("any",), **pose)
 
 
-def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Case:
+def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Figure:
     """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the ray nearly meets.
 
     miss (a near tangent), past and inside (the origin, as in `origin_near_circle`): off by 4e-7 to 2e-6.
@@ -177,7 +180,9 @@ def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: An
     )
 
 
-def null_direction(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def null_direction(
+    draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any
+) -> Figure:
     """D = (0, 0), the origin on the circle, inside, outside, or (point) all of a circle of radius 0."""
     radius, offset, half = rational_chord(draw, size)
     radii = {
@@ -195,7 +200,7 @@ def null_direction(draw: Draw, *, where: Sequence[str], size: int, poses: Sequen
     return posed(draw, Figure(centre, radii[kind], (origin,), ((0, 0),)), poses=poses, **pose)
 
 
-def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Case:
+def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A circle of radius 0: ahead of the origin, behind it, off the line, or the origin itself."""
     kind = draw.choice(where)
     place = draw.integer(1, size)
@@ -204,7 +209,7 @@ def point_circle(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence
     return _posed(draw, 0, place if kind == "off" else 0, starts[kind], poses=poses, **pose)
 
 
-def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Case:
+def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[int], **pose: Any) -> Figure:
     """A circle that is tiny beside its distance from the origin, which is `ratio` (bounds) radii."""
     radius = draw.integer(max(5, size // 2), size)
     distance = radius * draw.integer(*ratio)
@@ -218,14 +223,14 @@ def far_circle(draw: Draw, *, where: Sequence[str], size: int, ratio: Sequence[i
     return _posed(draw, radius, offsets[kind] * draw.sign(), -distance, centre=0, **pose)
 
 
-def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Case:
+def lopsided(draw: Draw, *, size: int, ratio: Sequence[int], **pose: Any) -> Figure:
     """A banded tangent along an axis, `ratio` (bounds) radii ahead: one coordinate alone makes the extent."""
     radius, away, changed = lopsided_tangent(draw, size, ratio)
     figure = ray((0, 0), changed, (-away, radius * draw.sign()), (draw.integer(1, _STEPS), 0))
     return posed(draw, figure, poses=("axis",), centre=1, **pose)
 
 
-def cancellation(draw: Draw, *, size: int, numbers: str, scale: int = 0) -> Case:
+def cancellation(draw: Draw, *, size: int, numbers: str, scale: int = 0) -> Figure:
     """A root so near the origin that −b ± √Δ loses its digits: f·f − r² is small, f·D is not. Integers,
     times 2**scale.
 
@@ -249,7 +254,7 @@ def cancellation(draw: Draw, *, size: int, numbers: str, scale: int = 0) -> Case
         direction = (-direction[0], -direction[1])
     centre = draw_point(draw, size)
     origin = (centre[0] + f[0], centre[1] + f[1])
-    return typed(draw, scaled(ray(centre, radius, origin, direction), scale), numbers).case
+    return typed(draw, scaled(ray(centre, radius, origin, direction), scale), numbers)
 
 
 def _posed(
@@ -263,17 +268,15 @@ def _posed(
     stretch: Sequence[int] = (0, 0),
     numbers: str = "mixed",
     **pose: Any,
-) -> Case:
-    """The case of a level ray; `stretch` bounds the power of two that D is finally multiplied by, exactly."""
+) -> Figure:
+    """A level ray posed; `stretch` bounds the power of two that D is finally multiplied by, exactly."""
     figure = ray((0, 0), radius, (start, offset), (draw.integer(1, _STEPS) * divisor, 0))
-    case = posed(draw, figure, poses=poses, divisor=divisor, numbers=numbers, **pose)
+    figure = posed(draw, figure, poses=poses, divisor=divisor, numbers=numbers, **pose)
     exponent = draw.integer(*stretch)
     if exponent == 0:
-        return case
-    *others, direction = case
-    if not isinstance(direction, tuple):
-        raise TypeError("a ray's last argument is its direction")
-    return (*others, (_stretched(direction[0], exponent), _stretched(direction[1], exponent)))
+        return figure
+    ((x, y),) = figure.vectors
+    return replace(figure, vectors=((_stretched(x, exponent), _stretched(y, exponent)),))
 
 
 def _stretched(value: Number, exponent: int) -> Number:
@@ -305,7 +308,7 @@ def _as_level(centre: Point, radius: Number, origin: Point, direction: Point) ->
     return float(radius), (dx * fy - dy * fx) / length, (dx * fx + dy * fy) / length
 
 
-RAY_BUILDERS: Mapping[str, Callable[..., Case]] = {
+RECIPES: Mapping[str, Recipe] = {
     "grid": grid,
     "uniform": uniform,
     "across": across,
