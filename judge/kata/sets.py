@@ -3,7 +3,7 @@
 problems/sets/middle.toml
     title = "Middle"
     about = "One sentence for the list of sets."
-    problems = ["segment", "ray-nearest"]
+    problems = ["count", "exact-count"]
 """
 
 from __future__ import annotations

@@ -2,9 +2,9 @@
 
     problems/skills.toml
         [[skills]]
-        name = "clamp to a ray"
+        name = "clamp to an end"
         about = "The nearest root that is not behind the origin."
-        needs = [{ problem = "ray-nearest", groups = ["ahead", "behind"] }]
+        needs = [{ problem = "count", groups = ["near-hit", "near-miss"] }]
 
 A need is met by one run that passed all of its groups; a skill is shown when each of its needs was met, and
 lost where the latest run that tried a need fails it. A run that passed no test group at all loses nothing.
