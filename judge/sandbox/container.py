@@ -45,6 +45,10 @@ class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
     lasting = False
 
 
+class Exposed(NotStarted):
+    """A level here would show a submission what none may see; no lower level is tried instead."""
+
+
 class Mark(NamedTuple):
     """The end of a series but the last, as the fork server measured and sealed it."""
 
@@ -192,8 +196,11 @@ class Container:
         if not frame.startswith(wire.READY):
             self._complaints.seek(0)
             said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
-            reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
+            kind, note = self.region.note()
+            reason = note or (said[-1] if said else "it ended without a word")
             self.close()
+            if kind == wire.EXPOSED:
+                raise Exposed(f"a submission could read {reason}")
             refusal = NotStarted(reason)
             refusal.lasting = reason.startswith("bwrap: ")
             raise refusal
