@@ -13,6 +13,7 @@ from judge.errors import JudgeError, UsageError, nearest
 from judge.sandbox import launch
 from judge.sandbox.boundary import LEVELS
 from judge.sandbox.box import ForkServerBox, OnLevel
+from judge.sandbox.container import Exposed
 from judge.sandbox.roots import find_roots
 
 MEANING = {
@@ -35,6 +36,7 @@ _INSTALL = {
     "pacman": "pacman -S bubblewrap",
     "zypper": "zypper install bubblewrap",
 }
+_OF_ITS_OWN = "install the judge in a virtual environment of its own, below no folder that Python shares"
 
 
 class Level(NamedTuple):
@@ -69,9 +71,10 @@ def open_box(
         raise UsageError(f"there is no isolation level {level}", remedy=remedy)
 
     def refuse(reason: object) -> JudgeError:
+        remedy = _OF_ITS_OWN if isinstance(reason, Exposed) else None
         if level is None:
-            return JudgeError(f"no container can be started: {reason}")
-        remedy = _remedy(level, str(reason))
+            return JudgeError(f"no container can be started: {reason}", remedy=remedy)
+        remedy = remedy or _remedy(level, str(reason))
         return UsageError(f"isolation {level} cannot be had here: {reason}", remedy=remedy)
 
     wanted = [level] if level else [candidate for candidate in LEVELS if candidate not in without]
