@@ -36,7 +36,7 @@ def folders(hide: Iterable[Path], entries: Iterable[str], shown: Sequence[str]) 
     That is `hide`, the judge, and its like among `entries`; a checkout that has something of `shown` in it,
     such as the virtual environment in use, counts by its parts.
     """
-    named = [*_packages(), *map(str, hide), *_ours(entries, shown)]
+    named = [*_packages(), *map(str, hide), *ours(entries, shown)]
     found = [path for path in dict.fromkeys(map(places.real, named)) if os.path.exists(path)]  # noqa: PTH110
     if sys.pycache_prefix:
         found += [places.real(sys.pycache_prefix) + path for path in found]
@@ -44,6 +44,20 @@ def folders(hide: Iterable[Path], entries: Iterable[str], shown: Sequence[str]) 
     return list(
         dict.fromkeys([*found, *(other for path in found for other in places.elsewhere(path, table))])
     )
+
+
+def ours(entries: Iterable[str], shown: Sequence[str] = ()) -> Iterator[str]:
+    """The real paths of the folders in the entries that are the judge's, or like them."""
+    for entry in entries:
+        for name in unseen.NAMES:
+            folder = f"{entry.rstrip('/')}/{name}"
+            if not _is_ours(folder, name):
+                continue
+            place = places.real(folder)
+            if not _surrounds(place, shown):
+                yield place
+            elif _surrounds(places.real(entry), [place]):  # downwards only, or it might never end
+                yield from ours([place], shown)
 
 
 def by_every_name(secret: Iterable[str], names: Mapping[str, str], shown: Sequence[str]) -> tuple[str, ...]:
@@ -73,20 +87,6 @@ def _packages() -> list[str]:
             package = package.parent
         packages.append(str(package))
     return packages
-
-
-def _ours(entries: Iterable[str], shown: Sequence[str]) -> Iterator[str]:
-    """The folders of ours in the entries."""
-    for entry in entries:
-        for name in unseen.NAMES:
-            folder = f"{entry.rstrip('/')}/{name}"
-            if not _is_ours(folder, name):
-                continue
-            place = places.real(folder)
-            if not _surrounds(place, shown):
-                yield place
-            elif _surrounds(places.real(entry), [place]):  # downwards only, or it might never end
-                yield from _ours([place], shown)
 
 
 def _surrounds(folder: str, shown: Sequence[str]) -> bool:
