@@ -21,7 +21,7 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Container, Done, Exposed, Lost, NotStarted, OnSeries
+from judge.sandbox.container import Container, Done, Lost, NotStarted, OnSeries
 from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
 from judge.sandbox.roots import Roots
@@ -289,7 +289,7 @@ class ForkServerBox:
 
     def _give_up(self, refusal: NotStarted) -> None:
         """Leave a level that cannot be had for the next one."""
-        if len(self._levels) == 1 or isinstance(refusal, Exposed):
+        if len(self._levels) == 1:
             raise self._refuse(refusal) from refusal
         if refusal.lasting:
             self._on_level(self._levels[0], True)

@@ -58,12 +58,17 @@ def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int])
         "writable": ["/dev/null"],
         "threads": _threads(level, uid),
         "cores": os.cpu_count() or 1,
-        "unseen": ((), ()) if level == "limits" else (roots.unseen, roots.searched),
+        "unseen": to_look_for(level, roots),
     }
     if level != "full":
         return Plan(tuple(python), dict(_ENVIRONMENT), config)
     command = [*_bubblewrap(roots, uid, config["reads_all"]), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+
+
+def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What must not be visible inside, and where nothing of ours may be; nothing is hidden at `limits`."""
+    return ((), ()) if level == "limits" else (roots.unseen, roots.searched)
 
 
 def bubblewrap_path() -> str | None:

@@ -13,7 +13,6 @@ from judge.errors import JudgeError, UsageError, nearest
 from judge.sandbox import concealed, launch
 from judge.sandbox.boundary import LEVELS, Limits, Stop
 from judge.sandbox.box import ForkServerBox, OnLevel
-from judge.sandbox.container import Exposed
 from judge.sandbox.roots import find_roots
 
 MEANING = {
@@ -47,20 +46,21 @@ for path in sys.stdin.buffer.read().split(b"\\0"):
         sys.stdout.buffer.write(path + b"\\n")
 """
 _LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
-_OF_ITS_OWN = "install the judge in a virtual environment of its own, below no folder that Python shares"
 
 
 class Level(NamedTuple):
-    """What is known of one level on this machine."""
+    """What is known of one level on this machine.
+
+    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where it
+    was not tried.
+    """
 
     name: str
     available: bool
     meaning: str
     why_not: str = ""
     remedy: str = ""  # a command, or what else would have to change
-    visible: str | None = (
-        None  # what a submission could read of what none may see; "" nothing, None not tried
-    )
+    visible: str | None = None
 
 
 def open_box(
@@ -85,10 +85,9 @@ def open_box(
         raise UsageError(f"there is no isolation level {level}", remedy=remedy)
 
     def refuse(reason: object) -> JudgeError:
-        remedy = _OF_ITS_OWN if isinstance(reason, Exposed) else None
         if level is None:
-            return JudgeError(f"no container can be started: {reason}", remedy=remedy)
-        remedy = remedy or _remedy(level, str(reason))
+            return JudgeError(f"no container can be started: {reason}")
+        remedy = _remedy(level, str(reason))
         return UsageError(f"isolation {level} cannot be had here: {reason}", remedy=remedy)
 
     wanted = [level] if level else [candidate for candidate in LEVELS if candidate not in without]
@@ -103,8 +102,10 @@ def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
 
     `hide` are more folders that it looks for.
     """
+    hide = tuple(hide)
     roots = find_roots(hide)
-    wanted = "\0".join([*roots.unseen, *concealed.ours(roots.searched)])
+    others = concealed.ours(roots.searched, (*roots.folders, *roots.files))
+    wanted = "\0".join([*roots.unseen, *others])
     return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 

@@ -8,6 +8,7 @@ import pytest
 from cli_support import ROOT
 
 from judge.sandbox import LEVELS, levels
+from judge.sandbox.roots import find_roots
 
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
 OFFERED = [level.name for level in levels() if level.available]
@@ -26,6 +27,54 @@ def test_doctor_in_json(judge):
     assert [level["name"] for level in found["levels"]] == list(LEVELS)
     for level in found["levels"]:
         assert level["available"] == (level["why_not"] is None)
+        assert level["hides"] == (level["name"] != "limits" if level["available"] else None)
+        assert (level["visible"] is None) == (level["hides"] is not False)
+
+
+def test_doctor_says_what_a_submission_can_read(judge):
+    shown = judge("doctor").out
+    assert (
+        shown.count("a submission cannot read the judge, its problems or its solutions") == len(OFFERED) - 1
+    )
+    assert f"a submission can read {ROOT / 'judge'}" in " ".join(shown.split())
+
+
+@pytest.fixture
+def pack_among_modules(tmp_path, monkeypatch):
+    """A pack of problems where modules are installed, which every container shows."""
+    site = tmp_path / "site-packages"
+    (site / "problems" / "one").mkdir(parents=True)
+    (site / "problems" / "one" / "problem.toml").touch()
+    monkeypatch.syspath_prepend(str(site))
+    return site / "problems"
+
+
+def test_doctor_looks_for_packs_that_are_installed(judge, pack_among_modules):
+    for level in json.loads(judge("doctor", "--json").out)["levels"]:
+        if level["available"]:
+            assert level["hides"] == (level["name"] != "limits")
+
+
+def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
+    found = find_roots()._replace(hidden=())
+    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    weak = [
+        level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
+    ]
+    for level in weak[:-1]:
+        assert (level["available"], level["hides"]) == (False, None)
+        assert f"would let a submission read {pack_among_modules}" in level["why_not"]
+        assert "virtual environment of its own" in level["remedy"]
+
+
+def test_doctor_believes_the_submission_not_the_plan(judge, pack_among_modules, monkeypatch):
+    """Where the container's own look around fails too."""
+    found = find_roots()._replace(hidden=(), unseen=(str(pack_among_modules),))
+    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.launch.to_look_for", lambda _level, _roots: ((), ()))
+    for level in json.loads(judge("doctor", "--json").out)["levels"]:
+        if level["available"]:
+            assert (level["hides"], level["visible"]) == (False, str(pack_among_modules))
 
 
 @pytest.mark.parametrize("level", OFFERED)

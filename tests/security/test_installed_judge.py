@@ -143,7 +143,7 @@ def test_where_hiding_has_failed_nothing_runs(
     attacker.require("strong" if level == "best" else level)
     outcome = installations[layout].look(level, "hidden", forgotten)
     assert list(outcome) == ["refused"], outcome
-    assert "a submission could read" in outcome["refused"]
+    assert "would let a submission read" in outcome["refused"]
     assert "/site-packages/judge" in outcome["refused"]
     assert "virtual environment of its own" in outcome["refused"]
 
