@@ -51,8 +51,8 @@ _LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, out
 class Level(NamedTuple):
     """What is known of one level on this machine.
 
-    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where it
-    was not tried.
+    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where
+    it was not tried.
     """
 
     name: str
