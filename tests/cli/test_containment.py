@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import shutil
 
 import pytest
 from cli_support import ROOT
 
-from judge.sandbox import LEVELS, levels
+from judge.cli.containment import Containment
+from judge.sandbox import LEVELS, Limits, levels
 from judge.sandbox.roots import find_roots
+from judge.spec.load import load_problem
 
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
 OFFERED = [level.name for level in levels() if level.available]
@@ -144,3 +147,25 @@ def test_an_accepted_submission_has_a_ratio(judge):
 def test_a_rejected_submission_has_none(judge):
     file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
     assert json.loads(judge("run", "count", str(file), "--json").out)["time"]["ratio"] is None
+
+
+def test_a_pack_of_links_and_a_cache_that_is_yet_to_be_made_are_hidden(tmp_path, monkeypatch):
+    """All of it lies among modules, which every container shows."""
+    site = tmp_path / "site-packages"
+    shutil.copytree(ROOT / "tests" / "fixtures" / "pack", site / "kata")
+    for kind in ("problems", "solutions"):
+        (site / "kata" / kind / "middle").rename(site / kind[:4])
+        (site / "kata" / kind / "middle").symlink_to(f"../../{kind[:4]}")
+    monkeypatch.syspath_prepend(str(site))
+    monkeypatch.setenv("JUDGE_CACHE", str(site / "built"))
+    source = (
+        "import os\nfor name in ('prob', 'solu', 'built', 'kata/problems', 'kata/solutions'):\n"
+        f"    try:\n        print(os.listdir({str(site)!r} + '/' + name))\n"
+        "    except OSError:\n        print([])\n"
+    )
+    for level in OFFERED:
+        with Containment(load_problem(site / "kata" / "problems" / "middle"), level) as containment:
+            (site / "built" / "answers").touch()
+            with containment.open_box(source.encode(), "look.py") as box:
+                seen = box.run_program(b"", Limits(2.0, 6.0, 256 << 20, 1 << 20)).stdout.decode().split("\n")
+        assert [line == "[]" for line in seen[:-1]] == [level != "limits"] * 5

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import pytest
 
 from judge.errors import JudgeError
-from judge.sandbox import levels, open_box, places, probe, roots
+from judge.sandbox import concealed, levels, open_box, places, probe, roots
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 
@@ -261,6 +261,31 @@ except Exception as error:
     if "cannot be had here: bwrap" in ended.stdout:
         pytest.skip("no bubblewrap within another here")
     assert ended.stdout.split() == ["42"], ended.stdout + ended.stderr
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_judge_in_an_archive_that_shows_runs_nothing(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, level: str
+) -> None:
+    """A file cannot be covered."""
+    if level not in AVAILABLE:
+        pytest.skip(f"{level} cannot be had here")
+    archive = _site(tmp_path / "site-packages") / "judge.pyz"
+    archive.write_bytes(b"PK")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(archive.parent)])
+    monkeypatch.setattr(concealed, "__file__", f"{archive}/judge/sandbox/concealed.py")
+    refused = pytest.raises(JudgeError, match=f"would let a submission read {archive}")
+    with refused, open_box(b"", "f.py", level=level):
+        pass
+
+
+def test_what_was_compiled_of_it_is_hidden(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    site = _site(tmp_path / "site-packages")
+    compiled = Path(f"{site}/compiled{site}/pack")
+    compiled.mkdir(parents=True)
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    monkeypatch.setattr(sys, "pycache_prefix", str(site / "compiled"))
+    assert {str(site / "pack"), str(compiled)} <= set(roots.find_roots([site / "pack"]).hidden)
 
 
 def test_mounts_are_read_with_spaces_in_their_names(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
