@@ -165,6 +165,7 @@ def test_a_pack_of_links_and_a_cache_that_is_yet_to_be_made_are_hidden(tmp_path,
     )
     for level in OFFERED:
         with Containment(load_problem(site / "kata" / "problems" / "middle"), level) as containment:
+            (site / "built").mkdir(exist_ok=True)
             (site / "built" / "answers").touch()
             with containment.open_box(source.encode(), "look.py") as box:
                 seen = box.run_program(b"", Limits(2.0, 6.0, 256 << 20, 1 << 20)).stdout.decode().split("\n")
