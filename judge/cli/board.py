@@ -160,7 +160,7 @@ class _Board:
             self._asked = "n"
             self._say(f"{problem.id} is not solved yet; n once more leaves it for now")
             return None
-        following = next_problem(problem.id, self._folders, self._wish.db)
+        following = next_problem(problem.id, the_path(self._folders, self._wish.db)[1])
         if following is None:
             self._say("every other kata of the path is passed", Style.GOOD)
             return None

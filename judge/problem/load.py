@@ -18,9 +18,18 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
+from judge.problem.model import (
+    AnswerKind,
+    Group,
+    Limits,
+    Parameter,
+    Problem,
+    Shown,
+    TimeRule,
+    Tolerance,
+)
 from judge.problem.statement import EXAMPLES, read_statement
-from judge.problem.tomlfile import TomlFile
+from judge.problem.tomlfile import TomlFile, meant
 
 _POINTS = 100
 _MOST_CASES = 1_000_000
@@ -86,6 +95,9 @@ class _Reader:
             folder=self.folder,
             solutions=solutions,
             time=self._time(table.time),
+            sets=self._sets(table.sets),
+            place=table.place,
+            shows=self._shows(table),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -218,6 +230,39 @@ class _Reader:
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
+
+    def _sets(self, names: list[str]) -> tuple[str, ...]:
+        for at, name in enumerate(names):
+            if not _NAME.fullmatch(name):
+                remedy = "use small letters, digits and single hyphens"
+                self.fault(("sets", at), f"{name!r} is no name for a practice set", remedy)
+            if name in names[:at]:
+                self.fault(("sets", at), f"{name!r} is there twice in sets", "remove one")
+        return tuple(names)
+
+    def _shows(self, table: schema.ProblemTable) -> tuple[Shown, ...]:
+        names = [group.name for group in table.groups]
+        return tuple(self._shown(skill, entry, names) for skill, entry in table.skills.items())
+
+    def _shown(self, skill: str, entry: Any, names: list[str]) -> Shown:
+        path: KeyPath = ("skills", skill)
+        if isinstance(entry, dict):
+            own = self.file.shaped(entry, schema.SkillTable, path)
+            groups, about, path = own.groups, own.about, (*path, "groups")
+        else:
+            groups, about = self.file.shaped(entry, list[str], path), None
+        if not skill.strip():
+            self.fault(path, "a skill has no name", "write what the groups show in a few words")
+        if about is not None and not about.strip():
+            self.fault(("skills", skill, "about"), f"{skill!r} is not explained", "write one sentence")
+        if not groups:
+            self.fault(path, f"no group shows {skill!r}", "name at least one")
+        for at, group in enumerate(groups):
+            if group not in names:
+                self.fault(path, f"there is no group {group!r} to show {skill!r}", meant(group, names))
+            if group in groups[:at]:
+                self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
+        return Shown(skill, tuple(groups), about)
 
     def _argument(self, value: Any, path: KeyPath) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""
