@@ -43,7 +43,7 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
 
     By default that is `solutions/<id>` beside the folder of problems. Raises ProblemError.
     """
-    if not _NAME.fullmatch(folder.name):
+    if not is_name(folder.name):
         raise ProblemError(
             f"{folder.name!r} is no name for a problem",
             where=str(folder),
@@ -51,6 +51,11 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
         )
     reader = _Reader(folder)
     return reader.problem(solutions or folder.parent.parent / "solutions" / folder.name)
+
+
+def is_name(text: str) -> bool:
+    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
+    return _NAME.fullmatch(text) is not None
 
 
 def bands_beside(file: str | Path) -> MappingProxyType[str, Fraction]:
@@ -164,7 +169,7 @@ class _Reader:
         return tuple(self._group(each, table, ("groups", at)) for at, each in enumerate(table.groups))
 
     def _group(self, group: schema.GroupTable, table: schema.ProblemTable, path: KeyPath) -> Group:
-        if not _NAME.fullmatch(group.name):
+        if not is_name(group.name):
             self.fault(
                 (*path, "name"),
                 f"{group.name!r} is no name for a group",
@@ -233,7 +238,7 @@ class _Reader:
 
     def _sets(self, names: list[str]) -> tuple[str, ...]:
         for at, name in enumerate(names):
-            if not _NAME.fullmatch(name):
+            if not is_name(name):
                 remedy = "use small letters, digits and single hyphens"
                 self.fault(("sets", at), f"{name!r} is no name for a practice set", remedy)
             if name in names[:at]:
