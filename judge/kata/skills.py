@@ -130,14 +130,14 @@ def skills_of(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> list[S
     problems = list(problems)
     abouts = _explained(extra)
     for problem in problems:
-        for shown in problem.shows:
+        for shown in problem.skills:
             if shown.about is not None:
-                abouts.setdefault(shown.skill, shown.about)
+                abouts.setdefault(shown.name, shown.about)
     needs: dict[str, list[Need]] = {name: [] for name in abouts}
     for problem in problems:
-        for shown in problem.shows:
-            if shown.skill in needs:
-                needs[shown.skill].append(Need(problem.id, shown.groups))
+        for shown in problem.skills:
+            if shown.name in needs:
+                needs[shown.name].append(Need(problem.id, shown.groups))
     return [Skill(name, about, tuple(needs[name])) for name, about in abouts.items() if needs[name]]
 
 
@@ -145,12 +145,12 @@ def unknown_skills(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> I
     """A fault for each skill that a problem names and nothing explains. Raises as skills_of does."""
     known = list(_explained(extra))
     for problem in problems:
-        for shown in problem.shows:
-            if shown.about is None and shown.skill not in known:
-                meant = nearest(shown.skill, known)
+        for shown in problem.skills:
+            if shown.about is None and shown.name not in known:
+                meant = nearest(shown.name, known)
                 yield ProblemError(
-                    f"no skill is called {shown.skill!r}",
-                    where=key_place(problem, ("skills", shown.skill)),
+                    f"no skill is called {shown.name!r}",
+                    where=key_place(problem, ("skills", shown.name)),
                     remedy=f"did you mean {meant!r}?" if meant else _EXPLAIN,
                 )
 

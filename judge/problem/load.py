@@ -24,7 +24,7 @@ from judge.problem.model import (
     Limits,
     Parameter,
     Problem,
-    Shown,
+    ShownSkill,
     TimeRule,
     Tolerance,
 )
@@ -102,7 +102,7 @@ class _Reader:
             time=self._time(table.time),
             sets=self._sets(table.sets),
             place=table.place,
-            shows=self._shows(table),
+            skills=self._skills(table),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -245,11 +245,11 @@ class _Reader:
                 self.fault(("sets", at), f"{name!r} is there twice in sets", "remove one")
         return tuple(names)
 
-    def _shows(self, table: schema.ProblemTable) -> tuple[Shown, ...]:
+    def _skills(self, table: schema.ProblemTable) -> tuple[ShownSkill, ...]:
         names = [group.name for group in table.groups]
-        return tuple(self._shown(skill, entry, names) for skill, entry in table.skills.items())
+        return tuple(self._skill(skill, entry, names) for skill, entry in table.skills.items())
 
-    def _shown(self, skill: str, entry: Any, names: list[str]) -> Shown:
+    def _skill(self, skill: str, entry: Any, names: list[str]) -> ShownSkill:
         path: KeyPath = ("skills", skill)
         if isinstance(entry, dict):
             own = self.file.shaped(entry, schema.SkillTable, path)
@@ -267,7 +267,7 @@ class _Reader:
                 self.fault(path, f"there is no group {group!r} to show {skill!r}", meant(group, names))
             if group in groups[:at]:
                 self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
-        return Shown(skill, tuple(groups), about)
+        return ShownSkill(skill, tuple(groups), about)
 
     def _argument(self, value: Any, path: KeyPath) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""

@@ -99,13 +99,13 @@ class Group(Struct, frozen=True):
     kills: tuple[str, ...]  # the mistakes it is there for
 
 
-class Shown(Struct, frozen=True):
+class ShownSkill(Struct, frozen=True):
     """What the problem teaches: a skill's name, and the groups that show it when one run passes them all.
 
     `about` explains a skill that the problem itself brings; of others `skills.toml` says what they are.
     """
 
-    skill: str
+    name: str
     groups: tuple[str, ...]
     about: str | None = None
 
@@ -138,7 +138,7 @@ class Problem(Struct, frozen=True):
     statement: str = ""  # with its placeholders filled in
     sets: tuple[str, ...] = ()  # the practice sets that it is in
     place: int | None = None  # in its tier's order; without one it comes last
-    shows: tuple[Shown, ...] = ()
+    skills: tuple[ShownSkill, ...] = ()
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""
