@@ -13,7 +13,14 @@ from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.find import all_problems
 
-PAGES = ("README.md", ".github/CONTRIBUTING.md", ".github/CHANGELOG.md", "tests/README.md")
+PAGES = (
+    "README.md",
+    ".github/CONTRIBUTING.md",
+    ".github/CHANGELOG.md",
+    "tests/README.md",
+    "judge/manual/problem-toml.md",
+    "judge/manual/new-kata.md",
+)
 TOUR = WALKS[0][1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
