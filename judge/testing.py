@@ -22,10 +22,10 @@ from msgspec import Struct
 
 from judge.compare.check import check
 from judge.data import GroupData, ProblemData, load_data
-from judge.diagnose.mistakes import known_mistakes
 from judge.errors import UsageError, nearest
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted

@@ -39,6 +39,7 @@ COMMANDS = {
     "due": "Say what to do again today.",
     "report": "Write the history as one HTML page.",
     "data": "Write a problem's test data and exact answers as files.",
+    "new": "Write a kata of your own to begin with.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",
     "schema": "Print the JSON Schema of what a command writes with --json.",

@@ -154,6 +154,7 @@ _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "SET"): _sets,
     ("argument", "COMMAND"): _schemas,
     ("argument", "FILE"): _kind("py"),
+    ("argument", "DIR"): _kind("dir"),
     ("option", "G"): _groups,
     ("option", "DIR"): _kind("dir"),
 }

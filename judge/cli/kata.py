@@ -13,6 +13,8 @@ from judge.data.atomic import replace_file
 from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.find import find_problem
+from judge.report.layout import Style
+from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.kata.history import Current
@@ -104,14 +106,13 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 
-def next_problem(after: str, folders: Sequence[Path], db: Path | None) -> Problem | None:
-    """The problem of the path that comes after that one and is not passed; failing that, the first one.
+def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Problem | None:
+    """The problem that comes after that one and is not passed; failing that, the first one of all.
 
     None where all others are passed.
     """
     from judge.kata.standing import State
 
-    katas = the_path(folders, db)[1]
     names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
     for problem, standing in [*katas[at:], *katas[:at]]:
@@ -129,7 +130,13 @@ def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, lis
     path = find_set(USUAL, folders)
     with History.open(db, reading=True) as history:
         found = standings(history.runs())
-    return path, [(find_problem(name, folders), found.get(name, Standing())) for name in path.problems]
+    return path, [(problem, found.get(problem.id, Standing())) for problem in path.problems]
+
+
+def tell_faults(chosen: PracticeSet) -> None:
+    """Write a line for each problem that may be missing from the set."""
+    for fault in chosen.faults:
+        note(str(fault), Style.BAD)
 
 
 def shown(path: str | Path) -> str:

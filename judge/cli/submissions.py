@@ -10,6 +10,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
+from judge.problem.solutions import is_program
 
 _LARGEST = 4 * 2**20  # bytes; no person writes more, and it keeps /dev/zero from filling memory
 
@@ -39,7 +40,7 @@ def _files(name: str) -> list[str]:
         if not is_folder:
             return [name]
         # Not glob, to which a folder that may not be read is an empty one.
-        found = sorted(path for path in Path(name).iterdir() if path.suffix == ".py" and path.is_file())
+        found = sorted(path for path in Path(name).iterdir() if is_program(path) and path.is_file())
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name

@@ -16,7 +16,7 @@ from msgspec import Struct
 from judge.data import ProblemData, cache_folder
 from judge.data.cache import code_files, content_key, data_key, kept_stem
 from judge.data.kept import KeptFile
-from judge.diagnose.mistakes import Mistake
+from judge.problem.solutions import Solution
 from judge.run import Result, Settings, run_submission
 from judge.run.parallel import in_order
 
@@ -45,7 +45,7 @@ def behaviour(result: Result) -> Behaviour:
 def known_behaviours(
     data: ProblemData,
     seed: int | None,
-    mistakes: Sequence[Mistake],
+    mistakes: Sequence[Solution],
     *,
     settings: Settings,
     workers: int = 1,
@@ -63,7 +63,7 @@ def known_behaviours(
     if not missing:
         return [kept[key] for key in keys], None
 
-    def judge(mistake: Mistake) -> Behaviour:
+    def judge(mistake: Solution) -> Behaviour:
         name = mistake.path.name
         return behaviour(run_submission(data.problem, data, mistake.source, name, settings=settings))
 

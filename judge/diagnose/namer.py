@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.diagnose.known import Behaviour, Progress, behaviour, known_behaviours
-from judge.diagnose.mistakes import Mistake, known_mistakes
 from judge.diagnose.naming import Known, best_match
 from judge.problem import Verdict
+from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run import GroupResult, Pitfall, Result, Settings
 from judge.run.matrix import Matrix, kill_matrix
 
@@ -41,7 +41,7 @@ class Namer:
         self._workers = workers
         self._progress = progress
         self._lock = threading.Lock()
-        self._known: tuple[list[Mistake], list[Known]] | None = None
+        self._known: tuple[list[Solution], list[Known]] | None = None
 
     def named(self, result: Result) -> Result:
         """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
@@ -71,10 +71,12 @@ class Namer:
             ],
         )
 
-    def _programs(self) -> tuple[list[Mistake], list[Known]]:
+    def _programs(self) -> tuple[list[Solution], list[Known]]:
         with self._lock:
             if self._known is None:
-                mistakes = known_mistakes(self._data.problem)
+                programs, faults = read_solutions(self._data.problem, Kind.WRONG)
+                self.notes += [f"a known mistake is left out: {fault}" for fault in faults]
+                mistakes = usual_first(programs)
                 with self._progress() as advance:
                     behaviours, note = known_behaviours(
                         self._data,

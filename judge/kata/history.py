@@ -23,6 +23,7 @@ from msgspec import Struct
 
 from judge.errors import HistoryError, UsageError
 from judge.problem import Verdict
+from judge.problem.solutions import is_solution
 from judge.run.result import Mode, Result
 
 if TYPE_CHECKING:
@@ -98,9 +99,7 @@ class Run(Struct, frozen=True):
 
     @property
     def _by_the_setter(self) -> bool:
-        return f"/solutions/{self.problem}/" in self.path and (
-            self.path.split("/")[-4:-2] == ["solutions", self.problem]
-        )
+        return is_solution(self.path, self.problem)
 
 
 class Current(Struct, frozen=True):

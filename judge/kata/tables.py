@@ -18,7 +18,13 @@ T = TypeVar("T")
 _UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 _MISSING = re.compile(r"Object missing required field `(.*)`")
 _WRONG = re.compile(r"Expected (`.*`), got (`.*`)")
-_KINDS = {"`str`": "text", "`array`": "a list", "`object`": "a table", "`int`": "a number"}
+_KINDS = {
+    "`str`": "text",
+    "`array`": "a list",
+    "`array | null`": "a list",
+    "`object`": "a table",
+    "`int`": "a number",
+}
 
 
 class Table:

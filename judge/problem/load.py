@@ -18,9 +18,18 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
+from judge.problem.model import (
+    AnswerKind,
+    Group,
+    Limits,
+    Parameter,
+    Problem,
+    ShownSkill,
+    TimeRule,
+    Tolerance,
+)
 from judge.problem.statement import EXAMPLES, read_statement
-from judge.problem.tomlfile import TomlFile
+from judge.problem.tomlfile import TomlFile, meant
 
 _POINTS = 100
 _MOST_CASES = 1_000_000
@@ -34,7 +43,7 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
 
     By default that is `solutions/<id>` beside the folder of problems. Raises ProblemError.
     """
-    if not _NAME.fullmatch(folder.name):
+    if not is_name(folder.name):
         raise ProblemError(
             f"{folder.name!r} is no name for a problem",
             where=str(folder),
@@ -42,6 +51,11 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
         )
     reader = _Reader(folder)
     return reader.problem(solutions or folder.parent.parent / "solutions" / folder.name)
+
+
+def is_name(text: str) -> bool:
+    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
+    return _NAME.fullmatch(text) is not None
 
 
 def words_beside(folder: Path) -> dict[str, str]:
@@ -77,6 +91,9 @@ class _Reader:
             folder=self.folder,
             solutions=solutions,
             time=self._time(table.time),
+            sets=self._sets(table.sets),
+            place=table.place,
+            skills=self._skills(table),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -143,7 +160,7 @@ class _Reader:
         return tuple(self._group(each, table, ("groups", at)) for at, each in enumerate(table.groups))
 
     def _group(self, group: schema.GroupTable, table: schema.ProblemTable, path: KeyPath) -> Group:
-        if not _NAME.fullmatch(group.name):
+        if not is_name(group.name):
             self.fault(
                 (*path, "name"),
                 f"{group.name!r} is no name for a group",
@@ -211,6 +228,39 @@ class _Reader:
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
+
+    def _sets(self, names: list[str]) -> tuple[str, ...]:
+        for at, name in enumerate(names):
+            if not is_name(name):
+                remedy = "use small letters, digits and single hyphens"
+                self.fault(("sets", at), f"{name!r} is no name for a practice set", remedy)
+            if name in names[:at]:
+                self.fault(("sets", at), f"{name!r} is there twice in sets", "remove one")
+        return tuple(names)
+
+    def _skills(self, table: schema.ProblemTable) -> tuple[ShownSkill, ...]:
+        names = [group.name for group in table.groups]
+        return tuple(self._skill(skill, entry, names) for skill, entry in table.skills.items())
+
+    def _skill(self, skill: str, entry: Any, names: list[str]) -> ShownSkill:
+        path: KeyPath = ("skills", skill)
+        if isinstance(entry, dict):
+            own = self.file.shaped(entry, schema.SkillTable, path)
+            groups, about, path = own.groups, own.about, (*path, "groups")
+        else:
+            groups, about = self.file.shaped(entry, list[str], path), None
+        if not skill.strip():
+            self.fault(path, "a skill has no name", "write what the groups show in a few words")
+        if about is not None and not about.strip():
+            self.fault(("skills", skill, "about"), f"{skill!r} is not explained", "write one sentence")
+        if not groups:
+            self.fault(path, f"no group shows {skill!r}", "name at least one")
+        for at, group in enumerate(groups):
+            if group not in names:
+                self.fault(path, f"there is no group {group!r} to show {skill!r}", meant(group, names))
+            if group in groups[:at]:
+                self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
+        return ShownSkill(skill, tuple(groups), about)
 
     def _argument(self, value: Any, path: KeyPath) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""

@@ -99,6 +99,17 @@ class Group(Struct, frozen=True):
     kills: tuple[str, ...]  # the mistakes it is there for
 
 
+class ShownSkill(Struct, frozen=True):
+    """What the problem teaches: a skill's name, and the groups that show it when one run passes them all.
+
+    `about` explains a skill that the problem itself brings; of others `skills.toml` says what they are.
+    """
+
+    name: str
+    groups: tuple[str, ...]
+    about: str | None = None
+
+
 class Example(Struct, frozen=True):
     """A worked example of the statement: the call and the answer it shows."""
 
@@ -125,6 +136,9 @@ class Problem(Struct, frozen=True):
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
+    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    place: int | None = None  # in its tier's order; without one it comes last
+    skills: tuple[ShownSkill, ...] = ()
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
+from judge.problem.solutions import accepted_source
 from judge.run.budget import Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
@@ -52,12 +53,8 @@ class Reference:
     def _source(self, mode: Mode) -> tuple[bytes, str] | None:
         rule = self._problem.time
         name = None if rule is None else rule.function if mode is Mode.FUNCTION else rule.program
-        if name is None:
-            return None
-        try:
-            return (self._problem.solutions / "accepted" / name).read_bytes(), name
-        except OSError:  # an installed pack may come without solutions; `judge verify` tells of a wrong name
-            return None
+        source = None if name is None else accepted_source(self._problem, name)
+        return None if name is None or source is None else (source, name)
 
 
 def measure(

@@ -92,6 +92,7 @@ def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch,
         (("run", "middle", "--junit", ""), "<file>"),
         (("run", "middle", "--svg", ""), "<file>"),
         (("run", "--problems", ""), "<dir>"),
+        (("new", ""), "<dir>"),
         (("data", "middle", "--out", ""), "<dir>"),
     ],
 )

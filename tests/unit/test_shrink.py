@@ -14,11 +14,11 @@ from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose import shrink
-from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.replay import decode
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.run import Mode, Reference, Settings, run_submission
 from judge.sandbox import open_box
 from judge.topics.circles.simpler import levelled

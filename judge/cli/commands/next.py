@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from judge.cli.kata import Kata, next_problem, take_up, write_stub
+from judge.cli.kata import Kata, next_problem, take_up, tell_faults, the_path, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
@@ -28,7 +28,9 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     That is the next of the path that is not passed. It is then in hand: judge run, judge watch and judge hint
     are about it. Its file is looked for in the current folder, under the problem's name.
     """
-    problem = next_problem(_current(db), folders, db)
+    path, katas = the_path(folders, db)
+    tell_faults(path)
+    problem = next_problem(_current(db), katas)
     screen = out()
     if problem is None:
         if as_json:

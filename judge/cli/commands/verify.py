@@ -68,7 +68,7 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     with stages(name) as progress:
         report = verify_problem(problem, update_pins=pin, progress=progress)
-    return replace(report, faults=(*report.faults, *kata_faults(problem)))
+    return replace(report, faults=(*report.faults, *kata_faults(problem, folders)))
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:

@@ -9,10 +9,10 @@ from typing import Any
 import click
 
 from judge.cli.options import chosen_groups, json_option, problems_option, write_json
-from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode
 from judge.problem import Group
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.screen import out
 from judge.report.why import why_lines
 
