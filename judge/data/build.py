@@ -13,23 +13,16 @@ from collections.abc import Callable, Container
 from functools import partial
 from typing import Any
 
-from judge.compare.answers import Answer, Count, Parameter, Points
-from judge.compare.check import Rejection, check
-from judge.compare.targets import compile_answer
 from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
-from judge.problem import AnswerKind, Case, Example, Group, Problem, Tolerance
+from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.statement import EXAMPLES
 from judge.problem.tomlfile import group_place
+from judge.values import Rejection
 
-_ANSWERS: dict[AnswerKind, type[Answer]] = {
-    AnswerKind.COUNT: Count,
-    AnswerKind.POINTS: Points,
-    AnswerKind.PARAMETER: Parameter,
-}
 _ATTEMPTS = 1_000  # for one case
 
 
@@ -45,7 +38,7 @@ def build(
         group = reseeded(declared, seed)
         cases = build_cases(problem, module, group)
         with blaming(problem, f"group {group.name!r}: the reference fails"):
-            targets = [compile_answer(_answer(problem, module, case), group.tolerance) for case in cases]
+            targets = [problem.answer.target(module.reference(*case), group.tolerance) for case in cases]
         built.append(GroupData(group, cases, targets))
         done += len(cases)
         if progress is not None:
@@ -192,9 +185,9 @@ def _check_example(
     problem: Problem, module: ProblemModule, example: Example, case: Case, tolerance: Tolerance
 ) -> None:
     with blaming(problem, "the reference fails on an example"):
-        answer = _answer(problem, module, case)
-        target = compile_answer(answer, tolerance)
-    outcome = check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
+        answer = module.reference(*case)
+        target = problem.answer.target(answer, tolerance)
+    outcome = problem.answer.check(_as_json(example.wanted), target, lambda: (answer, tolerance))
     if isinstance(outcome, Rejection):
         raise ProblemError(
             f"the example contradicts the reference: {outcome.message}",
@@ -203,14 +196,8 @@ def _check_example(
         )
 
 
-def _answer(problem: Problem, module: ProblemModule, case: Case) -> Answer:
-    """The reference's answer, which must be of the problem's kind."""
-    answer = module.reference(*case)
-    if type(answer) is not _ANSWERS[problem.answer]:
-        raise TypeError(f"a {_ANSWERS[problem.answer].__name__} is wanted, not {answer!r}")
-    return answer
-
-
 def _as_json(value: Any) -> Any:
-    """A literal as a submission's answer arrives: tuples are lists."""
+    """A literal as a submission's answer arrives: tuples are lists, and a word says that it is one."""
+    if isinstance(value, str):
+        return {"word": value}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value

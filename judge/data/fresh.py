@@ -15,7 +15,6 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.compare.targets import AnyTarget, compile_answer
 from judge.data.build import bound_builder, new_case
 from judge.data.draw import Draw, QuickDraw, RecordedDraw
 from judge.data.images import SYMMETRIES
@@ -26,6 +25,7 @@ from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.statement import EXAMPLES
 from judge.problem.tomlfile import group_place
+from judge.values import Target
 
 BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
 IMAGES_EACH = 3
@@ -84,13 +84,13 @@ class Fresh:
         seed = self._text(number, group)
         draw, chance = QuickDraw(seed), QuickDraw(f"images/{seed}")
         cases: list[Case] = []
-        targets: list[AnyTarget] = []
+        targets: list[Target] = []
         starts = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
             for place in range(BUILT):
                 case = new_case(self._problem, group, builder, self._validator, lambda _: draw, place + 1)
-                target = compile_answer(self.module.reference(*case), group.tolerance)
+                target = self._problem.answer.target(self.module.reference(*case), group.tolerance)
                 starts.append(len(cases))
                 cases.append(case)
                 targets.append(target)
@@ -99,13 +99,13 @@ class Fresh:
         return Series(number, GroupData(group, cases, targets), starts)
 
     def _add_images(
-        self, case: Case, target: AnyTarget, chance: Draw, cases: list[Case], targets: list[AnyTarget]
+        self, case: Case, target: Target, chance: Draw, cases: list[Case], targets: list[Target]
     ) -> None:
         """Add some of the case's images, those that are within the bounds."""
         assert self.module.images is not None
         first, step = chance.integer(0, 6), chance.integer(1, 6)
         chosen = [SYMMETRIES[(first + step * place) % 7] for place in range(IMAGES_EACH)]  # 7 is prime
-        for image, mirrored in self.module.images(case, target, chosen):
+        for image, mirrored in self.module.images(self._problem, case, target, chosen):
             if self._validator.bounds(image) is None:
                 cases.append(image)
                 targets.append(mirrored)

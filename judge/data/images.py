@@ -9,34 +9,33 @@ needs neither a reference nor a proof; the tests prove it of every group all the
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
-from judge.compare.targets import AnyTarget, PointsTarget, Target
-from judge.problem import Case
+from judge.problem import Case, Problem
 from judge.problem.model import Point
+from judge.values import Target
+from judge.values.numbers import Bounds
 
-Image = tuple[Case, AnyTarget]
-Images = Callable[[Case, AnyTarget, Sequence[int]], list[Image]]
+Image = tuple[Case, Target]
+Images = Callable[[Problem, Case, Target, Sequence[int]], list[Image]]
 
 # Numbered as in transform.mirrored: 1 negates x, 2 negates y, 4 then swaps them; 0 would do nothing.
 SYMMETRIES = range(1, 8)
 
 
-def mirror_images(case: Case, target: AnyTarget, symmetries: Sequence[int]) -> list[Image]:
+def mirror_images(problem: Problem, case: Case, target: Target, symmetries: Sequence[int]) -> list[Image]:
     """The images of a case (cx, cy, r, point or vector, …) under these symmetries that differ from it.
 
-    A target of points, of a count or of a parameter.
+    Of the target they change the points in the plane.
     """
     cx, cy, radius, *pairs = case
     images: list[Image] = []
     seen = [case]
     for symmetry in symmetries:
-        # A case of this form has numbers first and pairs last; mypy knows only that it has arguments.
-        centre = _mirrored((cx, cy), symmetry)  # type: ignore[arg-type]
-        image: Case = (*centre, radius, *[_mirrored(pair, symmetry) for pair in pairs])  # type: ignore[arg-type]
+        image: Case = (*_mirrored((cx, cy), symmetry), radius, *[_mirrored(pair, symmetry) for pair in pairs])
         if image not in seen:
             seen.append(image)
-            mirrored = _target(target, symmetry) if isinstance(target, PointsTarget) else target
-            images.append((image, mirrored))
+            images.append((image, problem.answer.pairs(target, partial(_mirrored_bounds, symmetry))))
     return images
 
 
@@ -50,17 +49,15 @@ def _mirrored(point: Point, symmetry: int) -> Point:
     return (y, x) if symmetry & 4 else (x, y)
 
 
-def _target(target: PointsTarget, symmetry: int) -> PointsTarget:
-    points = []
-    for x, y in target.points:
-        if symmetry & 1:
-            x = _negative(x)
-        if symmetry & 2:
-            y = _negative(y)
-        points.append((y, x) if symmetry & 4 else (x, y))
-    return PointsTarget(tuple(points))
+def _mirrored_bounds(symmetry: int, point: tuple[Bounds, Bounds]) -> tuple[Bounds, Bounds]:
+    x, y = point
+    if symmetry & 1:
+        x = _negative(x)
+    if symmetry & 2:
+        y = _negative(y)
+    return (y, x) if symmetry & 4 else (x, y)
 
 
-def _negative(target: Target) -> Target:
+def _negative(target: Bounds) -> Bounds:
     low, high, nearest, residual, ulp = target
     return 0.0 - high, 0.0 - low, 0.0 - nearest, 0.0 - residual, ulp

@@ -1,6 +1,6 @@
 """Loading `problems/<id>/problem.py`: the exact reference, the promise and the builders.
 
-    reference(*case) -> Answer           the exact answer (judge.compare.answers)
+    reference(*case) -> Exact            the exact answer (judge.values.tree)
     promise(*case) -> str | None         how the case breaks the statement's promise, or None
     BUILDERS = {"name": function}        function(draw, **parameters) -> case
     IMAGES = mirror_images               optional: cases that follow from one (judge.data.images), for stress
@@ -26,8 +26,8 @@ from judge.problem import Case, Problem
 from judge.problem.tomlfile import read_text
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
     from judge.data.images import Images
+    from judge.values import Exact
 
 Builder = Callable[..., Case]
 
@@ -35,7 +35,7 @@ Builder = Callable[..., Case]
 class ProblemModule(Struct, frozen=True):
     """What a problem.py defines."""
 
-    reference: Callable[..., Answer]
+    reference: Callable[..., Exact]
     promise: Callable[..., str | None]
     builders: Mapping[str, Builder]
     images: Images | None = None

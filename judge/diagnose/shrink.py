@@ -88,6 +88,7 @@ def _original(problem: Problem, group: Group, case: Case, failure: Failure, call
         _PASSING,
         None,
         calls,
+        failure.given,
     )
 
 
@@ -175,6 +176,7 @@ class _Search:
             best.message,
             encode(self._problem, best.group, best.case, choices),
             self._trial.budget.calls,
+            best.given,
         )
 
 

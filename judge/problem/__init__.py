@@ -1,25 +1,22 @@
 """What a problem is, and the words it is judged in."""
 
 from judge.problem.model import (
-    AnswerKind,
     Argument,
     Case,
     Example,
     Group,
     Limits,
-    Number,
     Parameter,
-    ParameterType,
     Point,
     Problem,
     Tier,
     TimeRule,
-    Tolerance,
 )
 from judge.problem.verdict import Verdict
+from judge.values.tolerance import Tolerance
+from judge.values.type import Number
 
 __all__ = [
-    "AnswerKind",
     "Argument",
     "Case",
     "Example",
@@ -27,7 +24,6 @@ __all__ = [
     "Limits",
     "Number",
     "Parameter",
-    "ParameterType",
     "Point",
     "Problem",
     "Tier",

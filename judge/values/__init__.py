@@ -5,10 +5,11 @@ needs exact numbers before it must ask for them.
 """
 
 from judge.values.grammar import TypeFault, parse
+from judge.values.likeness import Outline, Usual
 from judge.values.outcome import Accepted, Outcome, Rejection, Words
 from judge.values.tolerance import Tolerance
 from judge.values.tree import AnyOf, Enclosure, Exact, Real, Run, vector
-from judge.values.type import ExactOf, Number, Outline, Raw, Target, Type
+from judge.values.type import ExactOf, Number, Raw, Target, Type
 
 __all__ = [
     "Accepted",
@@ -27,6 +28,7 @@ __all__ = [
     "Tolerance",
     "Type",
     "TypeFault",
+    "Usual",
     "Words",
     "parse",
     "vector",

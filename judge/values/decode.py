@@ -4,7 +4,7 @@ A number comes out as an int, a float, a Fraction or a `Written` decimal; whatev
 absurd, comes out as a `Fault` that says why it is no number.
 
     {"word": "enter"}              a str
-    {"array": ["d", "<base64>"]}   a typed array, with its type code in Python's `array`, little-endian
+    {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
     {"tuple": [item]}              a tuple of a single item
 """
 
@@ -151,12 +151,11 @@ def numbers(raw: Raw) -> array[Any] | None:
     sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
     if type(sent) is not list or len(sent) != 2 or type(sent[1]) is not str or sent[0] not in CODES:
         return None
-    from array import array  # late, both: few answers are arrays
-    from binascii import Error, a2b_base64
+    from array import array  # late: few answers are arrays
 
     try:
-        found = array(sent[0], a2b_base64(sent[1], strict_mode=True))
-    except (Error, ValueError):
+        found = array(sent[0], bytes.fromhex(sent[1]))
+    except ValueError:
         return None
     if sys.byteorder == "big":
         found.byteswap()

@@ -229,5 +229,9 @@ def _loaded(path: Path) -> Any:
         return import_module(f"judge.values.atoms.{path.stem}").TYPE
     module = ModuleType(f"judge_type_{path.stem}_{abs(hash(path)):x}")
     module.__file__ = str(path)
-    exec(compile(path.read_text(encoding="utf-8"), str(path), "exec", dont_inherit=True), module.__dict__)
-    return module.TYPE
+    try:
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec", dont_inherit=True), module.__dict__)
+        return module.TYPE
+    except Exception as fault:  # trusted, but anybody's
+        what = f"types/{path.name} cannot be loaded: {type(fault).__name__}: {fault}"
+        raise TypeFault(what, "repair it there; it must define TYPE") from fault

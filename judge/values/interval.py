@@ -170,8 +170,8 @@ def _reach(tolerance: Tolerance, unit: Surd) -> tuple[int, int]:
     n, d = tolerance.extent.as_integer_ratio()
     if n and unit.q:
         raise ProblemError(
-            "a tolerance in units of the extent needs a rational extent",
-            remedy="give a parameter's tolerance as relative, zero and ulps",
+            "the tolerance extent needs an exact answer with a rational unit",
+            remedy="give such a unit, or the tolerance as relative, zero and ulps",
         )
     return n * unit.p, d * unit.s
 

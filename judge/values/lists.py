@@ -9,16 +9,27 @@ from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import ITERATORS, SETS, fault, items
 from judge.values.elements import Wanted, elements, hot_pairs
+from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run
-from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type, first_of
+from judge.values.type import (
+    LONGEST,
+    NOTHING_MEASURED,
+    Draws,
+    Number,
+    Question,
+    Quick,
+    Raw,
+    Target,
+    Type,
+    first_of,
+)
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
 
-LONGEST = 20_000  # items of all levels where the type sets no bound
 _SHOWN = 20  # items that are shown
 _REORDERED = 64  # items up to which a wrong list is held against itself in another order
 
@@ -27,6 +38,7 @@ class ListType(Type):
     """So many times `item`: from `low` to `high`, which is None where there is no bound."""
 
     width = None
+    is_plain = False
 
     def __init__(self, item: Type, low: int = 0, high: int | None = None) -> None:
         if high is not None and not low <= high:
@@ -36,11 +48,13 @@ class ListType(Type):
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
         self.measured = item.measured
+        self.is_parameter = item.is_parameter
         self.depth = 1 + item.depth
         each = item.most + (item.depth > 0)
-        self.most = max(LONGEST, high * each) if high is not None else LONGEST
+        self.most = LONGEST if high is None else high * each
         self.one, self.several = item.element
         self.noun, self.plural = f"a list of {item.plural}", "lists"
+        self.variable = self.several
         self.annotation = f"list[{item.annotation}]"
         self._is_points = bool(getattr(item, "is_vector", False))
         if self.measured and item.rounded:
@@ -92,6 +106,8 @@ class ListType(Type):
         item = self.item.quick
 
         def quick(raw: Raw, target: Target) -> float | None:
+            if type(raw) is dict:  # many numbers, sent as bytes
+                raw = list(items(raw) or ())
             if type(raw) is not list or type(target) is dict or len(raw) != len(target):
                 return None
             worst = NOTHING_MEASURED
@@ -110,7 +126,7 @@ class ListType(Type):
         found = items(raw)
         if found is None or (self.item.depth and len(found) and self._is_one(found)):
             raise Unreadable(self._no_list(raw, found, place))
-        if self.high is not None and len(found) > self.high:
+        if self.high is not None and len(found) > self.high and question.bounded:
             meant = f"where {self._bounds() if self.low == self.high else f'at most {self.high}'} are meant"
             raise Unreadable(f"{place.prefix()}{len(found)} {self.several} given {meant}")
         return [
@@ -319,6 +335,23 @@ class ListType(Type):
         for each in [first_of(each.target) for each in elements(value)] if target else value:
             yield from self.item.flat(each, target=target)
 
+    def kind(self, given: Outline, right: Outline, usual: Usual) -> str:
+        """Fewer or more items, the right ones in another order, other digits, others."""
+        (form, numbers), (wanted_form, wanted) = given, right
+        name = form.partition(" ")[0]
+        if name != self.several or not wanted_form.startswith(f"{name} "):
+            return form
+        count, size = (int(each.split(" ", 2)[1]) for each in (form, wanted_form))
+        if count != size:
+            return f"{'fewer' if count < size else 'more'} {count}"
+        if len(numbers) != len(wanted):
+            return form
+        if only_digits(numbers, wanted) and form == wanted_form:
+            return "digits"
+        if reordered(numbers, wanted, count):
+            return "reordered"
+        return "elsewhere" if form == wanted_form else form
+
     # -- values of parameters ------------------------------------------------------------------------
 
     def fault(self, name: str, value: Any) -> str | None:
@@ -337,15 +370,6 @@ class ListType(Type):
                 return found
         return None
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """The items' numbers."""
-        for each in value:
-            yield from self.item.numbers(each)
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The items rebuilt."""
-        return tuple([self.item.rebuilt(each, numbers) for each in value])
-
     def tokens(self, value: Any) -> Iterator[str]:
         """The length and the items' tokens."""
         yield str(len(value))
@@ -359,13 +383,22 @@ class ListType(Type):
             raise ValueError("no such length")
         return tuple([self.item.from_tokens(tokens) for _ in range(count)])
 
-    def from_json(self, plain: Any) -> Any:
-        """A tuple again."""
-        return tuple([self.item.from_json(each) for each in plain])
-
     def argument(self, value: Any) -> Any:
         """A list of the items' arguments."""
         return [self.item.argument(each) for each in value]
+
+    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
+        """Those of its items."""
+        if type(tree) is dict:
+            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
+        return tuple(
+            [
+                {"run": [self.item.pairs(one, mapped) for one in each["run"]]}
+                if type(each) is dict and "run" in each
+                else self.item.pairs(each, mapped)
+                for each in tree
+            ]
+        )
 
     def literal(self, value: Any) -> str:
         """A list."""
@@ -383,6 +416,10 @@ class ListType(Type):
         for at, each in enumerate(value):
             for other in self.item.simpler(each):
                 yield (*value[:at], other, *value[at + 1 :])
+
+    def round(self, value: Any) -> Any:
+        """The items rounded."""
+        return [self.item.round(each) for each in value]
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """As few items as may be, up to three more."""

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import shown
+from judge.values.likeness import Outline, Usual
 from judge.values.lines import Tokens
 from judge.values.outcome import UNMEASURED, Mismatch, Outcome, Place, Unreadable, Words
 from judge.values.tolerance import Tolerance
@@ -40,10 +41,12 @@ class OptionalType(Type):
         self.inner = inner
         self.text = f"{inner.text}?"
         self.measured = inner.measured
+        self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
         self.width = 1 if inner.width == 1 else None
         self.depth, self.most = inner.depth, inner.most
         self.noun = f"{inner.noun} or None"
         self.plural, self.element = inner.plural, inner.element
+        self.variable = inner.variable
         self.annotation = f"{inner.annotation} | None"
         self.rounded = f"None if {{0}} is None else {inner.rounded}" if inner.rounded else ""
 
@@ -153,6 +156,10 @@ class OptionalType(Type):
         """None has no numbers."""
         return iter(()) if value is None else self.inner.flat(value, target=target)
 
+    def kind(self, given: Outline, right: Outline, usual: Usual) -> str:
+        """As the inner type has it, which is told a right None, too."""
+        return self.inner.kind(given, right, usual)
+
     # -- values of parameters ------------------------------------------------------------------------
 
     def fault(self, name: str, value: Any) -> str | None:
@@ -163,14 +170,6 @@ class OptionalType(Type):
         """None is within all bounds."""
         return None if value is None else self.inner.outside(value, low, high)
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """Those of the inner value."""
-        return iter(()) if value is None else self.inner.numbers(value)
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """None stays."""
-        return None if value is None else self.inner.rebuilt(value, numbers)
-
     def tokens(self, value: Any) -> Iterator[str]:
         """`none`, or the inner tokens."""
         return iter(("none",)) if value is None else self.inner.tokens(value)
@@ -180,13 +179,15 @@ class OptionalType(Type):
         first = next(tokens)
         return None if first == "none" else self.inner.from_tokens(_again(first, tokens))
 
-    def from_json(self, plain: Any) -> Any:
-        """None, or the inner value."""
-        return None if plain is None else self.inner.from_json(plain)
-
     def argument(self, value: Any) -> Any:
         """None, or the inner argument."""
         return None if value is None else self.inner.argument(value)
+
+    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
+        """None has no points."""
+        if type(tree) is dict:
+            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
+        return None if tree is None else self.inner.pairs(tree, mapped)
 
     def literal(self, value: Any) -> str:
         """None, or as the inner type writes it."""
@@ -197,6 +198,10 @@ class OptionalType(Type):
         if value is not None:
             yield None
             yield from self.inner.simpler(value)
+
+    def round(self, value: Any) -> Any:
+        """None stays."""
+        return None if value is None else self.inner.round(value)
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """None as often as not."""

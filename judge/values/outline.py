@@ -19,9 +19,10 @@ from typing import Any
 
 from judge.values import decode
 from judge.values.decode import Fault, number
+from judge.values.likeness import Outline
 from judge.values.numbers import double
 from judge.values.outcome import NO_WORDS, ROOT, Unreadable
-from judge.values.type import Outline, Question, Type
+from judge.values.type import Question, Type
 
 _MOST = 64  # numbers that are kept
 _LONGEST = 40  # characters of a foreign type's name that are kept, and of a form that is not cut
@@ -31,7 +32,7 @@ def _never() -> Any:
     raise AssertionError("reading an answer asks for no exact one")
 
 
-_UNASKED = Question(_never, NO_WORDS, optional=False)
+_UNASKED = Question(_never, NO_WORDS, optional=False, bounded=False)
 
 
 def outline(type_: Type, raw: Any) -> Outline:
@@ -41,8 +42,13 @@ def outline(type_: Type, raw: Any) -> Outline:
     try:
         value = type_.read(raw, _UNASKED, ROOT)
     except Unreadable:
-        return _misread(raw)
+        return _misread(type_, raw)
     return short(type_.form(value)), tuple(_first(type_.flat(value)))
+
+
+def right(type_: Type, target: Any) -> Outline:
+    """The outline of the right answer."""
+    return short(type_.form(target, target=True)), tuple(_first(type_.flat(target, target=True)))
 
 
 def short(form: str) -> str:
@@ -58,20 +64,23 @@ def _first(numbers: Any) -> list[float]:
     return list(islice(numbers, _MOST))
 
 
-def _misread(raw: Any) -> Outline:
+def _misread(type_: Type, raw: Any) -> Outline:
     found = decode.items(raw)
     if found is not None:
         return _shape(found)
     given = number(raw)
     if isinstance(given, Fault):
         return _wrong_type(raw)
-    return ("type int" if isinstance(given, int) else "type float", (double(given),))
+    if type_.measured:
+        return ("number", (double(given),))
+    return ("count" if isinstance(given, int) else "type float", (double(given),))
 
 
 def _shape(items: Any) -> Outline:
     for each in items:
-        if isinstance(number(each), Fault) and decode.items(each) is None:
-            return _wrong_type(each)
+        for inner in decode.items(each) or ():
+            if isinstance(number(inner), Fault) and decode.items(inner) is None:
+                return _wrong_type(inner)
     given = [number(item) for item in items[:4]]
     return (f"shape {len(items)}", tuple(double(each) for each in given if not isinstance(each, Fault)))
 
@@ -79,4 +88,6 @@ def _shape(items: Any) -> Outline:
 def _wrong_type(raw: Any) -> Outline:
     if type(raw) is dict and type(raw.get("type")) is str:
         return (f"type {raw['type'][:_LONGEST]}", ())
+    if decode.word(raw) is not None:
+        return ("type str", ())
     return (f"type {type(raw).__name__}", ())

@@ -12,7 +12,7 @@ from judge.values.lines import Tokens
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
-from judge.values.type import NOTHING_MEASURED, Number, Question, Quick, Raw, Target, Type
+from judge.values.type import NOTHING_MEASURED, Question, Quick, Raw, Target, Type
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -108,14 +108,6 @@ class PlainType(Type):
         """Whether it is a value."""
         fault = self.why_not(value)
         return f"{name} has {fault}" if fault else None
-
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """None."""
-        return iter(())
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """Itself."""
-        return value
 
     def tokens(self, value: Any) -> Iterator[str]:
         """A token."""

@@ -26,10 +26,13 @@ class TupleType(Type):
             raise ValueError("a tuple has two parts or more")
         self.parts = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
+        self._is_planar = self.names[:2] == COORDINATES[:2] and self.names[2:3] != COORDINATES[2:]
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = self.noun = f"({', '.join(part.text for part in parts)})"
         self.plural = "tuples"
         self.measured = any(part.measured for part in parts)
+        self.is_parameter = all(part.is_parameter for part in parts)
+        self.is_plain = all(part.is_plain for part in parts)
         widths = [part.width for part in parts]
         self.width = None if None in widths else sum(filter(None, widths))
         self.depth = 1 + max(part.depth for part in parts)
@@ -189,15 +192,6 @@ class TupleType(Type):
                 return found
         return None
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """The parts' numbers."""
-        for part, each in zip(self.parts, value, strict=True):
-            yield from part.numbers(each)
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The parts rebuilt."""
-        return tuple([part.rebuilt(each, numbers) for part, each in zip(self.parts, value, strict=True)])
-
     def tokens(self, value: Any) -> Iterator[str]:
         """The parts' tokens."""
         for part, each in zip(self.parts, value, strict=True):
@@ -207,13 +201,17 @@ class TupleType(Type):
         """The parts, one after the other."""
         return tuple([part.from_tokens(tokens) for part in self.parts])
 
-    def from_json(self, plain: Any) -> Any:
-        """A tuple again."""
-        return tuple([part.from_json(each) for part, each in zip(self.parts, plain, strict=True)])
-
     def argument(self, value: Any) -> Any:
         """A tuple of the parts' arguments."""
         return tuple([part.argument(each) for part, each in zip(self.parts, value, strict=True)])
+
+    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
+        """Its own x and y, where it has them in the plane; else those of its parts."""
+        if type(tree) is dict:
+            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
+        if self._is_planar:
+            return (*mapped((tree[0], tree[1])), *tree[2:])
+        return tuple([part.pairs(each, mapped) for part, each in zip(self.parts, tree, strict=True)])
 
     def literal(self, value: Any) -> str:
         """A tuple."""
@@ -224,6 +222,10 @@ class TupleType(Type):
         for at, (part, each) in enumerate(zip(self.parts, value, strict=True)):
             for other in part.simpler(each):
                 yield (*value[:at], other, *value[at + 1 :])
+
+    def round(self, value: Any) -> Any:
+        """The parts rounded."""
+        return tuple([part.round(each) for part, each in zip(self.parts, value, strict=True)])
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """Simple parts; a coordinate may always be negative."""
@@ -242,3 +244,8 @@ def vector(parts: Sequence[Type], alias: str) -> TupleType:
     for part in parts:
         part.noun = "a coordinate"
     return TupleType(parts, COORDINATES[: len(parts)], alias)
+
+
+def is_pair(type_: Type) -> bool:
+    """Whether values are points or vectors in the plane."""
+    return isinstance(type_, TupleType) and type_.is_vector and len(type_.parts) == 2

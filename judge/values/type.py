@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from judge.errors import ProblemError
 from judge.values import decode
+from judge.values.likeness import Outline, Usual, only_digits
 from judge.values.lines import Tokens, tokens_of
 from judge.values.outcome import (
     NO_WORDS,
@@ -43,10 +44,10 @@ Target = Any
 ExactOf = Callable[[], tuple[Exact, Tolerance]]  # asked only where doubles do not decide
 Check = Callable[[Raw, Target, ExactOf], Outcome]
 Quick = Callable[[Raw, Target], float | None]
-Outline = tuple[str, tuple[float, ...]]
 Number = int | float
 
 NOTHING_MEASURED = -1.0
+LONGEST = 20_000  # items of all levels, where the type sets no bound above that
 _ANSWERS = 3  # of several that are right, which are shown
 
 
@@ -68,12 +69,13 @@ class Draws(Protocol):
 class Question:
     """What an answer's parts may ask while it is decided: the exact answer, and the problem's own words."""
 
-    __slots__ = ("exact", "optional", "words")
+    __slots__ = ("bounded", "exact", "optional", "words")
 
-    def __init__(self, exact: ExactOf, words: Words, *, optional: bool) -> None:
+    def __init__(self, exact: ExactOf, words: Words, *, optional: bool, bounded: bool = True) -> None:
         self.exact = exact
         self.words = words
         self.optional = optional  # whether the whole answer may be None
+        self.bounded = bounded  # whether a list may have no more items than its type says
 
     def exact_at(self, place: Place) -> tuple[Exact, Tolerance]:
         """The exact leaf at that place."""
@@ -91,15 +93,18 @@ class Type:
     words = NO_WORDS  # of the problem, on the type of its whole answer
     folder: Path | None = None  # a pack's own types, without which the text may mean nothing
 
+    is_parameter = True  # whether a parameter may be of this type
+    is_plain = True  # whether a submission receives a parameter's value as it is kept here
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
     width: int | None = 1  # tokens on a line; None where that varies
     depth = 0  # levels of lists and tuples
-    most = 1  # items of all levels in the longest answer
+    most = 1  # items of all levels in the longest answer, where the type bounds them
     noun = "a value"  # what is meant, "a number"
     plural = "values"  # "a list of numbers"
     element = ("item", "items")  # what one and several of them in a list are called
     annotation = "object"  # in a stub
+    variable = "answer"  # what a function's parameter of this type is called
     rounded = ""  # the expression that rounds `{}` for a doctest; empty where nothing is rounded
 
     def __str__(self) -> str:
@@ -118,6 +123,11 @@ class Type:
         from judge.values.grammar import parse
 
         return parse, self._identity()
+
+    @property
+    def items(self) -> int:
+        """How many items an answer is read with, right or wrong."""
+        return max(LONGEST, self.most)
 
     def _identity(self) -> tuple[Any, ...]:
         return self.text, self.folder, self.words
@@ -349,8 +359,16 @@ class Type:
 
     def right(self, target: Target) -> Outline:
         """The outline of the right answer; of several the first."""
-        target = first_of(target)
-        return self.form(target, target=True), tuple(self.flat(target, target=True))
+        from judge.values.outline import right
+
+        return right(self, first_of(target))
+
+    def kind(self, given: Outline, right: Outline, usual: Usual) -> str:
+        """What kind of wrong answer one is, beside the right one and what is usual in the problem."""
+        (form, numbers), (wanted_form, wanted) = given, right
+        if form != wanted_form or len(numbers) != len(wanted):
+            return form
+        return "digits" if only_digits(numbers, wanted) else "elsewhere"
 
     def form(self, value: Any, *, target: bool = False) -> str:
         """The form of an answer that was read, or of a target, without its real numbers."""
@@ -368,18 +386,7 @@ class Type:
 
     def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
         """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
-        for number in self.numbers(value):
-            if not low <= number <= high:
-                return number, low, high
         return None
-
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """The numbers of a well-shaped value, in order."""
-        raise NotImplementedError
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The value with other numbers in their places."""
-        raise NotImplementedError
 
     def tokens(self, value: Any) -> Iterator[str]:
         """The value as a program reads it: numbers as `repr` writes them, a list begins with its length."""
@@ -389,13 +396,13 @@ class Type:
         """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
         raise NotImplementedError
 
-    def from_json(self, plain: Any) -> Any:
-        """The value of which JSON has made lists of tuples."""
-        return plain
-
     def argument(self, value: Any) -> Any:
         """The value as a submission receives it."""
         return value
+
+    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
+        """A target or a value, `mapped` applied to every point in the plane in it: to its x and y."""
+        return tree
 
     def literal(self, value: Any) -> str:
         """The value as it is written in Python."""
@@ -408,6 +415,10 @@ class Type:
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
         raise NotImplementedError
+
+    def round(self, value: Any) -> Any:
+        """What the expression `rounded` makes of a value."""
+        return value
 
     def aliases(self) -> Mapping[str, str]:
         """The names that `annotation` uses beside Python's own, with what they stand for."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from judge.compare.answers import Count
 from judge.data.builders import counting
 from judge.data.images import mirror_images
 from judge.exact import Bands, CircleLine
@@ -35,9 +34,9 @@ IMAGES = mirror_images
 _line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
 
 
-def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Count:
+def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> int | None:
     """0, 1 or 2 by exact signs; None for A == B."""
-    return Count(_BANDS.count(_line(cx, cy, r, A, B)))
+    return _BANDS.count(_line(cx, cy, r, A, B))
 
 
 def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:

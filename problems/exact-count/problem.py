@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from judge.compare.answers import Count
 from judge.data.builders import counting
 from judge.data.images import mirror_images
 
@@ -26,17 +25,17 @@ BUILDERS = {
 IMAGES = mirror_images
 
 
-def reference(cx: int, cy: int, r: int, A: IntPoint, B: IntPoint) -> Count:
+def reference(cx: int, cy: int, r: int, A: IntPoint, B: IntPoint) -> int | None:
     """The sign of r²a − k², for a = |B − A|² and the cross product k of B − A and A − C; None for A == B.
 
     This is the discriminant of the equation for the intersection, by Lagrange's identity.
     """
     dx, dy = B[0] - A[0], B[1] - A[1]
     if dx == dy == 0:
-        return Count(None)
+        return None
     cross = dx * (A[1] - cy) - dy * (A[0] - cx)
     reach, distance = r * r * (dx * dx + dy * dy), cross * cross
-    return Count(1 + (reach > distance) - (reach < distance))
+    return 1 + (reach > distance) - (reach < distance)
 
 
 def promise(*_case: object) -> str | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from judge.compare.answers import Count, Points
 from judge.data.module import load_module
 from judge.diagnose.picture import compose
 from judge.diagnose.picture.svg import to_svg
@@ -33,18 +32,14 @@ CASES = {
 }
 
 
-def wanted_words(answer):
-    if isinstance(answer, Count):
-        return str(answer.value)
-    if isinstance(answer, Points):
-        return f"[{', '.join(f'({float(x)!r}, {float(y)!r})' for x, y in answer.points)}]"
-    return "None" if answer.t is None else repr(float(answer.t))
+def wanted_words(problem, exact):
+    return problem.answer.wanted(problem.answer.target(exact, problem.groups[0].tolerance))
 
 
 def picture_of(problem, case, got, module=None, heading="a case"):
     exact = (module or load_module(problem)).reference(*case)
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
-    return compose(problem, values, exact, wanted=wanted_words(exact), got=got, heading=heading)
+    return compose(problem, values, exact, wanted=wanted_words(problem, exact), got=got, heading=heading)
 
 
 def drawn(name):

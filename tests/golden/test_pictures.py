@@ -63,7 +63,7 @@ def test_any_case_can_be_drawn_with_any_answer(name):
     chosen = random.Random(name)
     for group in load_data(problem).groups:
         for case in chosen.sample(group.cases, min(2, len(group.cases))):
-            right = wanted_words(module.reference(*case))
+            right = wanted_words(problem, module.reference(*case))
             for got in (right, chosen.choice(ANSWERS)):
                 picture = picture_of(problem, case, got, module)
                 check_svg(to_svg(picture))

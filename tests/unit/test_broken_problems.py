@@ -59,13 +59,17 @@ REFUSED = {
         "correct its parameters, or lower count",
     ),
     "builder-raises": ("problem.py:13", "ZeroDivisionError", "repair it there"),
-    "count-with-tolerance": ("problem.toml:7", "a count is right or wrong and has no tolerance", "remove it"),
+    "count-with-tolerance": (
+        "problem.toml:7",
+        "an answer without real numbers is right or wrong and has no tolerance",
+        "remove it",
+    ),
     "duplicate-group": ("problem.toml:27", "'examples' is there twice in groups", "rename or remove one"),
     "duplicate-parameter": ("problem.toml:21", "'c' is there twice in parameters", "rename or remove one"),
     "example-answer-not-plain": (
         "statement.md:5",
         "the example's answer 'nothing' is no plain value",
-        "write numbers, points (x, y), lists or None",
+        "write numbers, words, tuples, lists or None",
     ),
     "example-contradicts": (
         "statement.md:5",
@@ -84,7 +88,7 @@ REFUSED = {
     ),
     "example-not-plain": (
         "statement.md:5",
-        "the example's arguments are no plain numbers and points",
+        "the example's arguments are no plain values",
         "write root_count(c) with plain values",
     ),
     "example-of-another": (
@@ -154,9 +158,9 @@ REFUSED = {
     "no-toml": ("problem.toml", "the file is missing", "create "),
     "not-utf8": ("problem.toml", "byte 11 is not UTF-8", "save the file as UTF-8"),
     "parameter-with-extent": (
-        "problem.toml:8",
-        "a parameter has no tolerance in extents",
-        "use relative and zero",
+        "problem.py",
+        "the tolerance extent needs an exact answer with a rational unit",
+        "give such a unit, or the tolerance as relative, zero and ulps",
     ),
     "points-not-100": ("problem.toml:24", "the groups' points sum to 110", "make them sum to 100"),
     "promise-broken": (
@@ -176,13 +180,13 @@ REFUSED = {
     ),
     "reference-gives-no-answer": (
         "problem.py",
-        "a Count is wanted, not 2",
-        "repair it there",
+        "the exact answer is no count: 'two' where an int is meant",
+        "correct it, or the answer's type",
     ),
     "reference-of-other-kind": (
         "problem.py",
-        "a Count is wanted, not Points(",
-        "repair it there",
+        "the exact answer is no count: [] where an int is meant",
+        "correct it, or the answer's type",
     ),
     "reference-raises": (
         "problem.py:5",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import pickle
 from array import array
 from fractions import Fraction
@@ -36,7 +35,7 @@ def word(text):
 
 
 def sent(code, items):
-    return {"array": [code, base64.b64encode(array(code, items).tobytes()).decode()]}
+    return {"array": [code, array(code, items).tobytes().hex()]}
 
 
 def judged(text, exact, raw, words=None):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from judge.compare.answers import Answer, Count
 from judge.diagnose.picture.lens import gap_words, lens_panel
 from judge.diagnose.picture.scene import Figure, Scene, read_scene
 from judge.diagnose.picture.shapes import Fact, Panel, Picture, Role
 from judge.diagnose.picture.whole import whole_panel
 from judge.diagnose.picture.words import short
 from judge.problem import Problem
+from judge.values import Exact as Answer
 
 
 def compose(
@@ -68,7 +68,7 @@ def _situation(scene: Scene, exact: Answer) -> str:
     line = scene.line
     parts = [] if line.a else [_FIGURES[scene.figure]]
     parts.append(gap_words(scene))
-    banded = (isinstance(exact, Count) and exact.value == 1) or len(scene.wanted) == 1
+    banded = exact == 1 or len(scene.wanted) == 1
     if line.a and banded and scene.gap.sign() and abs(scene.gap) <= scene.snap * line.extent:
         parts.append("which counts as tangent here")
     return f"{', '.join(parts)}; e = {short(line.extent_length(), 3)}"

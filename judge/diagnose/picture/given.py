@@ -6,8 +6,7 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from judge.compare.decode import Raw, Written, decimal, show
-from judge.problem import AnswerKind
+from judge.values.decode import Raw, Written, decimal, show
 
 _LONGEST = 5000
 _MOST = 4  # points that are drawn
@@ -25,12 +24,15 @@ class Given:
     number: Fraction | None = None
 
 
-def read_given(kind: AnswerKind, text: str | None) -> Given:
-    """What `text` holds, as a function's answer is shown or as a program's line; nothing if unreadable."""
+def read_given(text: str | None, *, points: bool) -> Given:
+    """What `text` holds, as a function's answer is shown or as a program's line; nothing if unreadable.
+
+    `points` says that points are meant, so that a line of numbers begins with how many there are.
+    """
     text = (text or "").strip()
     if len(text) > _LONGEST:
         return Given()
-    if kind is AnswerKind.POINTS and _LINE.fullmatch(text):
+    if points and _LINE.fullmatch(text):
         numbers = [_value(token) for token in text.split()[1:]]
         return Given(_pairs(list(zip(numbers[::2], numbers[1::2], strict=False))))
     pairs = [(_value(x), _value(y)) for x, y in _POINT.findall(text)]

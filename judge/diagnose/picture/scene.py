@@ -8,10 +8,11 @@ from enum import Enum
 from fractions import Fraction
 from typing import Any
 
-from judge.compare.answers import Answer, Count, Parameter, Points
 from judge.diagnose.picture.given import Given, read_given
 from judge.exact import CircleLine, Surd
-from judge.problem import AnswerKind, Problem
+from judge.problem import Problem
+from judge.values import Exact as Answer
+from judge.values import Real
 
 Exact = Fraction | Surd
 
@@ -83,30 +84,28 @@ def read_scene(problem: Problem, values: Mapping[str, Any], exact: Answer, got: 
     if names == ["cx", "cy", "r", "O", "D"] and set(names) <= set(values):
         figure = Figure.RAY
     elif names == ["cx", "cy", "r", "A", "B"] and set(names) <= set(values):
-        figure = Figure.LINE if problem.answer is AnswerKind.COUNT else Figure.SEGMENT
+        figure = Figure.SEGMENT if isinstance(exact, list | tuple) else Figure.LINE
     else:
         return None
     cx, cy, r, first, second = (values[name] for name in names)
     build = CircleLine.ray if figure is Figure.RAY else CircleLine.through
     line = build(cx, cy, r, (first[0], first[1]), (second[0], second[1]))
     snap = problem.bands.get("snap", Fraction(0))
-    given = _given(line, figure, read_given(problem.answer, got))
+    given = _given(line, figure, read_given(got, points=figure is Figure.SEGMENT))
     return Scene(figure, line, _wanted(line, exact), given, snap)
 
 
 def _wanted(line: CircleLine, exact: Answer) -> tuple[Spot, ...]:
     one = 1 << line.shift
-    if isinstance(exact, Points):
-        return _numbered([(x * one, y * one) for x, y in exact.points], "wanted")
-    if isinstance(exact, Parameter):
-        if exact.t is None:
-            return ()
-        t = exact.t
+    if isinstance(exact, list | tuple):
+        return _numbered([(Surd.of(x.x) * one, Surd.of(y.x) * one) for x, y in exact], "wanted")
+    if isinstance(exact, Real):
+        t = Surd.of(exact.x)
         at = (t * line.dx + line.ax, t * line.dy + line.ay)
         return (Spot(*at, f"wanted t = {t.decimal(6)}"),)
-    if not isinstance(exact, Count) or not exact.value:
+    if not exact:
         return ()
-    roots = (0,) if exact.value == 1 else (-1, 1)
+    roots = (0,) if exact == 1 else (-1, 1)
     points = [line.point(which) for which in roots]
     return tuple(Spot(x * one, y * one, "common point") for x, y in points)
 

@@ -1,7 +1,7 @@
 """`array(i8)`, `array(f64; most)`: a typed array of one dimension, long as it may be, sent as bytes.
 
-As an answer it may be a numpy array, an `array.array` or a list. The target is base64 text: of the ints
-themselves, little-endian, or of the five doubles of each real (`judge.values.numbers`), one after the other.
+As an answer it may be a numpy array, an `array.array` or a list. The target is a hexadecimal text:
+of the ints' bytes, little-endian, or of the five doubles of each real (`judge.values.numbers`) in order.
 As a parameter it is a tuple of numbers here, and an `array.array` in a submission.
 """
 
@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import sys
 from array import array
-from binascii import a2b_base64, b2a_base64
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from functools import cached_property
 from itertools import islice
 from operator import le
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from judge.values import decode
 from judge.values.atoms.real import RealType
 from judge.values.lines import Tokens
-from judge.values.lists import LONGEST, listed
+from judge.values.lists import listed
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.plain import integer_of
 from judge.values.tolerance import Tolerance
@@ -40,8 +40,8 @@ class ArrayType(Type):
 
     plural = "arrays"
     width = None
+    is_plain = False
     depth = 1
-    most = LONGEST  # in a list; longer ones are sent as bytes
 
     def __init__(self, code: str, most: str = "") -> None:
         if code not in _CODES:
@@ -62,7 +62,7 @@ class ArrayType(Type):
     # -- exact answers and targets -------------------------------------------------------------------
 
     def aimed(self, exact: Exact, tolerance: Tolerance, roots: Roots) -> Target:
-        """Base64 text."""
+        """Hexadecimal text."""
         if type(exact) not in (list, tuple, array):
             raise Unfit(f"{exact!r} where a list is meant")
         if len(exact) > self._longest:
@@ -252,14 +252,9 @@ class ArrayType(Type):
                 return f"{name} has the int {each!r} where a float is meant"
         return None
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """Its items."""
-        return iter(value)
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The next numbers."""
-        kind = int if self._real is None else float
-        return tuple([kind(next(numbers)) for _ in value])
+    def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
+        """The first item that is outside."""
+        return next(((each, low, high) for each in value if not low <= each <= high), None)
 
     def tokens(self, value: Any) -> Iterator[str]:
         """The length and the items."""
@@ -275,10 +270,6 @@ class ArrayType(Type):
         if len(words) < count:
             raise ValueError("too few items")
         return tuple(map(int if self._real is None else float, words))
-
-    def from_json(self, plain: Any) -> Any:
-        """A tuple again."""
-        return tuple(plain)
 
     def argument(self, value: Any) -> Any:
         """An `array.array`."""
@@ -296,6 +287,10 @@ class ArrayType(Type):
                 yield (*value[:start], *value[start + size :])
             size //= 2
 
+    def round(self, value: Any) -> Any:
+        """A list."""
+        return list(value) if self._real is None else [self._real.round(each) for each in value]
+
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """Up to three items."""
         kind = int if self._real is None else float
@@ -310,11 +305,11 @@ def _item(place: Place, at: int) -> Place:
 def _written(numbers: array[Any]) -> str:
     if sys.byteorder == "big":
         numbers.byteswap()
-    return b2a_base64(numbers.tobytes(), newline=False).decode("ascii")
+    return numbers.tobytes().hex()
 
 
 def _read(code: str, text: str) -> array[Any]:
-    numbers = array(code, a2b_base64(text))
+    numbers = array(code, bytes.fromhex(text))
     if sys.byteorder == "big":
         numbers.byteswap()
     return numbers

@@ -30,6 +30,7 @@ class EnclosureType(Type):
 
     noun = "(lo, hi)"
     plural = "enclosures"
+    is_parameter = False
     width = 2
     depth = 1
     most = 2

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 from judge.values.decode import Fault, near, number, show
+from judge.values.likeness import Outline, Usual
 from judge.values.lines import Tokens
 from judge.values.outcome import UNMEASURED, Outcome, Place, Unreadable
 from judge.values.plain import PlainType, integer_of, number_fault
@@ -14,14 +16,15 @@ from judge.values.type import NOTHING_MEASURED, Check, Draws, ExactOf, Number, Q
 
 
 class IntType(PlainType):
-    """An int: no bool, and no float that is whole."""
+    """An int: no bool, and no float that is whole; `least` bounds a parameter from below in any case."""
 
     noun = "an int"
     plural = "ints"
     annotation = "int"
 
-    def __init__(self) -> None:
+    def __init__(self, *, least: int | None = None) -> None:
         self.text = "int"
+        self._least = least
 
     @cached_property
     def check(self) -> Check:
@@ -76,6 +79,14 @@ class IntType(PlainType):
         """The double next to it."""
         yield near(value)
 
+    def kind(self, given: Outline, right: Outline, usual: Usual) -> str:
+        """Another int; where few are usual, one that is none of them stands for having no answer."""
+        form, numbers = given
+        unusual = not numbers or (usual.few and numbers[0] not in usual.few)
+        if form in ("count", "type float") and unusual:
+            return "sentinel"
+        return f"{numbers[0]:.0f}" if form == "count" else form
+
     # -- values of parameters ------------------------------------------------------------------------
 
     def fault(self, name: str, value: Any) -> str | None:
@@ -84,13 +95,11 @@ class IntType(PlainType):
             return f"{name} has the float {value!r} where an int is meant"
         return number_fault(name, value)
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """Itself."""
-        yield value
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The next number."""
-        return next(numbers)
+    def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
+        """Its own bound counts too."""
+        if self._least is not None and low < self._least:
+            low = self._least
+        return None if low <= value <= high else (value, low, high)
 
     def value_from(self, token: str) -> Any:
         """An int as `repr` writes it."""
@@ -101,7 +110,7 @@ class IntType(PlainType):
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """The next simple number."""
-        return number(positive)
+        return int(number(positive or (self._least is not None and self._least >= 0)))
 
 
 TYPE = IntType

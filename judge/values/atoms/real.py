@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from judge.values import numbers
 from judge.values.decode import Fault, number
+from judge.values.likeness import Outline, Usual, only_digits
 from judge.values.lines import Tokens
-from judge.values.outcome import Mismatch, Place, Unfit, Unreadable
+from judge.values.outcome import COORDINATES, Mismatch, Place, Unfit, Unreadable
 from judge.values.plain import integer_of, number_fault
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Real
@@ -66,7 +67,9 @@ class RealType(Type):
         if not isinstance(given, Fault):
             return given
         noun = self.noun + (" or None" if question.optional and place.parent is None else "")
-        raise Unreadable(given.where(f"{place.name() or noun} is meant"))
+        is_point = place.word in COORDINATES and given.type.startswith("complex")
+        remedy = "return a point as (x, y)" if is_point else ""
+        raise Unreadable(given.where(f"{place.name() or noun} is meant", remedy))
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """Its error in ulps."""
@@ -110,6 +113,24 @@ class RealType(Type):
         """The double next to it."""
         yield value[2] if target else numbers.double(value)
 
+    def kind(self, given: Outline, right: Outline, usual: Usual) -> str:
+        """A number where there is none, one of other digits, a negative one, a smaller or a larger one."""
+        (form, numbers), (_, wanted) = given, right
+        if form == "type float":  # inf or nan
+            return "sentinel"
+        if form != "number":
+            return form
+        (t,) = numbers
+        if not wanted:
+            return "invented" if math.isfinite(t) and (t >= 0.0 or usual.negative) else "sentinel"
+        if not math.isfinite(t):
+            return "sentinel"
+        if only_digits(numbers, wanted):
+            return "digits"
+        if t < 0.0 and not usual.negative:
+            return "negative"
+        return "less" if t < wanted[0] else "more"
+
     # -- values of parameters ------------------------------------------------------------------------
 
     def fault(self, name: str, value: Any) -> str | None:
@@ -124,14 +145,6 @@ class RealType(Type):
             low = self._least
         return None if low <= value <= high else (value, low, high)
 
-    def numbers(self, value: Any) -> Iterator[Number]:
-        """Itself."""
-        yield value
-
-    def rebuilt(self, value: Any, numbers: Iterator[Number]) -> Any:
-        """The next number."""
-        return next(numbers)
-
     def tokens(self, value: Any) -> Iterator[str]:
         """As `repr` writes it."""
         yield repr(value)
@@ -141,6 +154,10 @@ class RealType(Type):
         token = next(tokens)
         whole = integer_of(token)
         return float_of(token) if whole is None else whole
+
+    def round(self, value: Any) -> Any:
+        """To a few decimals."""
+        return round(value, _ROUNDED) + 0.0
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """The next simple number."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -72,10 +72,6 @@ class WordType(PlainType):
         if token not in self._choices:
             raise ValueError(f"none of the words: {token[:40]!r}")
         return token
-
-    def simpler(self, value: Any) -> Iterator[Any]:
-        """The words before it."""
-        return iter(self._choices[: self._choices.index(value)])
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """Any of them, the first most likely to stay."""
