@@ -20,7 +20,6 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.compare.check import check
 from judge.data import GroupData, ProblemData, load_data
 from judge.errors import UsageError, nearest
 from judge.problem import Group, Problem
@@ -140,15 +139,16 @@ class _Judged(Struct, frozen=True):
 def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
     tally = Tally(data, group, Mode.FUNCTION)
     first: Exception | None = None
-    for index, (case, target) in enumerate(zip(group.cases, group.targets, strict=True)):
+    calls = data.problem.calls(group.cases)
+    for index, (arguments, target) in enumerate(zip(calls, group.targets, strict=True)):
         try:
-            answer = encode(routine(*case))
+            answer = encode(routine(*arguments), data.problem.answer.items)
         except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
             if tally.failure is None:
                 first = fault
             tally.stopped(index, Stop.EXCEPTION, _told(fault))
         else:
-            outcome = check(data.problem.answer, answer, target, tally.exact(index))
+            outcome = data.problem.answer.check(answer, target, tally.exact(index))
             tally.compared(index, outcome, answer)
     return _Judged(tally, first)
 

@@ -52,7 +52,9 @@ class Diagnosis(Struct, frozen=True):
             return result
         if self.regression is not None:
             self._save(submission, result, found)
-        return result if found is None else replace(result, counterexample=found.as_json())
+        if found is None:
+            return result
+        return replace(result, counterexample=found.as_json(), counterexample_given=found.given)
 
     def _search(self, result: Result, failure: Failure, box: Box) -> Counterexample | None:
         from judge.diagnose import shrink  # only after a wrong answer

@@ -10,8 +10,9 @@ from msgspec import Struct
 
 from judge.cli.target import Target
 from judge.data import ProblemData
+from judge.data.load import tupled
 from judge.errors import UsageError, told
-from judge.problem import Case, Problem
+from judge.problem import Problem
 from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
@@ -37,26 +38,23 @@ class Drawing(Struct, frozen=True):
 
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
-        from judge.compare.reread import reread  # late: an accepted submission does without
-
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
         if failure is None or group is None:
             return None
         found = self.result.counterexample or {}
         heading = f"{group.name}, case {failure.case}"
-        values, wanted, got = failure.input, failure.expected, failure.got
+        values, wanted, got, given = failure.input, failure.expected, failure.got, failure.given
         if found.get("input"):
             heading, values = "counterexample", found["input"]
             wanted, got = found.get("expected"), found.get("got")
+            given = self.result.counterexample_given
         if not values:
             return None
-        case: Case = tuple(tuple(v) if isinstance(v, list) else v for v in values.values())
         draw = self.data.module.topic.picture
         if draw is None:
             return None
-        exact, _ = self.data.exact(case, group)
-        given = reread(self.problem.answer, got)
+        exact, _ = self.data.exact(tupled(list(values.values())), group)
         return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
 
     def lines(self, screen: Screen, *, beside: int) -> list[Line]:

@@ -13,26 +13,19 @@ from collections.abc import Callable, Container
 from functools import partial
 from typing import Any
 
-from judge.compare.answers import Answer, Count, Parameter, Points
-from judge.compare.check import Rejection, check
-from judge.compare.targets import AnyTarget, compile_answer
 from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
-from judge.problem import AnswerKind, Case, Example, Group, Problem, Tolerance
+from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.statement import EXAMPLES
 from judge.problem.tomlfile import group_place
+from judge.values import Exact, Rejection, Target
 
-_ANSWERS: dict[AnswerKind, type[Answer]] = {
-    AnswerKind.COUNT: Count,
-    AnswerKind.POINTS: Points,
-    AnswerKind.PARAMETER: Parameter,
-}
 _ATTEMPTS = 1_000  # for one case
 
-SolvedCase = tuple[Case, Answer]
+SolvedCase = tuple[Case, Exact]
 
 
 def build(
@@ -58,7 +51,7 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[S
     """The cases of one group and their exact answers, each of them proved. Raises ProblemError."""
     validator = Validator(problem, module.solve)
     builder = bound_builder(problem, module, group)
-    cases: dict[Case, Answer] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
+    cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
     what = f"group {group.name!r}: the builder {group.builder!r} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
@@ -191,10 +184,10 @@ def _solved_examples(problem: Problem, module: ProblemModule) -> list[SolvedCase
 
 
 def _check_example(
-    problem: Problem, example: Example, answer: Answer, tolerance: Tolerance, where: str
+    problem: Problem, example: Example, answer: Exact, tolerance: Tolerance, where: str
 ) -> None:
     target = target_of(problem, answer, tolerance)
-    outcome = check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
+    outcome = problem.answer.check(_as_json(example.wanted), target, lambda: (answer, tolerance))
     if isinstance(outcome, Rejection):
         raise ProblemError(
             f"the example contradicts solve: {outcome.message}",
@@ -203,17 +196,17 @@ def _check_example(
         )
 
 
-def target_of(problem: Problem, answer: Answer, tolerance: Tolerance) -> AnyTarget:
-    """What an answer is held against. Raises ProblemError where `solve` gave one of another kind."""
+def target_of(problem: Problem, answer: Exact, tolerance: Tolerance) -> Target:
+    """What an answer is held against. Raises ProblemError where `solve` gave one of another type."""
     try:
-        if type(answer) is not _ANSWERS[problem.answer]:
-            raise TypeError(f"a {_ANSWERS[problem.answer].__name__} is wanted, not {answer!r}")
-        return compile_answer(answer, tolerance)
+        return problem.answer.target(answer, tolerance)
     except Exception:
         with blaming(problem, "solve's answer cannot be used"):
             raise
 
 
 def _as_json(value: Any) -> Any:
-    """A literal as a submission's answer arrives: tuples are lists."""
+    """A literal as a submission's answer arrives: tuples are lists, and a word says that it is one."""
+    if isinstance(value, str):
+        return {"word": value}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value

@@ -20,7 +20,7 @@ from judge.problem import Problem
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "problem", "topics")  # the packages that the data depend on
+_CODE = ("exact", "values", "data", "problem", "topics")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 
@@ -50,6 +50,7 @@ def cache_folder() -> Path:
 def data_key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the data are made from."""
     own = [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
+    own += sorted((problem.folder.parent / "types").glob("*.py"))
     return content_key(f"{FORMAT}/{seed}", [*own, *code_files(_CODE)])
 
 

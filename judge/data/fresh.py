@@ -16,7 +16,6 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.compare.targets import AnyTarget
 from judge.data.build import bound_builder, new_case, target_of
 from judge.data.draw import Draw, QuickDraw, RecordedDraw
 from judge.data.model import GroupData
@@ -27,6 +26,7 @@ from judge.problem import Case, Group, Problem
 from judge.problem.statement import EXAMPLES
 from judge.problem.tomlfile import group_place
 from judge.problem.topic import Image
+from judge.values import Target
 
 BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
 IMAGES_EACH = 3
@@ -85,7 +85,7 @@ class Fresh:
         seed = self._text(number, group)
         draw, chance = QuickDraw(seed), QuickDraw(f"images/{seed}")
         cases: list[Case] = []
-        targets: list[AnyTarget] = []
+        targets: list[Target] = []
         starts = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
@@ -102,7 +102,7 @@ class Fresh:
                     targets.append(image_target)
         return Series(number, GroupData(group, cases, targets), starts)
 
-    def _images(self, case: Case, target: AnyTarget, chance: Draw) -> Iterator[Image]:
+    def _images(self, case: Case, target: Target, chance: Draw) -> Iterator[Image]:
         """Some cases that follow from this one, those that are within the bounds."""
         images = self.module.topic.images
         if images is None:

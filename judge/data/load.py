@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from judge.compare.targets import from_json, to_json
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
-from judge.problem import Case, Group, Problem
+from judge.problem import Group, Problem
 
 
 def load_data(
@@ -34,28 +33,24 @@ def load_data(
 
 
 def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
-    return {data.group.name: [data.cases, [to_json(target) for target in data.targets]] for data in groups}
+    return {data.group.name: [data.cases, data.targets] for data in groups}
 
 
 def _from_plain(plain: Any, problem: Problem, seed: int | None) -> tuple[GroupData, ...] | None:
     """The groups that `_as_plain` wrote, or None if this is anything else."""
     try:
-        return tuple(_group(plain[each.name], problem, reseeded(each, seed)) for each in problem.groups)
+        return tuple(_group(plain[each.name], reseeded(each, seed)) for each in problem.groups)
     except (KeyError, TypeError, ValueError, IndexError):  # whatever a foreign file can hold
         return None
 
 
-def _group(plain: Any, problem: Problem, group: Group) -> GroupData:
+def _group(plain: Any, group: Group) -> GroupData:
     cases, targets = plain
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(
-        group,
-        [_case(each) for each in cases],
-        [from_json(problem.answer, each) for each in targets],
-    )
+    return GroupData(group, [tupled(each) for each in cases], list(tupled(targets)))
 
 
-def _case(plain: list[Any]) -> Case:
-    """JSON has no tuples: a point comes back as a list."""
-    return tuple([tuple(each) if type(each) is list else each for each in plain])
+def tupled(plain: list[Any]) -> tuple[Any, ...]:
+    """What came back from JSON as lists is made of tuples, as a case and its values are."""
+    return tuple([tupled(each) if type(each) is list else each for each in plain])

@@ -13,9 +13,8 @@ from judge.problem import Case, Group, Problem, Tolerance
 from judge.problem.statement import EXAMPLES
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
-    from judge.compare.targets import AnyTarget
     from judge.data.module import ProblemModule
+    from judge.values import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 
@@ -25,7 +24,7 @@ class GroupData(Struct, frozen=True):
 
     group: Group
     cases: list[Case]
-    targets: list[AnyTarget]
+    targets: list[Target]
 
 
 class ProblemData:
@@ -45,7 +44,7 @@ class ProblemData:
         self.notes = notes
         self._module = module
 
-    def exact(self, case: Case, group: Group) -> tuple[Answer, Tolerance]:
+    def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
         """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
 
         Only a rejection's reason and an answer within a hair of the edge need it.

@@ -1,7 +1,8 @@
 """Loading `problems/<id>/problem.py`: the exact answers, the builders and the topic.
 
-    solve(*case) -> (answer, broken)     the exact answer, and a sentence that says what of the statement's
-                                         promise the case breaks, or None; it raises nothing for such a case
+    solve(*case) -> (answer, broken)     the exact answer (judge.values.tree), and a sentence that says what
+                                         of the statement's promise the case breaks, or None; it raises
+                                         nothing for such a case
     BUILDERS = {"name": function}        function(draw, **parameters) -> case
     TOPIC = Topic(...)                   optional: what is known of its topic (judge.problem.topic)
 
@@ -28,7 +29,7 @@ from judge.problem.tomlfile import read_text
 from judge.problem.topic import Topic
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
+    from judge.values import Exact
 
 Builder = Callable[..., Case]
 
@@ -38,7 +39,7 @@ _LONGEST = 100  # characters of a case that a fault shows
 class Solved(NamedTuple):
     """A case's exact answer, and what of the promise the case breaks; None where it keeps the promise."""
 
-    answer: Answer
+    answer: Exact
     broken: str | None
 
 

@@ -10,7 +10,6 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from judge.compare.targets import to_json
 from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
@@ -22,7 +21,7 @@ _REMEDY = "write it with: judge verify {} --pin"
 
 def hash_of(data: GroupData) -> str:
     """The group's hash, in hexadecimal; the same on every machine."""
-    plain = [[data.cases, [to_json(target) for target in data.targets]]]
+    plain = [[data.cases, data.targets]]
     return hashlib.sha256(json.dumps(plain, separators=(",", ":")).encode()).hexdigest()
 
 

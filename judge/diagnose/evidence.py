@@ -21,9 +21,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.compare import AnyTarget
 from judge.diagnose.agreement import WrongAnswer
 from judge.diagnose.known import Answers
+from judge.values import Outline, Type, Usual
 
 _INDEPENDENT = 6.0  # cases that a group is worth at most
 _BOUND = math.log(100)
@@ -111,10 +111,14 @@ class Evidence:
         ours: Answers,
         theirs: Sequence[Answers | None],
         weights: Sequence[float],
-        targets: Sequence[AnyTarget],
+        rights: Sequence[Outline],
+        answer: Type,
+        usual: Usual,
     ) -> None:
         self._ours = ours
-        self._wrong = {case: WrongAnswer(given, targets[case]) for case, given in ours.wrong.items()}
+        self._wrong = {
+            case: WrongAnswer(given, rights[case], answer, usual) for case, given in ours.wrong.items()
+        }
         self._failed = len(ours.wrong)
         self._size = max(1, ours.reached + sum(case >= ours.reached for case in ours.wrong))
         self._worth = min(1.0, _INDEPENDENT / self._size)

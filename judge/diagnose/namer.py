@@ -51,7 +51,7 @@ class Namer:
         if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
             return result
         mistakes, known = self._programs()
-        match = best_match(behaviour(result), known, self._data.groups)
+        match = best_match(behaviour(result), known, self._data.groups, self._data.problem.answer)
         if match is None:
             return result
         found = [mistakes[place] for place in match.places]

@@ -12,9 +12,9 @@ from fractions import Fraction
 from itertools import combinations, islice
 from math import gcd
 
-from judge.diagnose.simplicity import numbers_of
+from judge.diagnose.simplicity import numbers_of, with_numbers
 from judge.diagnose.trial import Finding, Trial
-from judge.problem import Case, Group
+from judge.problem import Case, Group, Problem
 from judge.problem.model import Number
 
 _ROUNDS = 60
@@ -29,7 +29,7 @@ def polished(trial: Trial, start: Finding, group: Group) -> Finding:
     if simpler is not None:
         best = _better(trial, best, group, simpler(trial.problem, start.case))
     for _ in range(_ROUNDS):
-        after = _better(trial, best, group, steps(best.case))
+        after = _better(trial, best, group, _steps(trial.problem, best.case))
         if after is best or trial.budget.spent:
             return after
         best = after
@@ -46,6 +46,18 @@ def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) ->
         if found is not None:
             return found
     return best
+
+
+def _steps(problem: Problem, case: Case) -> Iterator[Case]:
+    yield from fewer(problem, case)
+    yield from steps(case)
+
+
+def fewer(problem: Problem, case: Case) -> Iterator[Case]:
+    """The case with a shorter list, or a simpler word, in one place."""
+    for place, (parameter, value) in enumerate(zip(problem.parameters, case, strict=True)):
+        for other in islice(parameter.type.simpler(value), _MOST):
+            yield (*case[:place], other, *case[place + 1 :])
 
 
 def steps(case: Case) -> Iterator[Case]:
@@ -172,5 +184,4 @@ def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number], *, 
 
 
 def _rebuilt(case: Case, numbers: list[Number]) -> Case:
-    rest = iter(numbers)
-    return tuple((next(rest), next(rest)) if isinstance(each, tuple) else next(rest) for each in case)
+    return with_numbers(case, iter(numbers))

@@ -86,6 +86,7 @@ def _original(problem: Problem, group: Group, case: Case, failure: Failure, call
         _PASSING,
         None,
         calls,
+        failure.given,
     )
 
 
@@ -173,6 +174,7 @@ class _Search:
             best.message,
             encode(self._problem, best.group, best.case, choices),
             self._trial.budget.calls,
+            best.given,
         )
 
 

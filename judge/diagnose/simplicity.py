@@ -13,12 +13,26 @@ _SPECIAL = 3  # and so does what is special in itself
 
 
 def numbers_of(case: Case) -> Iterator[Number]:
-    """The numbers of a case, in order."""
+    """The numbers of a case, in order, however deep in it; words and None are none."""
     for argument in case:
         if isinstance(argument, tuple):
-            yield from argument
-        else:
+            yield from numbers_of(argument)
+        elif isinstance(argument, int | float):
             yield argument
+
+
+def with_numbers(case: Case, numbers: Iterator[Number]) -> Case:
+    """The case with other numbers in their places."""
+    return tuple(
+        [
+            with_numbers(argument, numbers)
+            if isinstance(argument, tuple)
+            else next(numbers)
+            if isinstance(argument, int | float)
+            else argument
+            for argument in case
+        ]
+    )
 
 
 def digits(number: Number) -> int:

@@ -12,20 +12,17 @@ from collections.abc import Callable, Iterable, Sequence
 from msgspec import Struct
 from msgspec.structs import astuple
 
-from judge.compare.answers import Answer
-from judge.compare.check import Rejection, check, wanted_text
-from judge.compare.targets import AnyTarget
-from judge.compare.text import check_line, render_target
 from judge.data.build import target_of
 from judge.data.module import ProblemModule
 from judge.data.validate import Proof, Validator
 from judge.diagnose.simplicity import Measure, measure
 from judge.errors import ProblemError
-from judge.problem import AnswerKind, Case, Group, Problem, Tolerance, Verdict
+from judge.problem import Case, Group, Problem, Tolerance, Verdict
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
 from judge.run.tally import VERDICTS
 from judge.sandbox import Box, Limits, Stop
+from judge.values import Exact, Outline, Raw, Rejection, Target
 
 Clock = Callable[[], float]
 
@@ -46,6 +43,7 @@ class Finding(Struct, frozen=True):
     got: str
     message: str
     kind: tuple[str, ...]  # in which way it fails: what is wanted and given, roughly
+    given: Raw = None  # the answer itself, None where there is none
 
 
 class Budget:
@@ -91,7 +89,7 @@ class Trial:
         self._judge_box = judge_box
         self._known: dict[tuple[str, str], Finding | None] = {}
         self._proofs: dict[str, Proof] = {}
-        self._targets: dict[tuple[str, str], AnyTarget] = {}
+        self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
 
     def look_for(self, finding: Finding) -> None:
@@ -187,7 +185,7 @@ class Trial:
             self._proofs[key] = self._validator.proof(case)
         return self._proofs[key]
 
-    def _target(self, case: Case, group: Group) -> AnyTarget:
+    def _target(self, case: Case, group: Group) -> Target:
         key = (group.name, repr(case))
         if key not in self._targets:
             self._targets[key] = target_of(self.problem, self._proof(case).answer, group.tolerance)
@@ -203,35 +201,41 @@ class Trial:
             short = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, short)
             wall = min(wall, max(SHORT_SECONDS, min(2 * short, round(self.budget.left, 1))))
-        return Limits(cpu, wall, memory, output)
+        return Limits(cpu, wall, memory, output, items=self.problem.answer.items)
 
     def _asked(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
+        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
     ) -> list[Finding | None]:
         """How each of the cases that were reached came out; None where it is right."""
         ask = self._calls if self._mode is Mode.FUNCTION else self._program
         return ask(box, cases, targets, group, limits)
 
     def _calls(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
+        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
     ) -> list[Finding | None]:
         ended: list[Finding | None] = []
-        replies = box.call_many(self.problem.entry, cases, limits).replies
+        answer = self.problem.answer
+        replies = box.call_many(self.problem.entry, self.problem.calls(cases), limits).replies
         for case, target, reply in zip(cases, targets, replies, strict=False):
             if reply.stop is not Stop.ANSWERED:
-                wanted = wanted_text(target)
+                wanted = answer.wanted(target)
                 ended.append(self._stopped(case, group, VERDICTS[reply.stop], wanted, reply.detail))
                 continue
-            outcome = check(self.problem.answer, reply.answer, target, self._exact(case, group))
-            ended.append(self._rejected(case, group, outcome) if isinstance(outcome, Rejection) else None)
+            outcome = answer.check(reply.answer, target, self._exact(case, group))
+            if isinstance(outcome, Rejection):
+                way = _way(answer.right(target), answer.outline(reply.answer), outcome)
+                ended.append(self._rejected(case, group, outcome, way, reply.answer))
+            else:
+                ended.append(None)
         return ended
 
     def _program(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
+        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
     ) -> list[Finding | None]:
-        result = box.run_program(render_group(cases), limits)
+        answer = self.problem.answer
+        result = box.run_program(render_group(self.problem, cases), limits)
         if result.stop is not Stop.ANSWERED:
-            wanted, verdict = render_target(targets[0]), VERDICTS[result.stop]
+            wanted, verdict = answer.line(targets[0]), VERDICTS[result.stop]
             return [self._stopped(case, group, verdict, wanted, result.detail) for case in cases[:1]]
         lines = answer_lines(result.stdout, complete=True)
         if len(cases) == 1:
@@ -242,37 +246,47 @@ class Trial:
             return []  # which case is to blame is not known
         ended: list[Finding | None] = []
         for case, target, line in zip(cases, targets, lines, strict=False):
-            outcome = check_line(self.problem.answer, line, target, self._exact(case, group))
-            ended.append(self._rejected(case, group, outcome) if isinstance(outcome, Rejection) else None)
+            outcome = answer.check_line(line, target, self._exact(case, group))
+            if isinstance(outcome, Rejection):
+                way = _way(answer.right(target), answer.line_outline(line), outcome)
+                read = answer.read_line(line)
+                given = None if isinstance(read, str) else read[0]
+                ended.append(self._rejected(case, group, outcome, way, given))
+            else:
+                ended.append(None)
         return ended
 
-    def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Answer, Tolerance]]:
+    def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
         return lambda: (self._proof(case).answer, group.tolerance)
 
-    def _rejected(self, case: Case, group: Group, outcome: Rejection) -> Finding:
-        kind = self.problem.answer
-        off = "off" if outcome.where else "other"
-        wanted, got = _shape(kind, outcome.wanted), _shape(kind, outcome.got)
-        if got.isdecimal() and got != wanted:  # of 1 both 0 and 2 are the same mistake
-            got = "another number"
-        elif got == "zero":  # as wrong as any other
-            got = "a number"
-        way = (wanted, got, off)
+    def _rejected(
+        self, case: Case, group: Group, outcome: Rejection, way: tuple[str, ...], given: Raw
+    ) -> Finding:
         texts = outcome.wanted, outcome.got, outcome.message
-        return Finding(case, group, self.measure(case), Verdict.WA, *texts, way)
+        return Finding(case, group, self.measure(case), Verdict.WA, *texts, way, given)
 
     def _stopped(self, case: Case, group: Group, verdict: Verdict, wanted: str, detail: str) -> Finding:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
         return Finding(case, group, self.measure(case), verdict, wanted, "no answer", detail, way)
 
 
-def _shape(kind: AnswerKind, text: str) -> str:
-    """What an answer is, without its numbers: a count, how many points, whether there is a parameter."""
-    if kind is AnswerKind.POINTS:
-        return str(text.count("(")) if text[:1] in "[(" else text.partition(" ")[0][:20]
-    if kind is AnswerKind.COUNT:
-        return text[:20].lower()
-    try:
-        return "a number" if float(text) else "zero"
-    except ValueError:
-        return text.partition(" ")[0][:20].lower()
+def _way(right: Outline, given: Outline, outcome: Rejection) -> tuple[str, ...]:
+    """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
+    wanted, got = _sort(right), _sort(given)
+    if (
+        got.rpartition(" ")[2].isdecimal() and got != wanted
+    ):  # of a wanted 1 both 0 and 2 are the same mistake
+        got = "another number"
+    elif got == "zero":  # as wrong as any other
+        got = "a number"
+    return wanted, got, "off" if outcome.where else "other"
+
+
+def _sort(outline: Outline) -> str:
+    """What an answer is: an int itself, how many items, whether it is a number, a word, none."""
+    form, numbers = outline
+    if form == "number":
+        return "a number" if numbers[0] else "zero"
+    if form in ("count", "type float"):
+        return f"{numbers[0]:.0f}" if form == "count" else f"type float{numbers[:1]}"
+    return " ".join(form.split()[:2])

@@ -1,26 +1,23 @@
 """What a problem is, and the words it is judged in."""
 
 from judge.problem.model import (
-    AnswerKind,
     Argument,
     Case,
     Example,
     Group,
     Limits,
-    Number,
     Parameter,
-    ParameterType,
     Point,
     Problem,
     ShownSkill,
     Tier,
     TimeRule,
-    Tolerance,
 )
 from judge.problem.verdict import Verdict
+from judge.values.tolerance import Tolerance
+from judge.values.type import Number
 
 __all__ = [
-    "AnswerKind",
     "Argument",
     "Case",
     "Example",
@@ -28,7 +25,6 @@ __all__ = [
     "Limits",
     "Number",
     "Parameter",
-    "ParameterType",
     "Point",
     "Problem",
     "ShownSkill",

@@ -18,18 +18,10 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import (
-    AnswerKind,
-    Group,
-    Limits,
-    Parameter,
-    Problem,
-    ShownSkill,
-    TimeRule,
-    Tolerance,
-)
+from judge.problem.model import Group, Limits, Parameter, Problem, ShownSkill, TimeRule
 from judge.problem.statement import EXAMPLES, read_statement
 from judge.problem.tomlfile import TomlFile, meant
+from judge.values import Tolerance, Type, TypeFault, Words, parse
 
 _POINTS = 100
 _MOST_CASES = 1_000_000
@@ -70,6 +62,7 @@ class _Reader:
         self.folder = folder
         self.file = TomlFile(folder)
         self.fault = self.file.fault
+        self._known_answer: Type | None = None
 
     def problem(self, solutions: Path) -> Problem:
         """Everything, checked."""
@@ -83,7 +76,7 @@ class _Reader:
             tier=table.tier,
             summary=table.summary,
             entry=table.entry,
-            answer=table.answer,
+            answer=self._answer(table),
             parameters=self._parameters(table),
             bands=bands,
             limits=self._limits(table.limits),
@@ -124,7 +117,24 @@ class _Reader:
             self.fault(
                 (*path, "low"), f"the bounds of {table.name!r} leave nothing: low is above high", "swap them"
             )
-        return Parameter(table.name, table.type, low, high, table.about)
+        type_ = self._type(table.type, (*path, "type"))
+        if not type_.is_parameter:
+            self.fault((*path, "type"), f"no parameter can be {type_.noun}", "give it another type")
+        return Parameter(table.name, type_, low, high, table.about)
+
+    def _answer(self, table: schema.ProblemTable) -> Type:
+        if self._known_answer is None:
+            words = table.words
+            own = Words(words.answer, words.meant, words.missing, words.order) if words else Words()
+            self._known_answer = self._type(table.answer, ("answer",)).worded(own)
+        return self._known_answer
+
+    def _type(self, text: str, path: KeyPath) -> Type:
+        types = self.folder.parent / "types"
+        try:
+            return parse(text, types if types.is_dir() else None)
+        except TypeFault as fault:
+            self.fault(path, f"{path[-1]} = {fault.what}", fault.remedy)
 
     def _limits(self, table: schema.LimitsTable) -> Limits:
         for key in table.__struct_fields__:
@@ -210,9 +220,10 @@ class _Reader:
         own = group.tolerance is not None
         given = group.tolerance or table.tolerance
         place: KeyPath = (*path, "tolerance") if own else ("tolerance",)
-        if table.answer is AnswerKind.COUNT:
+        if not self._answer(table).measured:
             if given is not None:
-                self.fault(place, "a count is right or wrong and has no tolerance", "remove it")
+                what = "an answer without real numbers is right or wrong and has no tolerance"
+                self.fault(place, what, "remove it")
             return Tolerance()
         if given is None:
             self.fault(path, f"group {group.name!r} has no tolerance", "add a [tolerance] table")
@@ -221,10 +232,6 @@ class _Reader:
             if width < 0:
                 self.fault((*place, key), f"the tolerance {key} is negative", "give 0 or more")
         tolerance = Tolerance(**exact)
-        if tolerance.extent and table.answer is AnswerKind.PARAMETER:
-            self.fault(
-                (*place, "extent"), "a parameter has no tolerance in `extent`", "use relative and zero"
-            )
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance

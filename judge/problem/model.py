@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
@@ -10,18 +11,13 @@ from typing import Any
 
 from msgspec import Struct
 
-Number = int | float
+from judge.values.tolerance import Tolerance as Tolerance
+from judge.values.type import Number as Number
+from judge.values.type import Type
+
 Point = tuple[Number, Number]
-Argument = Number | Point
+Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
-
-
-class AnswerKind(Enum):
-    """What a submission returns."""
-
-    COUNT = "count"  # 0, 1, 2 or None
-    POINTS = "points"  # a list of 0 to 2 points (x, y)
-    PARAMETER = "parameter"  # a number t, or None
 
 
 class Tier(Enum):
@@ -33,36 +29,14 @@ class Tier(Enum):
     PROFESSIONAL = "professional"
 
 
-class ParameterType(Enum):
-    """The type of one parameter."""
-
-    NUMBER = "number"  # an int or a float
-    INTEGER = "integer"  # an int
-    POINT = "point"  # a pair of numbers
-    INTEGER_POINT = "integer-point"  # a pair of ints
-
-
 class Parameter(Struct, frozen=True, cache_hash=True):
     """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
 
     name: str
-    type: ParameterType
+    type: Type
     low: Fraction
     high: Fraction
     about: str
-
-
-class Tolerance(Struct, frozen=True):
-    """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
-
-    `unit` belongs to the case and is given with its exact answer, such as the size of what it is about.
-    Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
-    """
-
-    extent: Fraction = Fraction(0)
-    relative: Fraction = Fraction(0)
-    zero: Fraction = Fraction(0)
-    ulps: Fraction = Fraction(0)
 
 
 class Limits(Struct, frozen=True):
@@ -126,7 +100,7 @@ class Problem(Struct, frozen=True):
     tier: Tier
     summary: str
     entry: str
-    answer: AnswerKind
+    answer: Type
     parameters: tuple[Parameter, ...]
     bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
     limits: Limits
@@ -139,6 +113,15 @@ class Problem(Struct, frozen=True):
     sets: tuple[str, ...] = ()  # the practice sets that it is in
     place: int | None = None  # in its tier's order; without one it comes last
     skills: tuple[ShownSkill, ...] = ()
+
+    def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
+        """The cases as a submission receives them: with lists and arrays, where a case has tuples."""
+        types = [parameter.type for parameter in self.parameters]
+        if all(type_.is_plain for type_ in types):
+            return cases
+        return [
+            tuple([type_.argument(value) for type_, value in zip(types, case, strict=True)]) for case in cases
+        ]
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""

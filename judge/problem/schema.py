@@ -8,7 +8,7 @@ from typing import Any
 
 import msgspec
 
-from judge.problem.model import AnswerKind, ParameterType, Tier
+from judge.problem.model import Tier
 
 Exact = int | Decimal  # a number of the file, never rounded
 
@@ -39,11 +39,20 @@ class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     program: str | None = None
 
 
+class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[words]`: the problem's own words for its answers, where a message needs them."""
+
+    answer: str = ""
+    meant: str = ""
+    missing: str = ""
+    order: str = ""
+
+
 class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """One `[[parameters]]`."""
 
     name: str
-    type: ParameterType
+    type: str
     low: Exact
     high: Exact
     about: str
@@ -77,12 +86,13 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     tier: Tier
     summary: str
     entry: str
-    answer: AnswerKind
+    answer: str
     limits: LimitsTable
     parameters: list[ParameterTable]
     groups: list[GroupTable]
     tolerance: ToleranceTable | None = None
     bands: dict[str, Exact] = {}
+    words: WordsTable | None = None
     time: TimeTable | None = None
     sets: list[str] = []
     place: int | None = None
@@ -93,6 +103,7 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "tolerance": ToleranceTable,
     "limits": LimitsTable,
     "time": TimeTable,
+    "words": WordsTable,
     "parameters": ParameterTable,
     "groups": GroupTable,
     "skills": SkillTable,
@@ -109,5 +120,5 @@ def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
 
 def enum_values(path: tuple[str | int, ...]) -> tuple[str, ...]:
     """The words that the key at `path` may have."""
-    kinds: dict[str | int, type[Enum]] = {"tier": Tier, "answer": AnswerKind, "type": ParameterType}
+    kinds: dict[str | int, type[Enum]] = {"tier": Tier}
     return tuple(member.value for member in kinds[path[-1]])

@@ -97,14 +97,13 @@ def _call(text: str, problem: Problem, where: str) -> Case:
         return tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
     except ValueError:
         raise ProblemError(
-            "the example's arguments are no plain numbers and points", where=where, remedy=remedy
+            "the example's arguments are no plain values", where=where, remedy=remedy
         ) from None
 
 
 def _argument(value: Any) -> Argument:
-    """A point may be written as a list; the data's validator judges everything else."""
-    plain: Argument = tuple(value) if isinstance(value, list) else value
-    return plain
+    """Lists are kept as tuples; the data's validator judges everything else."""
+    return tuple(map(_argument, value)) if isinstance(value, list | tuple) else value
 
 
 def _wanted(text: str, where: str) -> Any:
@@ -116,4 +115,4 @@ def _wanted(text: str, where: str) -> Any:
         return ast.literal_eval(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         what = f"the example's answer {text!r} is no plain value"
-        raise ProblemError(what, where=where, remedy="write numbers, points (x, y), lists or None") from None
+        raise ProblemError(what, where=where, remedy="write numbers, words, tuples, lists or None") from None

@@ -79,7 +79,7 @@ def _parameter_table(parameters: Sequence[Parameter]) -> Table:
     rows: list[list[Cell]] = [
         [
             Span(parameter.name, Style.STRONG),
-            parameter.type.value.replace("-", " "),
+            str(parameter.type).replace("-", " "),
             bound(parameter.low),
             bound(parameter.high),
             parameter.about,

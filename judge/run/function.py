@@ -32,7 +32,7 @@ def judge_calls(
         # A group that has lost a call goes on by itself, with what is left of its limits.
         batch = waiting if not waiting[0].done else waiting[:1]
         tally = batch[0].tally
-        series = [group.tally.group.cases[group.done :] for group in batch]
+        series = [tally.problem.calls(group.tally.group.cases[group.done :]) for group in batch]
         called = iter(batch)
         results = box.call_series(
             tally.problem.entry,
@@ -65,14 +65,12 @@ class _Group:
 
     def record(self, result: CallsResult, budget: Budget) -> None:
         """Compare the answers of one series, or note how its calls ended."""
-        from judge.compare.check import check
-
         tally = self.tally
         tally.usage += result.usage
         for index, reply in enumerate(result.replies, self.done):
             if reply.stop is Stop.ANSWERED:
                 target = tally.group.targets[index]
-                outcome = check(tally.problem.answer, reply.answer, target, tally.exact(index))
+                outcome = tally.problem.answer.check(reply.answer, target, tally.exact(index))
                 tally.compared(index, outcome, reply.answer)
             else:
                 tally.stopped(index, reply.stop, budget.told(reply.stop, reply.detail))

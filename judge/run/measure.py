@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import takewhile
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
-from judge.problem import Case, Problem, Verdict
+from judge.problem import Problem, Verdict
 from judge.problem.solutions import accepted_source
 from judge.run.budget import Budget
 from judge.run.program import answer_lines, render_group
@@ -15,6 +15,7 @@ from judge.run.result import Mode
 from judge.run.tally import VERDICTS, Tally
 from judge.run.timing import Decision, race
 from judge.sandbox import Box, BoxFactory, Limits, Stop, Usage
+from judge.values import Accepted
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
@@ -78,18 +79,19 @@ def measure(
     places = [(tally, index) for tally in tallies for index in range(len(tally.group.cases))]
     places = places[:: 1 + (len(places) - 1) // MOST_CASES]
     cases = [tally.group.cases[index] for tally, index in places]
+    calls = problem.calls(cases)
     limits = _limits(problem, len(tallies))
     used = sum((tally.usage for tally in tallies), Usage())
     tighter = limits._replace(
         cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
         wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
     )
-    stdin = render_group(cases) if mode is Mode.PROGRAM else b""
+    stdin = render_group(problem, cases) if mode is Mode.PROGRAM else b""
 
     def turn(box: Box, within: Limits) -> _Turn:
         if mode is Mode.PROGRAM:
             return _program_turn(box, stdin, within)
-        return _calls_turn(box, problem.entry, cases, within)
+        return _calls_turn(box, problem.entry, calls, within)
 
     taken = Usage()
 
@@ -126,8 +128,8 @@ class _Turn(NamedTuple):
     usage: Usage
 
 
-def _calls_turn(box: Box, entry: str, cases: Sequence[Case], limits: Limits) -> _Turn:
-    replies, usage = box.call_many(entry, cases, limits)
+def _calls_turn(box: Box, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> _Turn:
+    replies, usage = box.call_many(entry, calls, limits)
     answers = [reply.answer for reply in takewhile(lambda reply: reply.stop is Stop.ANSWERED, replies)]
     stop, _, detail = replies[min(len(answers), len(replies) - 1)]
     return _Turn(answers, stop, detail, usage)
@@ -141,13 +143,9 @@ def _program_turn(box: Box, stdin: bytes, limits: Limits) -> _Turn:
 
 def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[Tally, int]]) -> bool:
     """Whether all answers are accepted as when they were judged; the first that is not is recorded."""
-    from judge.compare.check import Accepted, check
-    from judge.compare.text import check_line
-
-    compare: Callable[..., Any] = check_line if mode is Mode.PROGRAM else check
     for (tally, index), answer in zip(places, turn.answers, strict=False):
-        kind, target = tally.problem.answer, tally.group.targets[index]
-        outcome = compare(kind, answer, target, tally.exact(index))
+        compare = tally.problem.answer.check_line if mode is Mode.PROGRAM else tally.problem.answer.check
+        outcome = compare(answer, tally.group.targets[index], tally.exact(index))
         if not isinstance(outcome, Accepted):
             tally.unsteady(index, Verdict.WA, f"{outcome.message}, {_AGAIN}", outcome.got)
             return False
@@ -166,5 +164,9 @@ def _limits(problem: Problem, groups: int) -> Limits:
     """The bounds of all groups together."""
     each = problem.limits
     return Limits(
-        each.cpu_seconds * groups, each.wall_seconds * groups, each.memory_bytes, each.output_bytes * groups
+        each.cpu_seconds * groups,
+        each.wall_seconds * groups,
+        each.memory_bytes,
+        each.output_bytes * groups,
+        items=problem.answer.items,
     )

@@ -1,14 +1,14 @@
 """Program mode: the submission reads a whole group from stdin and writes a line for each case.
 
 T                      number of cases
-cx cy r ax ay bx by    the parameters in order, floats as `repr`; T such lines
+cx cy r ax ay bx by    the parameters in order, as their types write them; T such lines
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
-from judge.problem import Argument, Case, Verdict
+from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.tally import VERDICTS, Tally, group_limits
 from judge.sandbox import Box, ProgramResult, Stop
@@ -17,18 +17,14 @@ SHOWN = 80  # characters of a line that is quoted
 SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
 
 
-def render_group(cases: Sequence[Case]) -> bytes:
+def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
     """The standard input of a program that is judged on these cases."""
-    lines = [str(len(cases)), *(" ".join(_numbers(case)) for case in cases)]
+    types = [parameter.type for parameter in problem.parameters]
+    lines = [str(len(cases))]
+    for case in cases:
+        words = (word for type_, value in zip(types, case, strict=True) for word in type_.tokens(value))
+        lines.append(" ".join(words))
     return ("\n".join(lines) + "\n").encode("ascii")
-
-
-def _numbers(arguments: Iterable[Argument]) -> Iterator[str]:
-    for argument in arguments:
-        if isinstance(argument, (tuple, list)):
-            yield from _numbers(argument)
-        else:
-            yield repr(argument)
 
 
 def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
@@ -65,10 +61,8 @@ def judge_programs(
 
 def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
     """Run the program once on the whole group and compare it line by line."""
-    from judge.compare.text import check_line
-
     problem, cases = tally.problem, tally.group.cases
-    result = box.run_program(render_group(cases), budget.within(group_limits(problem, tally.usage)))
+    result = box.run_program(render_group(problem, cases), budget.within(group_limits(problem, tally.usage)))
     result = result._replace(detail=budget.told(result.stop, result.detail))
     tally.usage += result.usage
     # An exit status of its own is no loss: that costs nothing, and many a program has one.
@@ -80,7 +74,7 @@ def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
     surplus = lines[len(cases) :]
     compared = lines[: len(cases) - bool(surplus)]
     for index, line in enumerate(compared):
-        outcome = check_line(problem.answer, line, tally.group.targets[index], tally.exact(index))
+        outcome = problem.answer.check_line(line, tally.group.targets[index], tally.exact(index))
         tally.compared(index, outcome, line)
     tally.reached = len(compared)
     if surplus:
@@ -122,7 +116,7 @@ def _culprit(box: Box, tally: Tally, budget: Budget) -> int | None:
     )
 
     def breaks(count: int) -> bool:
-        result = box.run_program(render_group(cases[:count]), budget.within(limits))
+        result = box.run_program(render_group(tally.problem, cases[:count]), budget.within(limits))
         budget.searched(result.usage)
         return result.stop is not Stop.ANSWERED
 

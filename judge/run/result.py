@@ -16,7 +16,7 @@ from judge.errors import ExitCode
 from judge.problem import Verdict
 
 if TYPE_CHECKING:
-    from judge.compare.outline import Outline
+    from judge.values import Outline, Raw
 
 SCHEMA = 1
 
@@ -65,8 +65,9 @@ class GroupResult(Struct, frozen=True):
 class Failure(Struct, frozen=True):
     """The first failing case, or why nothing could be run (then only `message` is set).
 
-    `case` counts from 1 within its group. `input` maps a parameter's name to its number or `[x, y]`.
-    `where` says which number is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
+    `case` counts from 1 within its group. `input` maps a parameter's name to its value, tuples as lists.
+    `where` says which part is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
+    `given` is the answer itself, as the submission sent it; None where there is none.
     """
 
     message: str
@@ -79,6 +80,7 @@ class Failure(Struct, frozen=True):
     absolute: float | None = None
     relative: float | None = None
     ulps: float | None = None
+    given: Raw = None
 
     def as_json(self) -> dict[str, Any]:
         """The failure's object in the published form."""
@@ -172,6 +174,7 @@ class Result(Struct, frozen=True):
     isolation: str = "limits"
     counterexample: dict[str, Any] | None = None
     pitfall: Pitfall | None = None
+    counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
 
     @property
     def score(self) -> int:

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any
 from judge.problem import Case, Problem, Verdict
 from judge.run.result import Failure, GroupResult, Mode
 from judge.sandbox import Limits, Stop, Usage
+from judge.values import Accepted
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
-    from judge.compare.check import Accepted, Rejection
-    from judge.compare.outline import Outline
     from judge.data import GroupData, ProblemData
     from judge.problem import Tolerance
+    from judge.values import Exact, Outcome, Outline
 
 VERDICTS = {
     Stop.EXCEPTION: Verdict.RTE,
@@ -49,14 +48,12 @@ class Tally:
         self._mode = mode
         self._worst: float | None = None
 
-    def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
-        """What `check` calls if it needs the exact answer of a case."""
+    def exact(self, index: int) -> Callable[[], tuple[Exact, Tolerance]]:
+        """What comparing calls if it needs the exact answer of a case."""
         return lambda: self._data.exact(self.group.cases[index], self.group.group)
 
-    def compared(self, index: int, outcome: Accepted | Rejection, given: Any) -> None:
+    def compared(self, index: int, outcome: Outcome, given: Any) -> None:
         """Record what comparing `given`, the answer of a case or its line, came to."""
-        from judge.compare.check import Accepted
-
         if isinstance(outcome, Accepted):
             self.passed += 1
             worst = outcome.worst_ulps
@@ -78,6 +75,7 @@ class Tally:
                 outcome.absolute,
                 outcome.relative,
                 outcome.ulps,
+                self._raw(given),
             )
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
@@ -113,10 +111,15 @@ class Tally:
         self.failed(index, verdict, message, got)
 
     def _outline(self, given: Any) -> Outline:
-        from judge.compare.outline import line_outline, outline
+        answer = self.problem.answer
+        return answer.outline(given) if self._mode is Mode.FUNCTION else answer.line_outline(given)
 
-        describe = outline if self._mode is Mode.FUNCTION else line_outline
-        return describe(self.problem.answer, given)
+    def _raw(self, given: Any) -> Any:
+        """The answer itself; None, too, where a line holds none."""
+        if self._mode is Mode.FUNCTION:
+            return given
+        read = self.problem.answer.read_line(given)
+        return None if isinstance(read, str) else read[0]
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
@@ -124,11 +127,8 @@ class Tally:
         self.failure = Failure(message, self.group.group.name)
 
     def _wanted(self, index: int) -> str:
-        from judge.compare.check import wanted_text
-        from judge.compare.text import render_target
-
-        text = wanted_text if self._mode is Mode.FUNCTION else render_target
-        return text(self.group.targets[index])
+        answer, target = self.problem.answer, self.group.targets[index]
+        return answer.wanted(target) if self._mode is Mode.FUNCTION else answer.line(target)
 
     @property
     def out_of_time(self) -> bool:
@@ -153,11 +153,12 @@ class Tally:
 
 
 def named_input(problem: Problem, case: Case) -> dict[str, Any]:
-    """A case's arguments by parameter name, points as lists."""
-    return {
-        parameter.name: list(value) if isinstance(value, (tuple, list)) else value
-        for parameter, value in zip(problem.parameters, case, strict=True)
-    }
+    """A case's arguments by parameter name, tuples as lists."""
+    return {parameter.name: _listed(value) for parameter, value in zip(problem.parameters, case, strict=True)}
+
+
+def _listed(value: Any) -> Any:
+    return [_listed(each) for each in value] if isinstance(value, tuple | list) else value
 
 
 def group_limits(problem: Problem, used: Usage) -> Limits:
@@ -168,4 +169,5 @@ def group_limits(problem: Problem, used: Usage) -> Limits:
         max(0.0, limits.wall_seconds - used.wall_seconds),
         limits.memory_bytes,
         limits.output_bytes,
+        items=problem.answer.items,
     )

@@ -6,6 +6,7 @@ import contextlib
 import marshal
 import sys
 import threading
+from array import array
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -33,7 +34,6 @@ OnLevel = Callable[[str, bool], None]  # a level, and whether it was refused for
 Refuse = Callable[[NotStarted], JudgeError]
 
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
-_SEQUENCES = frozenset({list, tuple})
 _LOST = "it stopped the process that watches it"
 
 
@@ -151,7 +151,7 @@ class ForkServerBox:
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
-        packed = _packed(entry, series)
+        packed = _packed(entry, series, limits.items)
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
@@ -325,12 +325,27 @@ def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
 
 
-def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
-    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
+def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]], most: int) -> list[bytes]:
+    """What the child needs for each series.
+
+    The entry, how many calls there are in all, how many items an answer may have, which arguments are arrays,
+    and the arguments.
+    """
     count = sum(len(calls) for calls in series)
-    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
+    places = {
+        place
+        for calls in series
+        for arguments in calls
+        for place, value in enumerate(arguments)
+        if type(value) is array
+    }
+    carried = _sent if places else tuple
+    return [
+        marshal.dumps((entry, count, most, tuple(places), [carried(arguments) for arguments in calls]))
+        for calls in series
+    ]
 
 
-def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:
-    """A sequence as a tuple, and the sequences in it too."""
-    return tuple([_frozen(item) if type(item) in _SEQUENCES else item for item in value])
+def _sent(arguments: Sequence[Any]) -> tuple[Any, ...]:
+    """The arguments, an array as its code and its bytes."""
+    return tuple([(each.typecode, each.tobytes()) if type(each) is array else each for each in arguments])

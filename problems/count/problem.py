@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from judge.compare.answers import Count
 from judge.topics.circles import LINE, Bands, CircleLine, builders
 from judge.topics.circles.recipes import counting
 
@@ -13,4 +12,4 @@ TOPIC = LINE
 def solve(cx, cy, r, A, B, *, bands):
     """0, 1 or 2 by exact signs, None for A == B; a line may not be nearly within the tangency band."""
     line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
-    return Count(widths.count(line)), widths.broken_count(line)
+    return widths.count(line), widths.broken_count(line)

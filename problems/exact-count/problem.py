@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from judge.compare.answers import Count
 from judge.topics.circles import LINE, builders
 from judge.topics.circles.recipes import counting
 
@@ -17,7 +16,7 @@ def solve(cx, cy, r, A, B):
     """
     dx, dy = B[0] - A[0], B[1] - A[1]
     if dx == dy == 0:
-        return Count(None), None
+        return None, None
     cross = dx * (A[1] - cy) - dy * (A[0] - cx)
     reach, distance = r * r * (dx * dx + dy * dy), cross * cross
-    return Count(1 + (reach > distance) - (reach < distance)), None
+    return 1 + (reach > distance) - (reach < distance), None

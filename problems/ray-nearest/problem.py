@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from judge.compare.answers import Parameter
 from judge.topics.circles import RAY, Bands, CircleLine, builders
 from judge.topics.circles.recipes import rays
+from judge.values import Real
 
 BUILDERS = builders(rays.RECIPES)
 TOPIC = RAY
@@ -13,4 +13,5 @@ TOPIC = RAY
 def solve(cx, cy, r, origin, direction, *, bands):
     """The least t >= 0 or None; the unit is the extent in terms of t, which only t = 0 needs."""
     line, widths = CircleLine.ray(cx, cy, r, origin, direction), Bands.of(bands)
-    return Parameter(widths.ray(line), line.extent_parameter()), widths.broken_ray(line)
+    t = widths.ray(line)
+    return None if t is None else Real(t, line.extent_parameter()), widths.broken_ray(line)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from judge.compare.answers import Points
 from judge.topics.circles import SEGMENT, Bands, CircleLine, builders
 from judge.topics.circles.recipes import endpoints
+from judge.values import vector
 
 BUILDERS = builders(endpoints.RECIPES)
 TOPIC = SEGMENT
@@ -13,5 +13,5 @@ TOPIC = SEGMENT
 def solve(cx, cy, r, A, B, *, bands):
     """The common points in order of t; none of them, and no tangency, may be nearly within a band."""
     line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
-    points = tuple(line.point(which) for which in widths.segment(line))
-    return Points(points, line.extent_length()), widths.broken_segment(line)
+    points = [vector(line.point(which), line.extent_length()) for which in widths.segment(line)]
+    return points, widths.broken_segment(line)

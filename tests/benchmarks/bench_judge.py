@@ -23,7 +23,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from judge.compare.targets import compile_answer  # noqa: E402
 from judge.data.module import load_module  # noqa: E402
 from judge.problem import Tolerance  # noqa: E402
 from judge.problem.find import find_problem  # noqa: E402
@@ -92,12 +91,13 @@ def large_cases() -> Iterator[tuple[int, int, int, tuple[int, int], tuple[int, i
 def answers(rounds: int) -> None:
     """The third figure: building exact-count's answers as its data are built."""
     cases = list(large_cases())
-    reference = load_module(find_problem("exact-count")).reference
+    problem = find_problem("exact-count")
+    reference = load_module(problem).reference
     tolerance = Tolerance()
 
     def build() -> None:
         for case in cases:
-            compile_answer(reference(*case), tolerance)
+            problem.answer.target(reference(*case), tolerance)
 
     def formula() -> None:
         for cx, cy, r, (ax, ay), (bx, by) in cases:

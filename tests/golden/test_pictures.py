@@ -64,7 +64,7 @@ def test_any_case_can_be_drawn_with_any_answer(name):
     chosen = random.Random(name)
     for group in load_data(problem).groups:
         for case in chosen.sample(group.cases, min(2, len(group.cases))):
-            right = wanted_words(module.solve(*case).answer)
+            right = wanted_words(problem, module.solve(*case).answer)
             for got in (right, chosen.choice(ANSWERS)):
                 picture = picture_of(problem, case, got, module)
                 check_svg(to_svg(picture))

@@ -18,9 +18,9 @@ ROOMS = [
     "diagnose",
     "run",
     "data",
-    "compare",
     "problem",
     "drawing",
+    "values",
     "exact",
     "errors",
 ]

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.problem import AnswerKind, ParameterType, Tier, Tolerance
+from judge.problem import Tier, Tolerance
 from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
@@ -50,13 +50,13 @@ def floating(tmp_path):
 def test_everything_the_file_says():
     problem = load_problem(SOUND)
     assert (problem.id, problem.title, problem.entry) == ("root-count", "Square roots", "root_count")
-    assert (problem.tier, problem.answer) == (Tier.JUNIOR, AnswerKind.COUNT)
+    assert (problem.tier, str(problem.answer)) == (Tier.JUNIOR, "count")
     assert problem.folder == SOUND
     assert problem.solutions == SOUND.parent.parent / "solutions" / "root-count"
     assert (problem.limits.cpu_seconds, problem.limits.wall_seconds) == (2.0, 10.0)
     assert (problem.limits.memory_bytes, problem.limits.output_bytes) == (128 * 2**20, 2**20)
     (parameter,) = problem.parameters
-    assert (parameter.name, parameter.type) == ("c", ParameterType.INTEGER)
+    assert (parameter.name, str(parameter.type)) == ("c", "integer")
     assert (parameter.low, parameter.high) == (-9, 9)
     examples, small = problem.groups
     assert (examples.builder, examples.count, examples.points) == ("examples", 2, 40)

@@ -83,7 +83,7 @@ def test_an_image_out_of_bounds_is_left_out(asked):
 def test_a_replay_solves_its_case_once(asked):
     problem, module, times = asked
     found = decode(encode(problem, problem.groups[1], (1, 3)), problem, module)
-    assert (found.group.name, found.case, float(found.answer.t)) == ("whole", (1, 3), 2.0)
+    assert (found.group.name, found.case, float(found.answer.x)) == ("whole", (1, 3), 2.0)
     assert times == {"(1, 3)": 1}
 
 
@@ -123,7 +123,7 @@ def test_bands_go_to_who_asks_for_them(tmp_path):
     toml.write_text(toml.read_text().replace("[limits]", "[bands]\nsnap = 0.25\n\n[limits]"))
     assert load_module(load_problem(folder)).solve(4).broken is None
     text = source.read_text().replace("def solve(c)", "def solve(c, *, bands)")
-    source.write_text(text.replace("+ 1), None", '+ 1), str(bands["snap"])'))
+    source.write_text(text.replace("+ 1, None", '+ 1, str(bands["snap"])'))
     assert load_module(load_problem(folder)).solve(4).broken == str(Fraction(1, 4))
 
 

@@ -24,7 +24,7 @@ WORDS = re.compile(
 # What stays: the package's own name and description, the key `extent` of [tolerance], SVG's own element.
 KEPT = re.compile(
     r"circle-line-judge|circle-line geometry"
-    r"|\.extent\b|\"extent\"|`extent`|\bextent(?=·unit|: |,| = |=| or ulps)"
+    r"|\.extent\b|\"extent\"|`extent`|tolerance extent|\bextent(?=·unit|: |,| = |=| or ulps)"
 )
 OF_SVG = re.compile(r"</?circle\b|\.circle(-area)?\b|\"circle\"|\.tick circle\b")
 

@@ -49,7 +49,7 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "tier": problem.tier.value,
         "summary": problem.summary,
         "entry": problem.entry,
-        "answer": problem.answer.value,
+        "answer": str(problem.answer),
         "parameters": [_parameter(parameter) for parameter in problem.parameters],
         "bands": {name: str(width) for name, width in problem.bands.items()},
         "limits": {
@@ -73,7 +73,7 @@ def _named(problem: Problem, case: tuple[Any, ...]) -> dict[str, Any]:
 def _parameter(parameter: Parameter) -> dict[str, Any]:
     return {
         "name": parameter.name,
-        "type": parameter.type.value,
+        "type": str(parameter.type),
         "low": str(parameter.low),
         "high": str(parameter.high),
         "about": parameter.about,

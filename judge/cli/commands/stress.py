@@ -190,7 +190,12 @@ class _Asked(Struct, frozen=True):
             lambda _group, _builder, number, _case: fresh.choices_of(series, number),
         )
         result = diagnosis(self.submission, replace(stressed.result, failure=broken.failure), box)
-        return replace(stressed, result=replace(stressed.result, counterexample=result.counterexample))
+        shrunk = replace(
+            stressed.result,
+            counterexample=result.counterexample,
+            counterexample_given=result.counterexample_given,
+        )
+        return replace(stressed, result=shrunk)
 
     def _with_name(self, stressed: Stressed, settings: Settings) -> Stressed:
         """With the mistake's name, which the wrong answers to the pinned cases tell, if there are any."""

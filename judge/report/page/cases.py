@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 
-from judge.compare.reread import reread
+from judge.data.load import tupled
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
 from judge.drawing import Picture
@@ -16,11 +16,12 @@ from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
-from judge.problem import Case, Problem, Verdict
+from judge.problem import Problem, Verdict
 from judge.problem.topic import Shown
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
+from judge.values.reread import reread
 
 MOST = 12  # kinds of failure of one problem
 _LONGEST = 2000  # characters of a submission's own words that are shown
@@ -151,7 +152,7 @@ class _Artist:
         names = [parameter.name for parameter in self._problem.parameters]
         if known is None or not case.input or list(case.input) != names:
             return None
-        values: Case = tuple(tuple(v) if isinstance(v, list) else v for v in case.input.values())
+        values = tupled(list(case.input.values()))
         try:
             if self._module is None:
                 self._module = load_module(self._problem)

@@ -169,7 +169,7 @@ class Server:
             self._code = compile(self._source, self._name, "exec", dont_inherit=True)
             gc.collect()
             gc.freeze()
-        payload = marshal.dumps(("nothing", 1, [()]))
+        payload = marshal.dumps(("nothing", 1, 1, (), [()]))
         job.kind, job.payload = kind, len(payload)
         costs = []
         for _ in range(IDLE_RUNS):

@@ -9,6 +9,7 @@ recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
 simpler.py     simpler cases like a failing one
+types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
 """
 

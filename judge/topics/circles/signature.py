@@ -14,14 +14,13 @@ from typing import Any
 from msgspec import Struct
 
 from judge.data.draw import Draw
-from judge.problem import Case, Parameter, ParameterType
+from judge.problem import Case, Parameter
 from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import Figure, Recipe
+from judge.values import Type
 
 Adapter = Callable[[Figure], Case]
-Change = Callable[[Number, Number], Point]  # of a point or vector, by its coordinates
-
-_PAIRS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
+Change = Callable[[Point], Point]  # of a point or a vector
 
 
 def flat(figure: Figure) -> Case:
@@ -43,33 +42,33 @@ def _adapted(recipe: Recipe, adapter: Adapter) -> Callable[..., Case]:
 
 
 class Layout(Struct, frozen=True):
-    """The places in a case that hold points and vectors: pairs, and an x whose y is the next argument."""
+    """The places in a case that hold points and vectors: values of such types, and an x before its y."""
 
-    pairs: tuple[int, ...]
+    typed: tuple[tuple[int, Type], ...]
     split: tuple[int, ...]
 
     def mapped(self, case: Case, change: Change) -> Case:
         """The case with every point and vector changed."""
         values: list[Any] = list(case)
-        for place in self.pairs:
-            x, y = values[place]
-            values[place] = change(x, y)
+        for place, type_ in self.typed:
+            values[place] = type_.pairs(values[place], change)
         for place in self.split:
-            values[place], values[place + 1] = change(values[place], values[place + 1])
+            values[place : place + 2] = change((values[place], values[place + 1]))
         return tuple(values)
 
 
 @lru_cache(maxsize=64)
 def layout(parameters: tuple[Parameter, ...]) -> Layout:
     """Where the points and vectors of a problem's cases are: cx and cy are one, as x1 and y1 are."""
-    pairs = [place for place, each in enumerate(parameters) if each.type in _PAIRS]
-    names = [None if each.type in _PAIRS else each.name for each in parameters]
+    lone = [each.type.depth == 0 and each.type.width == 1 for each in parameters]
+    typed = [(place, each.type) for place, each in enumerate(parameters) if not lone[place]]
+    names = [each.name if alone else None for each, alone in zip(parameters, lone, strict=True)]
     split = [
         place
         for place, (x, y) in enumerate(pairwise(names))
         if x is not None and y is not None and x != y and x.replace("x", "y") == y
     ]
-    return Layout(tuple(pairs), tuple(split))
+    return Layout(tuple(typed), tuple(split))
 
 
 def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from judge.compare.answers import Answer, Count
 from judge.drawing.lengths import short
 from judge.drawing.shapes import Fact, Panel, Picture, Role
 from judge.problem.topic import Shown
@@ -12,6 +11,7 @@ from judge.topics.circles.part import Part
 from judge.topics.circles.picture.lens import gap_words, lens_panel
 from judge.topics.circles.picture.scene import Scene, read_scene
 from judge.topics.circles.picture.whole import whole_panel
+from judge.values import Exact
 
 _LEGEND = "e: the case's own size"
 
@@ -51,12 +51,12 @@ def _argument(value: Any) -> str:
 _NO_LINE = {Part.LINE: "A = B: no line", Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
 
 
-def _situation(scene: Scene, exact: Answer) -> str:
+def _situation(scene: Scene, exact: Exact) -> str:
     """The geometry in words; `e` is explained because the lens measures in it."""
     line = scene.line
     parts = [] if line.a else [_NO_LINE[scene.part]]
     parts.append(gap_words(scene))
-    banded = (isinstance(exact, Count) and exact.value == 1) or len(scene.wanted) == 1
+    banded = exact == 1 or len(scene.wanted) == 1
     if line.a and banded and scene.gap.sign() and abs(scene.gap) <= scene.snap * line.extent:
         parts.append("which counts as tangent here")
     return f"{', '.join(parts)}; e = {short(line.extent_length(), 3)}"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice
 
-from judge.compare.decode import Fault, Raw, Written, number
+from judge.values.decode import Fault, Raw, Written, number
 
 _MOST = 4  # points that are drawn
 _DEPTH = 3  # levels of lists that are looked into

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from judge.compare.answers import Answer, Count, Parameter, Points
 from judge.drawing.frame import ExactNumber
 from judge.exact import Surd
 from judge.problem.topic import Shown
@@ -14,6 +13,7 @@ from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
 from judge.topics.circles.picture.given import Drawable, read_given
 from judge.topics.circles.signature import circle_and_pairs
+from judge.values import Exact, Real
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,19 +83,17 @@ def _argument(value: Any) -> Any:
     return tuple(value) if isinstance(value, list) else value
 
 
-def _wanted(line: CircleLine, exact: Answer) -> tuple[Spot, ...]:
+def _wanted(line: CircleLine, exact: Exact) -> tuple[Spot, ...]:
     one = 1 << line.shift
-    if isinstance(exact, Points):
-        return _numbered([(x * one, y * one) for x, y in exact.points], "wanted")
-    if isinstance(exact, Parameter):
-        if exact.t is None:
-            return ()
-        t = exact.t
+    if isinstance(exact, list | tuple):
+        return _numbered([(Surd.of(x.x) * one, Surd.of(y.x) * one) for x, y in exact], "wanted")
+    if isinstance(exact, Real):
+        t = Surd.of(exact.x)
         at = (t * line.dx + line.ax, t * line.dy + line.ay)
         return (Spot(*at, f"wanted t = {t.decimal(6)}"),)
-    if not isinstance(exact, Count) or not exact.value:
+    if not exact:
         return ()
-    roots = (0,) if exact.value == 1 else (-1, 1)
+    roots = (0,) if exact == 1 else (-1, 1)
     points = [line.point(which) for which in roots]
     return tuple(Spot(x * one, y * one, "common point") for x, y in points)
 

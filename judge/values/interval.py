@@ -14,7 +14,7 @@ from typing import NamedTuple
 from judge.errors import ProblemError
 from judge.exact import Surd, root_sign, rounding
 from judge.exact.surd import make
-from judge.problem import Tolerance
+from judge.values.tolerance import Tolerance
 
 _ATTEMPTS = 3  # enclosures tried before the general path, each 64 bits finer
 _TOTAL_BITS = 128  # of the first enclosure: a double's 53, 30 for a tolerance of 1e-9, and as many to spare
@@ -55,7 +55,7 @@ def shared_roots() -> Roots:
 
 
 def exact_ends(x: Surd, tolerance: Tolerance, unit: Surd) -> tuple[Surd, Surd]:
-    """L and U as `spec.Tolerance` defines them; `unit` >= 0 in the units of x.
+    """L and U as `Tolerance` defines them; `unit` >= 0 in the units of x.
 
     Raises ProblemError where an `extent` is asked of an irrational unit: the sum of two different roots
     is no Surd, and no problem needs it.
@@ -170,8 +170,8 @@ def _reach(tolerance: Tolerance, unit: Surd) -> tuple[int, int]:
     n, d = tolerance.extent.as_integer_ratio()
     if n and unit.q:
         raise ProblemError(
-            "a tolerance in units of the extent needs a rational extent",
-            remedy="give a parameter's tolerance as relative, zero and ulps",
+            "the tolerance extent needs an exact answer with a rational unit",
+            remedy="give such a unit, or the tolerance as relative, zero and ulps",
         )
     return n * unit.p, d * unit.s
 

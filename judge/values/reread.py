@@ -5,18 +5,16 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from judge.compare.decode import Raw
-from judge.compare.text import read_line
-from judge.problem import AnswerKind
+from judge.values.type import Raw, Type
 
 _LONGEST = 5000  # characters that are read
 
 
-def reread(kind: AnswerKind, text: str | None) -> Raw:
+def reread(answer: Type, text: str | None) -> Raw:
     """The answer as it was given, by a function or in a program's line; None where the text is no answer."""
     if text is None or len(text) > _LONGEST:
         return None
-    line = read_line(kind, text.strip())
+    line = answer.read_line(text.strip())
     if not isinstance(line, str):
         return line[0]
     try:
@@ -32,7 +30,8 @@ def _raw(node: ast.expr) -> Raw:
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Fraction":
         top, bottom = (ast.literal_eval(argument) for argument in node.args)
         return {"fraction": [_hexadecimal(top), _hexadecimal(bottom)]}
-    return ast.literal_eval(node)
+    value = ast.literal_eval(node)
+    return {"word": value} if isinstance(value, str) else value
 
 
 def _hexadecimal(value: Any) -> str:

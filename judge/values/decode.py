@@ -2,19 +2,35 @@
 
 A number comes out as an int, a float, a Fraction or a `Written` decimal; whatever else was sent, forged or
 absurd, comes out as a `Fault` that says why it is no number.
+
+    {"word": "enter"}              a str
+    {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
+    {"tuple": [item]}              a tuple of a single item
 """
 
 from __future__ import annotations
 
 import re
+import sys
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+
+if TYPE_CHECKING:
+    from array import array
 
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
 MOST_HEX = 1100  # hexadecimal digits of an integer
+LONGEST_WORD = 32
+CODES = ("b", "h", "i", "q", "B", "H", "I", "Q", "f", "d")  # of arrays, as Python's `array` has them
+ITERATORS = {
+    "generator", "zip", "map", "filter", "range", "reversed", "enumerate", "list_iterator", "tuple_iterator",
+    "dict_values", "dict_keys", "islice", "chain", "deque",
+}  # fmt: skip
+SETS = {"set", "frozenset"}
 _SHOWN = 60
 
 _DECIMAL = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
@@ -22,10 +38,19 @@ _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 
 
 class Fault(Struct, frozen=True):
-    """Something that is no number: what it is, for a person, and what to do about it."""
+    """Something that is not what was meant: what it is, for a person, and what to do about it.
+
+    `type` is the name of its Python type where that is no plain one.
+    """
 
     text: str
     remedy: str = ""
+    type: str = ""
+
+    def where(self, meant: str, remedy: str = "") -> str:
+        """The sentence that says so: `meant` is what stands there otherwise, "a number is meant"."""
+        advice = self.remedy or remedy
+        return f"{self.text} where {meant}" + (f": {advice}" if advice else "")
 
 
 class Written(Struct, frozen=True):
@@ -74,7 +99,7 @@ def number(raw: Raw) -> Given | Fault:
     kind = type(raw)
     if kind is float:
         return raw if raw - raw == 0.0 else Fault(repr(raw), "it is not a finite number")
-    if kind is int or kind is Written:
+    if kind is int or kind is Written or kind is Fraction:
         return raw  # type: ignore[no-any-return]
     if kind is dict and len(raw) == 1:
         (key, value), *_ = raw.items()
@@ -102,10 +127,39 @@ def _decimal(value: Raw) -> Written | Fault | None:
     return decimal(value) if type(value) is str else None
 
 
-_ITERATORS = {
-    "generator", "zip", "map", "filter", "range", "reversed", "enumerate", "list_iterator", "tuple_iterator",
-    "set", "frozenset", "dict_values", "dict_keys", "islice", "chain",
-}  # fmt: skip
+def word(raw: Raw) -> str | None:
+    """The word that `raw` stands for, or None; at most `LONGEST_WORD` printable characters."""
+    if type(raw) is dict and len(raw) == 1:
+        text = raw.get("word")
+        if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable():
+            return text
+    return None
+
+
+def items(raw: Raw) -> Sequence[Raw] | None:
+    """The items of a list, a tuple or an array; None for anything else."""
+    if type(raw) in (list, tuple):
+        return raw  # type: ignore[no-any-return]
+    if type(raw) is dict and len(raw) == 1:
+        single = raw.get("tuple")
+        return single if type(single) is list and len(single) == 1 else numbers(raw)
+    return None
+
+
+def numbers(raw: Raw) -> array[Any] | None:
+    """The typed array that `raw` stands for, or None."""
+    sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
+    if type(sent) is not list or len(sent) != 2 or type(sent[1]) is not str or sent[0] not in CODES:
+        return None
+    from array import array  # late: few answers are arrays
+
+    try:
+        found = array(sent[0], bytes.fromhex(sent[1]))
+    except ValueError:
+        return None
+    if sys.byteorder == "big":
+        found.byteswap()
+    return found
 
 
 def fault(raw: Raw) -> Fault:
@@ -124,19 +178,25 @@ def fault(raw: Raw) -> Fault:
         return _typed("bool", repr(raw))
     if type(raw) is str:
         return _typed("str", repr(raw[:_SHOWN]))
+    text = word(raw)
+    if text is not None:
+        return _typed("str", _clean(repr(text)))
+    if items(raw) is not None:
+        return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
     return Fault("something that is no answer")
 
 
 def _typed(name: str, text: str) -> Fault:
-    if name in _ITERATORS:
-        return Fault(f"a {name}", "wrap it in list(...)")
-    if name.startswith("complex"):
-        return Fault(f"the {name} {text}", "return a point as (x, y)")
     if text.startswith("a subclass"):
-        return Fault(f"{name}, {text},", "return a plain one")
+        return Fault(f"{name}, {text},", "return a plain one", name)
     if name == "float":
-        return Fault(text, "it is not a finite number")
-    return Fault(f"the {name} {text}" if text else f"a value of type {name}")
+        return Fault(text, "it is not a finite number", name)
+    return Fault(f"the {name} {text}" if text else _unnamed(name), "", name)
+
+
+def _unnamed(name: str) -> str:
+    """A value of which nothing but its type is known."""
+    return f"a {name}" if name in (*ITERATORS, *SETS) else f"a value of type {name}"
 
 
 def _clean(text: str) -> str:
@@ -156,12 +216,21 @@ def show(raw: Raw, depth: int = 3) -> str:
     if kind in (list, tuple):
         if depth == 0:
             return "[…]"
-        items = [show(item, depth - 1) for item in raw[:4]] + (["…"] if len(raw) > 4 else [])
+        parts = [show(item, depth - 1) for item in raw[:4]] + (["…"] if len(raw) > 4 else [])
         # A list of two numbers is a point, however it was written.
         point = len(raw) == 2 and not any(type(item) in (list, tuple) for item in raw)
-        return f"({', '.join(items)})" if point else f"[{', '.join(items)}]"
+        return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
     if raw is None or kind is float:
         return repr(raw)
+    if kind is dict and len(raw) == 1:
+        text = word(raw)
+        if text is not None:
+            return repr(text)
+        if "tuple" in raw and items(raw) is not None:
+            return f"({show(raw['tuple'][0], depth - 1)},)" if depth else "(…,)"
+        found = numbers(raw)
+        if found is not None:
+            return show(found.tolist(), depth)
     if kind is Written:
         return _clean(raw.text)
     read = number(raw)

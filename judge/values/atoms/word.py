@@ -1,0 +1,81 @@
+"""`word(a|b|…)`: one of a few words, a str of ASCII letters, digits, hyphens and underscores."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+from judge.values.decode import LONGEST_WORD, fault, shown, word
+from judge.values.lines import Tokens
+from judge.values.outcome import Place, Unreadable
+from judge.values.plain import PlainType
+from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target
+
+
+class WordType(PlainType):
+    """One of the words given."""
+
+    annotation = "str"
+    plural = "words"
+
+    def __init__(self, *words: str) -> None:
+        if len(words) < 2 or len(set(words)) < len(words) or "none" in words:
+            raise ValueError("a word is one of two or more, all of them different and none of them none")
+        if max(map(len, words)) > LONGEST_WORD:
+            raise ValueError(f"a word has at most {LONGEST_WORD} characters")
+        self.text = f"word({'|'.join(words)})"
+        self._choices = words
+
+    @property
+    def noun(self) -> str:  # type: ignore[override]
+        """The choice."""
+        return f"{', '.join(self._choices[:-1])} or {self._choices[-1]}"
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Whether it is sent as that word."""
+
+        def quick(raw: Raw, target: Target) -> float | None:
+            right = type(raw) is dict and type(target) is str and raw == {"word": target}
+            return NOTHING_MEASURED if right else None
+
+        return quick
+
+    def why_not(self, value: Any) -> str | None:
+        """One of the choice."""
+        return (
+            None if type(value) is str and value in self._choices else f"{value!r} where {self.noun} is meant"
+        )
+
+    def read(self, raw: Raw, question: Question, place: Place) -> Any:
+        """Any word: a wrong one is a wrong answer."""
+        given = word(raw)
+        if given is None:
+            name = place.name()
+            raise Unreadable(fault(raw).where(f"{self.noun} is meant{f' for {name}' if name else ''}"))
+        return given
+
+    def shown(self, raw: Raw) -> str:
+        """Between quotation marks."""
+        return repr(raw) if type(raw) is str else super().shown(raw)
+
+    def take(self, tokens: Tokens) -> Raw:
+        """Any word of the usual length."""
+        token = tokens.next()
+        if len(token) > LONGEST_WORD:
+            raise Unreadable(f"{shown(token)} where {self.noun} is meant")
+        return {"word": token}
+
+    def value_from(self, token: str) -> Any:
+        """One of the choice."""
+        if token not in self._choices:
+            raise ValueError(f"none of the words: {token[:40]!r}")
+        return token
+
+    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
+        """Any of them, the first most likely to stay."""
+        return self._choices[draw.integer(0, len(self._choices) - 1)]
+
+
+TYPE = WordType
