@@ -42,13 +42,14 @@ class Wish(Struct, frozen=True):
 
 
 def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
-    """Judge them; each result is kept in the history once the caller has done with it and asks for more.
+    """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
-    Close it, so that it is kept as well where the caller fails. Raises JudgeError.
+    Close it, so that what was started for the rest ends. Raises JudgeError.
     """
     chosen = {group.name for group in chosen_groups(problem, wish.groups)} if wish.groups else None
     with Containment(problem, wish.level) as containment, Recording(wish.db, wanted=wish.kept) as recording:
         containment.boot(submissions[0].source, submissions[0].name)
+        recording.open()  # while the boxes boot
         data = _data(problem, wish.seed)
         settings = containment.settings(jobs=wish.jobs, submissions=len(submissions))
         judge = partial(
@@ -63,10 +64,8 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
         )
         for submission, result in zip(submissions, in_order(submissions, wish.jobs, judge), strict=True):
             containment.warn_of(result.isolation)
-            try:
-                yield Drawing(problem, data, result)
-            finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
-                recording.add(submission, result)
+            recording.add(submission, result)
+            yield Drawing(problem, data, result)
 
 
 def named_problem(name: str, folders: Sequence[Path]) -> Problem:
