@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import new_file, replace_file
 from judge.errors import UsageError
 from judge.spec import Problem
 from judge.spec.find import find_problem
@@ -86,11 +86,7 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
     if not path.name or path.is_dir():
         raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
     try:
-        if force:
-            replace_file(path, text)
-            return
-        with path.open("xb") as file:  # at once: nobody else's file is lost in between
-            file.write(text)
+        (replace_file if force else new_file)(path, text)
     except FileExistsError as fault:
         remedy = f"'judge watch {problem.id} {path}' goes on with it, --force writes over it"
         raise UsageError("the file is there already", where=where, remedy=remedy) from fault

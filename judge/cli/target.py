@@ -43,9 +43,9 @@ class Target(Struct, frozen=True):
         raise UsageError(what, where=str(self.path), remedy=remedy or _another(self.option))
 
     def write(self, content: bytes) -> None:
-        """Put `content` there at once; where a link leads, so that the link stays one. Raises UsageError."""
+        """Put `content` there at once. Raises UsageError."""
         try:
-            replace_file(self.path.resolve(), content)
+            replace_file(self.path, content)
         except OSError as fault:
             raise unwritable(self.path, fault, _another(self.option)) from fault
 

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import replace_file, sweep
 
 VARIABLE = "JUDGE_CACHE"
 
@@ -39,6 +39,7 @@ class KeptFile:
     def read(self) -> Any:
         """What was written, or None if there is no sound file."""
         try:
+            sweep(self._path().parent)
             content = self._path().read_bytes()
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None

@@ -15,6 +15,7 @@ from judge.cli.options import (
     write_json,
 )
 from judge.data import load_data
+from judge.data.atomic import replace_file
 from judge.errors import ExitCode, UsageError, unwritable
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
@@ -97,6 +98,6 @@ def _make_room(target: Path, names: list[str], *, force: bool) -> None:
 
 def _write(path: Path, text: str) -> None:
     try:
-        path.write_text(text, encoding="utf-8", newline="\n")
+        replace_file(path, text.encode())
     except OSError as fault:
         raise unwritable(path, fault, _REMEDY) from fault
