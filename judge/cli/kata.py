@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -94,9 +93,7 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         remedy = f"make the folder {path.parent} first"
         raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
     except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
-        reason = (
-            os.strerror(fault.errno).lower() if isinstance(fault, OSError) and fault.errno else str(fault)
-        )
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
         raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 

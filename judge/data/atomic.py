@@ -18,6 +18,8 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from judge.reading import check_ordinary
+
 _NAME = ".judge-{}.tmp"
 _NAMES = re.compile(r"\.judge-[0-9a-f]{16}\.tmp")
 _OLD = 60.0  # seconds; one that was begun just now may not be locked yet
@@ -25,7 +27,7 @@ _NO_LINKS = (errno.EPERM, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK, errno.EX
 
 
 def replace_file(path: Path, content: bytes) -> None:
-    """Put `content` at `path`, whatever is there; of two writers at a time one wins. Raises OSError.
+    """Put `content` at `path`, whatever file is there; of two writers at a time one wins. Raises OSError.
 
     Where a link leads, so that it stays one. A file that is replaced passes on its permissions.
     """
@@ -95,11 +97,13 @@ def _written_beside(place: Path, content: bytes, mode: int | None) -> Iterator[P
 
 
 def _mode(place: Path) -> int | None:
-    """The permissions of what is there; None where nothing is."""
+    """The permissions of the file that is there; None where nothing is. Raises OSError for no file."""
     try:
-        return place.stat().st_mode & 0o777
+        found = place.stat()
     except FileNotFoundError:
         return None
+    check_ordinary(found)
+    return found.st_mode & 0o777
 
 
 def _take_place(path: Path) -> None:

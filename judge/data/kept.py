@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from judge.data.atomic import replace_file, sweep
+from judge.reading import read_ordinary
 
 VARIABLE = "JUDGE_CACHE"
 
@@ -40,7 +41,7 @@ class KeptFile:
         """What was written, or None if there is no sound file."""
         try:
             sweep(self._path().parent)
-            content = self._path().read_bytes()
+            content = read_ordinary(self._path())
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
         checksum, _, body = content.partition(b"\n")

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from judge.reading import read_ordinary
 from judge.spec import Problem
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
@@ -49,7 +50,7 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
 
 def _read(path: Path) -> Mistake | None:
     try:
-        source = path.read_bytes()
+        source = read_ordinary(path)
         docstring = ast.get_docstring(ast.parse(source)) or ""
     except (OSError, SyntaxError, ValueError, RecursionError):
         return None

@@ -24,6 +24,7 @@ from urllib.parse import quote_from_bytes
 
 from judge.errors import HistoryError
 from judge.kata.migrations import APPLICATION, MIGRATIONS, migrate, version_of
+from judge.reading import read_ordinary
 
 VARIABLE = "JUDGE_DB"
 
@@ -132,8 +133,7 @@ def _make_file(path: Path) -> None:
 def _look_at(path: Path) -> None:
     """Refuse what is not ours before SQLite has touched it."""
     try:
-        with path.open("rb") as file:
-            head = file.read(100)
+        head = read_ordinary(path, 100)
     except FileNotFoundError:
         return
     if not head:

@@ -22,6 +22,7 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
+from judge.reading import read_ordinary
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
@@ -197,7 +198,7 @@ def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
         for path in paths:
             where = f"{problem.solutions.name}/{folder.value}/{path.name}"
             try:
-                content = path.read_bytes()
+                content = read_ordinary(path)
                 name = _docstring_name(content)
             except OSError as error:
                 faults.append(Fault(f"cannot be read: {error.strerror}", where, "make it readable"))
