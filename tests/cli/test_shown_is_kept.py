@@ -55,6 +55,19 @@ def test_a_judge_that_is_killed_has_kept_what_it_has_shown(form, submit, tmp_pat
         assert {name: kept.get(name) for name in shown} == {name: TEAM[name] for name in shown}
 
 
+def test_a_run_is_in_the_history_when_its_verdict_is_shown(judge, submit, monkeypatch):
+    kept = []
+
+    def shown(*_words, **_settings):
+        with History.open(reading=True) as history:
+            kept.append([run.submission for run in history.runs()])
+        return []
+
+    monkeypatch.setattr("judge.cli.outputs.verdict_lines", shown)
+    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
+    assert kept == [["mine.py"]]
+
+
 def test_a_hint_that_was_shown_counts_as_seen():
     reading, writing = os.pipe()
     os.close(reading)  # showing it is the last thing that happens
