@@ -16,7 +16,15 @@ from judge.cli import judging
 from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
 
-FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
+FAULTY = [
+    "example-answer-text",
+    "missing-key",
+    "misspelt-key",
+    "bad-bound",
+    "bad-toml",
+    "example-contradicts",
+    "module-raises",
+]
 
 
 @pytest.mark.parametrize("name", FAULTY)
