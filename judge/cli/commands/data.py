@@ -19,6 +19,7 @@ from judge.data.atomic import replace_file
 from judge.errors import ExitCode, UsageError, unwritable
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
+from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.report.values import counted
@@ -74,7 +75,7 @@ def command(
         )
     else:
         what = f"{counted(cases, 'case')} in {counted(len(names), 'file')}"
-        out().show([line(Span(str(target), Style.STRONG), f"  {what}")])
+        out().show([line(Span(shown_name(str(target)), Style.STRONG), f"  {what}")])
     return ExitCode.ACCEPTED
 
 

@@ -15,6 +15,7 @@ from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.report.layout import Link, Span, line
+from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.spec import Problem
@@ -172,4 +173,4 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
             }
         )
         return
-    out().show([line(Span(str(path), link=Link(str(path))))])
+    out().show([line(Span(shown_name(str(path)), link=Link(str(path))))])
