@@ -181,24 +181,24 @@ def _complain(message: str) -> None:
     from judge.report.layout import Style
     from judge.report.screen import note
 
-    try:
-        note(message, Style.BAD)
-    except BrokenPipeError:
-        _hush()
+    note(message, Style.BAD)
 
 
 def _show_traceback(fault: Exception) -> None:
     import traceback  # only for --debug
 
-    traceback.print_exception(fault)
+    from judge.report.screen import hush
+
+    try:
+        traceback.print_exception(fault)
+    except OSError:  # standard error is full
+        hush(sys.stderr)
 
 
 def _hush() -> None:
-    """Point standard output where nobody minds, so that the interpreter's last flush cannot fail."""
-    try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
-        return
+    from judge.report.screen import hush
+
+    hush(sys.stdout)
 
 
 @click.group(

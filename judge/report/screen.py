@@ -97,8 +97,24 @@ def err() -> Screen:
 
 
 def note(text: str, style: Style = Style.WARNING) -> None:
-    """Say a sentence of the judge's own on standard error, beside what the command writes."""
-    err().show([line(Span("judge:", style), f" {text}")])
+    """Say a sentence of the judge's own on standard error, beside what the command writes.
+
+    Where that is full or nobody reads it, nothing is said: what the command does is worth more.
+    """
+    try:
+        err().show([line(Span("judge:", style), f" {text}")])
+    except OSError:
+        hush(sys.stderr)
+
+
+def hush(stream: IO[str]) -> None:
+    """Point a standard stream where nobody minds, so that the interpreter's last flush cannot fail."""
+    try:
+        descriptor = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(descriptor, stream.fileno())
+        os.close(descriptor)
+    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
+        return
 
 
 def _no_command(text: str) -> str:
