@@ -68,6 +68,19 @@ def test_a_run_is_in_the_history_when_its_verdict_is_shown(judge, submit, monkey
     assert kept == [["mine.py"]]
 
 
+@pytest.mark.parametrize("words", [["--json"], []])
+def test_watch_has_kept_what_it_has_shown(words, submit, own_history):
+    quick = ["--no-shrink", "--no-name", "--isolation", "limits"]
+    command = [sys.executable, "-m", "judge", "watch", "middle", submit(FLOOR), *words, *quick]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline()
+        running.kill()
+    with History.open() as history:
+        assert [run.verdict.value for run in history.runs()] == ["WA"]
+
+
 def test_a_hint_that_was_shown_counts_as_seen():
     reading, writing = os.pipe()
     os.close(reading)  # showing it is the last thing that happens
