@@ -155,7 +155,7 @@ def installed_pack(mark, tmp_path, monkeypatch):
         ("show middle", False),
         ("init middle other.py", False),
         ("run middle mine.py", False),
-        ("doctor", False),
+        ("doctor", True),
         ("schema", False),
         ("--help", False),
     ],
