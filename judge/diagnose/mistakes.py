@@ -14,6 +14,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.spec import Problem
+from judge.spec.program import tree_of
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
 
@@ -50,8 +51,8 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
 def _read(path: Path) -> Mistake | None:
     try:
         source = path.read_bytes()
-        docstring = ast.get_docstring(ast.parse(source)) or ""
-    except (OSError, SyntaxError, ValueError, RecursionError):
+        docstring = ast.get_docstring(tree_of(source)) or ""
+    except (OSError, SyntaxError):
         return None
     name, _, advice = docstring.partition("\n")
     if not name.strip():

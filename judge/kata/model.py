@@ -9,6 +9,7 @@ from msgspec import Struct
 
 from judge.errors import ProblemError
 from judge.spec import Problem
+from judge.spec.program import tree_of
 
 
 class Model(Struct, frozen=True):
@@ -33,7 +34,7 @@ def model_solution(problem: Problem) -> Model:
     for path in paths:
         try:
             text = path.read_text(encoding="utf-8")
-            tree = ast.parse(text)
+            tree = tree_of(text)
         except OSError as fault:
             what = f"cannot be read ({fault.strerror})"
             raise ProblemError(what, where=f"{where}/{path.name}", remedy="make it readable") from fault

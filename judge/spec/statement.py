@@ -20,6 +20,8 @@ from judge.spec.tomlfile import read_text
 
 EXAMPLES = "examples"  # the builder whose cases are the worked examples
 
+# What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
+_UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -84,7 +86,7 @@ def _call(text: str, problem: Problem, where: str) -> Case:
     remedy = f"write {problem.entry}({', '.join(each.name for each in problem.parameters)}) with plain values"
     try:
         call = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except _UNREADABLE:
         raise ProblemError(f"the example {text!r} is no Python call", where=where, remedy=remedy) from None
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
         raise ProblemError(f"the example {text!r} is no plain call", where=where, remedy=remedy)
@@ -95,7 +97,7 @@ def _call(text: str, problem: Problem, where: str) -> Case:
         raise ProblemError(what, where=where, remedy=remedy)
     try:
         return tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
-    except ValueError:
+    except _UNREADABLE:
         raise ProblemError(
             "the example's arguments are no plain numbers and points", where=where, remedy=remedy
         ) from None
@@ -114,6 +116,6 @@ def _wanted(text: str, where: str) -> Any:
         )
     try:
         return ast.literal_eval(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except _UNREADABLE:
         what = f"the example's answer {text!r} is no plain value"
         raise ProblemError(what, where=where, remedy="write numbers, points (x, y), lists or None") from None
