@@ -15,6 +15,7 @@ from msgspec import Struct
 
 from judge.reading import read_ordinary
 from judge.spec import Problem
+from judge.spec.program import tree_of
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
 
@@ -50,9 +51,8 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
 
 def _read(path: Path) -> Mistake | None:
     try:
-        source = read_ordinary(path)
-        docstring = ast.get_docstring(ast.parse(source)) or ""
-    except (OSError, SyntaxError, ValueError, RecursionError):
+        docstring = ast.get_docstring(tree_of(read_ordinary(path))) or ""
+    except (OSError, SyntaxError):
         return None
     name, _, advice = docstring.partition("\n")
     if not name.strip():

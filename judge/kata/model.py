@@ -10,6 +10,7 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.reading import read_ordinary_text
 from judge.spec import Problem
+from judge.spec.program import tree_of
 
 
 class Model(Struct, frozen=True):
@@ -34,7 +35,7 @@ def model_solution(problem: Problem) -> Model:
     for path in paths:
         try:
             text = read_ordinary_text(path)
-            tree = ast.parse(text)
+            tree = tree_of(text)
         except OSError as fault:
             what = f"cannot be read ({fault.strerror})"
             raise ProblemError(what, where=f"{where}/{path.name}", remedy="make it readable") from fault

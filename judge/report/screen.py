@@ -26,6 +26,7 @@ _RESET = "\x1b[0m"
 _LINK = "\x1b]8;;{}\x1b\\"  # OSC 8: what follows is a link to this address, up to one without an address
 _COMMAND = re.compile(r"^([^\S\n]*)::", re.MULTILINE)
 _LEAST_WIDTH = 20
+_SENTENCE = 1200  # characters of the judge's own sentences that are shown
 _USUAL_WIDTH = 80  # of a terminal that does not tell
 
 
@@ -99,8 +100,11 @@ def err() -> Screen:
 def note(text: str, style: Style = Style.WARNING) -> None:
     """Say a sentence of the judge's own on standard error, beside what the command writes.
 
-    Where that is full or nobody reads it, nothing is said: what the command does is worth more.
+    What it quotes may be of any length: of a sentence that is too long the middle is left out. Where that
+    stream is full or nobody reads it, nothing is said: what the command does is worth more.
     """
+    if len(text) > _SENTENCE:
+        text = f"{text[: _SENTENCE * 2 // 3]} … {text[-_SENTENCE // 3 :]}"
     try:
         err().show([line(Span("judge:", style), f" {text}")])
     except OSError:

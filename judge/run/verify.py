@@ -27,6 +27,7 @@ from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
 from judge.spec import Group, Problem, Verdict
+from judge.spec.program import tree_of
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -203,7 +204,7 @@ def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
             except OSError as error:
                 faults.append(Fault(f"cannot be read: {error.strerror}", where, "make it readable"))
                 continue
-            except (SyntaxError, ValueError) as error:
+            except SyntaxError as error:
                 faults.append(Fault(f"no Python: {error}", where, "repair it"))
                 continue
             if not name:
@@ -215,7 +216,7 @@ def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
 
 def _docstring_name(source: bytes) -> str:
     """The docstring's first line, without a full stop; empty if there is none."""
-    lines = (ast.get_docstring(ast.parse(source)) or "").splitlines()
+    lines = (ast.get_docstring(tree_of(source)) or "").splitlines()
     return lines[0].strip().rstrip(".") if lines else ""
 
 

@@ -27,6 +27,8 @@ _NO_ANSWER = {
     AnswerKind.POINTS: "no list of points (x, y)",
     AnswerKind.PARAMETER: "neither a number nor None",
 }
+# What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
+_UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -91,7 +93,7 @@ def _call(text: str, problem: Problem, where: str) -> Case:
     remedy = f"write {problem.entry}({', '.join(each.name for each in problem.parameters)}) with plain values"
     try:
         call = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except _UNREADABLE:
         what = f"the example {_brief(text)!r} is no Python call"
         raise ProblemError(what, where=where, remedy=remedy) from None
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
@@ -103,7 +105,7 @@ def _call(text: str, problem: Problem, where: str) -> Case:
         raise ProblemError(what, where=where, remedy=remedy)
     try:
         return tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
-    except (ValueError, TypeError, RecursionError, MemoryError):  # TypeError: a list as a key, say
+    except _UNREADABLE:
         raise ProblemError(
             "the example's arguments are no plain numbers and points", where=where, remedy=remedy
         ) from None
@@ -128,7 +130,7 @@ def _wanted(text: str, kind: AnswerKind, where: str) -> Any:
         )
     try:
         answer = ast.literal_eval(text)
-    except (SyntaxError, ValueError, TypeError, RecursionError, MemoryError):
+    except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is no plain value"
         raise ProblemError(what, where=where, remedy="write numbers, points (x, y), lists or None") from None
     if not _is_answer(kind, answer):

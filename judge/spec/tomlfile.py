@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, NoReturn
@@ -44,22 +45,12 @@ class TomlFile:
 
     def table(self) -> schema.ProblemTable:
         """The file in its shape; its values are not yet checked."""
-        try:
-            raw = tomllib.loads(self._text, parse_float=Decimal)
-        except ValueError as error:  # TOMLDecodeError, or an integer too long for Python to read
-            self._no_toml(str(error))
+        raw = toml_of(self._text, self._name, parse_float=Decimal)
         try:
             return msgspec.convert(raw, schema.ProblemTable)
         except msgspec.ValidationError as error:
             what, _, place = str(error).partition(" - at `")
             self._misshapen(what, parse_path(place.rstrip("`")), raw)
-
-    def _no_toml(self, message: str) -> NoReturn:
-        what, _, place = message.partition(" (at ")
-        found = re.match(r"line (\d+)", place)
-        line = int(found[1]) if found else self._text.count("\n") + 1
-        what = what[:1].lower() + what[1:]
-        raise ProblemError(f"no TOML: {what}", where=f"{self._name}:{line}", remedy="repair this line")
 
     def _misshapen(self, what: str, path: KeyPath, raw: dict[str, Any]) -> NoReturn:
         """Raise msgspec's fault in words for a person, with the name that was meant."""
@@ -97,6 +88,24 @@ def group_place(problem: Problem, group: str, key: str) -> str:
     index = next(at for at, each in enumerate(problem.groups) if each.name == group)
     lines = key_lines(read_text(problem.folder / "problem.toml"))
     return f"{problem.id}/problem.toml:{line_of(('groups', index, key), lines)}"
+
+
+def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> dict[str, Any]:
+    """The tables of a TOML text; `name` is its file's. Raises ProblemError, with the line if it is known."""
+    try:
+        return tomllib.loads(text, parse_float=parse_float)
+    except tomllib.TOMLDecodeError as error:
+        what, _, place = str(error).partition(" (at ")
+        found = re.match(r"line (\d+)", place)
+        line = int(found[1]) if found else text.count("\n") + 1
+        what, where = f"{what[:1].lower()}{what[1:]}", f"{name}:{line}"
+    except ValueError:  # longer than Python reads
+        what, where = "an integer has too many digits", name
+    except RecursionError:
+        what, where = "its lists or tables are nested too deeply", name
+    raise ProblemError(
+        f"no TOML: {what}", where=where, remedy="repair this line" if ":" in where else "repair it"
+    )
 
 
 def read_text(path: Path) -> str:

@@ -84,6 +84,7 @@ GOOD = 'title = "T"\nabout = "A"\n'
     ("text", "wanted"),
     [
         (GOOD + "problems = [", r"sets/mine.toml:3: no TOML: .*; repair this line"),
+        (GOOD + "problems = " + "[" * 3000, r"sets/mine.toml: no TOML: its lists or tables are nested too"),
         (GOOD, r"sets/mine.toml:1: the key 'problems' is missing; add problems = …"),
         (GOOD + "problems = []\n", r"sets/mine.toml:3: the set holds no problem; name at least one"),
         (GOOD + 'problems = "count"\n', r"sets/mine.toml:3: problems is text; give a list"),

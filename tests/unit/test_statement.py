@@ -64,6 +64,21 @@ def test_an_example_is_never_run(stating, call):
         stating(f">>> {call}\n2\n")
 
 
+UNPLAIN = ["{[]}", "{[]: 1}", "-" * 600 + "1", "[" * 5000]
+
+
+@pytest.mark.parametrize("value", UNPLAIN)
+def test_an_argument_or_an_answer_that_is_no_value_is_a_fault(stating, value):
+    with pytest.raises(
+        ProblemError, match=r"^root-count/statement.md:1: the example .* is no Python|the example's arg"
+    ):
+        stating(f">>> root_count({value})\n2\n")
+    with pytest.raises(
+        ProblemError, match=r"^root-count/statement.md:1: the example's answer .* no plain value"
+    ):
+        stating(f">>> root_count(4)\n{value}\n")
+
+
 @pytest.mark.parametrize("call", ["(" * 400 + "4" + ")" * 400, "root_count(\x00)", "", "root_count(4) +"])
 def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
     with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: the example .* is no "):
