@@ -9,6 +9,8 @@ from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.cli.judging import Wish, judged
 from judge.cli.kata import Kata
 from judge.cli.picture import Drawing
@@ -54,11 +56,14 @@ class Desk:
             return f"{name} is empty; it is judged when there is something in it"
         try:
             with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
-                return next(drawings)
+                drawing = next(drawings)
         except UsageError:
             raise
         except JudgeError as fault:
             return str(fault)
+        if drawing.result.isolation:
+            self._wish = replace(self._wish, had=drawing.result.isolation)
+        return drawing
 
 
 def await_event(events: SimpleQueue[str]) -> str | None:

@@ -23,7 +23,7 @@ import select
 import sys
 import time
 
-from judge.sandbox.inside import child, wire
+from judge.sandbox.inside import again, child, wire
 from judge.sandbox.inside.confine import Confinement
 from judge.sandbox.inside.series import Series
 
@@ -37,6 +37,14 @@ SWEEP_SECONDS = 5.0
 IDLE_RUNS = 3
 IDLE = "def nothing():\n    return 0"
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
+
+
+class NoProcess(Exception):  # noqa: N818 - it never reaches a person
+    """The machine had no process left for a child; `code` is the errno of the fork that failed."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__()
+        self.code = code
 
 
 class Job:
@@ -140,7 +148,10 @@ class Server:
                 if not frame:
                     os._exit(0)
                 job = Job(frame, descriptors)
-                answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                try:
+                    answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                except NoProcess as lack:
+                    answer = wire.LACK.pack(wire.LACKING, lack.code)
                 for number in descriptors:
                     os.close(number)
                 self._line.send(answer)
@@ -169,8 +180,10 @@ class Server:
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 0)
 
     def _run(self, job: Job, code: CodeType | None) -> bytes:
-        began = time.perf_counter_ns()
-        pid = os.fork()
+        try:
+            began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
+        except OSError as fault:
+            raise NoProcess(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
         watch = _Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
