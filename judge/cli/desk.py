@@ -17,6 +17,7 @@ from judge.cli.picture import Drawing
 from judge.cli.submissions import read_submissions
 from judge.errors import JudgeError, UsageError
 from judge.kata.saves import Mark, mark, settled
+from judge.spec import Verdict
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 
@@ -61,7 +62,7 @@ class Desk:
             raise
         except JudgeError as fault:
             return str(fault)
-        if drawing.result.isolation:
+        if drawing.result.verdict is not Verdict.JE:  # that one was held nowhere
             self._wish = replace(self._wish, had=drawing.result.isolation)
         return drawing
 

@@ -28,7 +28,7 @@ def _file() -> KeptFile:
     system = os.uname()
     place = _digest(system.nodename, str(os.geteuid()))[:8]
     key = _digest(__version__, system.sysname, system.release, system.version, system.machine)
-    return KeptFile(cache_folder, "isolation", f"level-{place}-", key, "the isolation level")
+    return KeptFile(cache_folder, "isolation", f"level-{place}-", key, "levels of isolation")
 
 
 def _digest(*parts: str) -> str:
