@@ -76,7 +76,10 @@ _SHORTAGES = {
         "no further process or thread can be started",
         f"use a smaller -j, or {LIMIT_ON_TASKS}",
     ),
-    errno.ENOMEM: ("there is no memory left", "use a smaller -j, or end other programs"),
+    errno.ENOMEM: (
+        "there is no memory left",
+        "use a smaller -j, end other programs, or raise the limit (ulimit -v, a container's memory)",
+    ),
     errno.EMFILE: (
         "the judge has no file descriptor left",
         "use a smaller -j, or raise the limit (ulimit -n)",

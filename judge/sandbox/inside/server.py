@@ -15,6 +15,7 @@ import _signal as signal  # type: ignore[import-not-found]  # signal itself wrap
 import _sitebuiltins
 import _socket
 import builtins
+import errno
 import gc
 import marshal
 import os
@@ -39,8 +40,8 @@ IDLE = "def nothing():\n    return 0"
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
 
 
-class NoProcess(Exception):  # noqa: N818 - it never reaches a person
-    """The machine had no process left for a child; `code` is the errno of the fork that failed."""
+class Lacking(Exception):  # noqa: N818 - it never reaches a person
+    """The machine had no process left for a child, or no descriptors; `code` is the errno."""
 
     def __init__(self, code: int) -> None:
         super().__init__()
@@ -150,7 +151,7 @@ class Server:
                 job = Job(frame, descriptors)
                 try:
                     answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
-                except NoProcess as lack:
+                except Lacking as lack:
                     answer = wire.LACK.pack(wire.LACKING, lack.code)
                 for number in descriptors:
                     os.close(number)
@@ -180,10 +181,12 @@ class Server:
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 0)
 
     def _run(self, job: Job, code: CodeType | None) -> bytes:
+        if len(job.descriptors) < (3 if job.series == 1 else 4):
+            raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
         try:
             began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
         except OSError as fault:
-            raise NoProcess(fault.errno or 0) from None
+            raise Lacking(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
         watch = _Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
