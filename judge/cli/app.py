@@ -14,7 +14,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.errors import ExitCode, JudgeError, UsageError, nearest
+from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -147,6 +147,9 @@ def explain(fault: Exception) -> tuple[str, int]:
         return fault.format_message(), ExitCode.USAGE
     if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
         return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
+    short = None if isinstance(fault, BlockingIOError) else shortage(fault)  # that may be a pipe's
+    if short:
+        return str(short), short.exit_code
     what = " ".join(str(fault).split())
     kind = type(fault).__name__
     return (

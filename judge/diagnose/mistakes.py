@@ -51,7 +51,8 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
 
 def _read(path: Path) -> Mistake | None:
     try:
-        docstring = ast.get_docstring(tree_of(read_ordinary(path))) or ""
+        source = read_ordinary(path)
+        docstring = ast.get_docstring(tree_of(source)) or ""
     except (OSError, SyntaxError):
         return None
     name, _, advice = docstring.partition("\n")

@@ -26,6 +26,7 @@ from judge.reading import read_ordinary
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.sandbox import Boxes, BoxFactory
 from judge.spec import Group, Problem, Verdict
 from judge.spec.program import tree_of
 
@@ -115,12 +116,16 @@ class _Source(Struct, frozen=True):
 
 
 def verify_problem(
-    problem: Problem, *, update_pins: bool = False, progress: Progress | None = None
+    problem: Problem,
+    *,
+    update_pins: bool = False,
+    progress: Progress | None = None,
+    box_factory: BoxFactory | None = None,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    A problem whose data cannot be built has that as its one fault. Raises ProblemError only where hashes.json
-    cannot be written.
+    Solutions run in boxes of `box_factory`, where there is one. A problem whose data cannot be built has that
+    as its one fault. Raises ProblemError only where hashes.json cannot be written.
     """
     tell = progress or (lambda _what, _done, _total: None)
     try:
@@ -134,7 +139,7 @@ def verify_problem(
     sources, unreadable = _read_sources(problem)
     faults += unreadable
     reports = []
-    settings = Settings()
+    settings = Settings(box_factory=box_factory or Boxes())
     for done, source in enumerate(sources):
         tell("judging solutions", done, len(sources))
         result = run_submission(problem, data, source.content, source.path.name, settings=settings)

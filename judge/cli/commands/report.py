@@ -133,7 +133,7 @@ def _matrix(problem: Problem) -> Matrix | None:
         with progress(f"building {problem.id}") as advance:
             data = load_data(problem, progress=advance)
         with Containment(problem, None) as containment:
-            settings = containment.settings(jobs=1, submissions=1)
+            settings = containment.settings(submissions=1)
             workers = min(_AT_ONCE, os.cpu_count() or 1)
             label = f"learning the mistakes of {problem.id}"
             namer = Namer(data, None, settings, workers, lambda: progress(label))
