@@ -34,6 +34,7 @@ from judge.problem.tomlfile import TomlFile, meant
 _POINTS = 100
 _MOST_CASES = 1_000_000
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
+_DEEPEST = 10  # lists in lists of a builder's parameter
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _MEGABYTE = 2**20
 
@@ -269,12 +270,12 @@ class _Reader:
                 self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
         return ShownSkill(skill, tuple(groups), about)
 
-    def _argument(self, value: Any, path: KeyPath) -> Any:
+    def _argument(self, value: Any, path: KeyPath, depth: int = 0) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""
         if isinstance(value, Decimal):
             return self._exact(value, path)
-        if isinstance(value, list):
-            return tuple(self._argument(each, path) for each in value)
+        if isinstance(value, list) and depth < _DEEPEST:
+            return tuple(self._argument(each, path, depth + 1) for each in value)
         if isinstance(value, bool | int | str):
             return value
         return self.fault(

@@ -25,6 +25,7 @@ from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.sandbox import Boxes, BoxFactory
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -78,12 +79,16 @@ class VerifyReport(Struct, frozen=True):
 
 
 def verify_problem(
-    problem: Problem, *, update_pins: bool = False, progress: Progress | None = None
+    problem: Problem,
+    *,
+    update_pins: bool = False,
+    progress: Progress | None = None,
+    box_factory: BoxFactory | None = None,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    A problem whose data cannot be built has that as its one fault. Raises ProblemError only where hashes.json
-    cannot be written.
+    Solutions run in boxes of `box_factory`, where there is one. A problem whose data cannot be built has that
+    as its one fault. Raises ProblemError only where hashes.json cannot be written.
     """
     tell = progress or (lambda _what, _done, _total: None)
     try:
@@ -101,7 +106,7 @@ def verify_problem(
         where = f"{problem.solutions.name}/{folder.name}"
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
     reports = []
-    settings = Settings()
+    settings = Settings(box_factory=box_factory or Boxes())
     for done, solution in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
         result = run_submission(problem, data, solution.source, solution.path.name, settings=settings)

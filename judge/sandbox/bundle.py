@@ -17,6 +17,7 @@ from typing import Any
 
 _ALWAYS = (
     "judge.sandbox.encode",
+    "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
     "judge.sandbox.inside.series",
     "judge.sandbox.inside.source",

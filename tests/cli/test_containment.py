@@ -95,14 +95,15 @@ def test_a_level_that_does_not_exist_is_refused(judge):
 
 
 def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda _: "bubblewrap is not installed")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda _: "bubblewrap is not installed")
     ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")
     assert (ended.status, ended.out) == (2, "")
     assert "isolation full cannot be had here: bubblewrap is not installed" in ended.err
 
 
-def test_weak_containment_is_warned_of_once(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda level: "" if level == "limits" else "no")
+def test_weak_containment_is_warned_of_once(judge, monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
     ended = judge("run", "count", str(ACCEPTED), "-q")
     assert ended.status == 0
     assert ended.err.count("isolation is 'limits'") == 1

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import ast
+import json
+import os
+import subprocess
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -206,6 +210,18 @@ def test_a_builder_is_shrunk_by_its_parameters():
     _, result, found = shrunk("ray-nearest", source)
     assert (result.failure.group, found.group) == ("cancellation", "cancellation")
     assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
+
+
+def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
+    """In a process of its own: Hypothesis takes its notes on modules once."""
+    source = SOLUTIONS / "ray-nearest" / "wrong" / "cancellation.py"
+    command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(SOLUTIONS.parent)}
+    judged = subprocess.run(
+        command, cwd=tmp_path, env=settings, capture_output=True, timeout=120, check=False
+    )
+    assert json.loads(judged.stdout)["counterexample"]["replay"].startswith("ray-nearest:cancellation:")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("looks", [0, 3, 10, 40])
