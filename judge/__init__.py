@@ -1,6 +1,6 @@
 """A judge and kata kit for circle-line geometry.
 
-Imports point one way: cli → report → run → compare, data → spec → exact. `sandbox` knows nothing of
+Imports point one way: cli → report → run → compare, data → problem → exact. `sandbox` knows nothing of
 problems, `exact` knows nothing of judging.
 """
 
