@@ -29,8 +29,8 @@ from judge.problem.find import find_problem
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
+from judge.run.group import GroupRun
 from judge.run.result import GroupResult, Mode
-from judge.run.tally import Tally
 from judge.sandbox import Stop
 from judge.sandbox.encode import encode
 
@@ -133,12 +133,12 @@ class JudgeGroup(Struct, frozen=True):
 class _Judged(Struct, frozen=True):
     """A group, judged, and the first exception of the routine if that is its first failure."""
 
-    tally: Tally
+    tally: GroupRun
     raised: Exception | None
 
 
 def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
-    tally = Tally(data, group, Mode.FUNCTION)
+    tally = GroupRun(data, group, Mode.FUNCTION)
     first: Exception | None = None
     for index, (case, target) in enumerate(zip(group.cases, group.targets, strict=True)):
         try:

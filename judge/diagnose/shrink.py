@@ -29,8 +29,8 @@ from judge.diagnose.simplicity import measure
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
+from judge.run.group import named_input
 from judge.run.result import Failure, Mode
-from judge.run.tally import named_input
 from judge.sandbox import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn

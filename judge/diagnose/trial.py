@@ -21,9 +21,9 @@ from judge.data.validate import Validator
 from judge.diagnose.simplicity import Measure, measure
 from judge.errors import ProblemError
 from judge.problem import AnswerKind, Case, Group, Problem, Tolerance, Verdict
+from judge.run.group import VERDICTS
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
-from judge.run.tally import VERDICTS
 from judge.sandbox import Box, Limits, Stop
 
 Clock = Callable[[], float]

@@ -14,11 +14,11 @@ from judge.errors import nearest
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.function import judge_calls
+from judge.run.group import GroupRun
 from judge.run.measure import Reference, measure
 from judge.run.parallel import Turnstile, share
 from judge.run.program import judge_programs
 from judge.run.result import Failure, Mode, Result, Timing
-from judge.run.tally import Tally
 from judge.run.timing import Decision
 from judge.sandbox import Box, Boxes, BoxFactory, Inspection, SourceFault, Usage
 
@@ -99,7 +99,7 @@ def run_submission(
 
 
 def _result(
-    judging: _Judging, tallies: Sequence[Tally], inspection: Inspection, timing: Decision, isolation: str
+    judging: _Judging, tallies: Sequence[GroupRun], inspection: Inspection, timing: Decision, isolation: str
 ) -> Result:
     """What the groups come to together."""
     problem = judging.data.problem
@@ -126,7 +126,7 @@ def _result(
 def _race(
     problem: Problem,
     mode: Mode,
-    tallies: Sequence[Tally],
+    tallies: Sequence[GroupRun],
     box: Box,
     settings: Settings,
     turnstile: Turnstile,
@@ -163,14 +163,14 @@ class _Judging:
         self._called: set[str] = set()
         self._done = self._total = 0
 
-    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
+    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[GroupRun]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
-        tallies = [Tally(self.data, group, self.mode) for group in groups]
+        tallies = [GroupRun(self.data, group, self.mode) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
         workers = self._settings.workers
         here = threading.current_thread()
 
-        def work(queue: Iterable[tuple[int, list[Tally]]]) -> None:
+        def work(queue: Iterable[tuple[int, list[GroupRun]]]) -> None:
             with ExitStack() as stack:
                 mine = box
                 if threading.current_thread() is not here:
@@ -185,7 +185,7 @@ class _Judging:
                 tally.give_up(*self._budget.over)
         return tallies
 
-    def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
+    def _judge(self, box: Box, tallies: Sequence[GroupRun]) -> None:
         judge_groups = judge_calls if self.mode is Mode.FUNCTION else judge_programs
         judge_groups(
             box,
@@ -195,7 +195,7 @@ class _Judging:
             on_group=self._after_group,
         )
 
-    def _after_calls(self, tally: Tally) -> None:
+    def _after_calls(self, tally: GroupRun) -> None:
         with self._lock:
             if tally.group.group.name not in self._called:
                 self._called.add(tally.group.group.name)
@@ -203,7 +203,7 @@ class _Judging:
                 if self._on_progress:
                     self._on_progress(self._done, self._total)
 
-    def _after_group(self, tally: Tally) -> None:
+    def _after_group(self, tally: GroupRun) -> None:
         tally.run = True
         self._after_calls(tally)
         if tally.verdict is Verdict.TLE or tally.out_of_time:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from judge.errors import JudgeError
 from judge.run.budget import Budget
-from judge.run.tally import Tally, group_limits
+from judge.run.group import GroupRun, group_limits
 from judge.sandbox import Box, CallsResult, Stop
 
 MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
@@ -15,11 +15,11 @@ _TIME = (Stop.CPU, Stop.WALL, Stop.WAITING)
 
 def judge_calls(
     box: Box,
-    tallies: Sequence[Tally],
+    tallies: Sequence[GroupRun],
     *,
     budget: Budget,
-    on_calls: Callable[[Tally], None],
-    on_group: Callable[[Tally], None],
+    on_calls: Callable[[GroupRun], None],
+    on_group: Callable[[GroupRun], None],
 ) -> None:
     """Call the entry function for each case of the groups, in as few processes as it takes.
 
@@ -52,7 +52,7 @@ def judge_calls(
 class _Group:
     """How far a group has come."""
 
-    def __init__(self, tally: Tally) -> None:
+    def __init__(self, tally: GroupRun) -> None:
         self.tally = tally
         self.done = 0
         self._losses = 0

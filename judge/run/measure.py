@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
+from judge.run.group import VERDICTS, GroupRun
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
-from judge.run.tally import VERDICTS, Tally
 from judge.run.timing import Decision, race
 from judge.sandbox import Box, BoxFactory, Limits, Stop, Usage
 
@@ -63,7 +63,7 @@ class Reference:
 def measure(
     problem: Problem,
     mode: Mode,
-    tallies: Sequence[Tally],
+    tallies: Sequence[GroupRun],
     submission: Box,
     reference: Box,
     budget: Budget,
@@ -142,7 +142,7 @@ def _program_turn(box: Box, stdin: bytes, limits: Limits) -> _Turn:
     return _Turn(lines, result.stop, result.detail, result.usage)
 
 
-def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[Tally, int]]) -> bool:
+def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[GroupRun, int]]) -> bool:
     """Whether all answers are accepted as when they were judged; the first that is not is recorded."""
     from judge.compare.check import Accepted, check
     from judge.compare.text import check_line

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from judge.problem import Argument, Case, Verdict
 from judge.run.budget import Budget
-from judge.run.tally import VERDICTS, Tally, group_limits
+from judge.run.group import VERDICTS, GroupRun, group_limits
 from judge.sandbox import Box, ProgramResult, Stop
 
 SHOWN = 80  # characters of a line that is quoted
@@ -48,11 +48,11 @@ def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
 
 def judge_programs(
     box: Box,
-    tallies: Sequence[Tally],
+    tallies: Sequence[GroupRun],
     *,
     budget: Budget,
-    on_calls: Callable[[Tally], None],
-    on_group: Callable[[Tally], None],
+    on_calls: Callable[[GroupRun], None],
+    on_group: Callable[[GroupRun], None],
 ) -> None:
     """Run the program once for each group; arguments as those of `judge_calls`."""
     for tally in tallies:
@@ -63,7 +63,7 @@ def judge_programs(
         on_group(tally)
 
 
-def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
+def judge_program(box: Box, tally: GroupRun, budget: Budget) -> None:
     """Run the program once on the whole group and compare it line by line."""
     from judge.compare.text import check_line
 
@@ -93,7 +93,7 @@ def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
         _stopped(box, tally, result, len(lines), budget)
 
 
-def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int, budget: Budget) -> None:
+def _stopped(box: Box, tally: GroupRun, result: ProgramResult, printed: int, budget: Budget) -> None:
     """Record a run that did not end well; its time, memory or output belong to no case in particular."""
     if tally.failure is not None:
         return
@@ -108,7 +108,7 @@ def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int, budget
     tally.failed(index, VERDICTS[result.stop], message)
 
 
-def _culprit(box: Box, tally: Tally, budget: Budget) -> int | None:
+def _culprit(box: Box, tally: GroupRun, budget: Budget) -> int | None:
     """The case at which the program breaks, found by halving, or None where it breaks without any.
 
     What it had printed may still have been in its buffer, so the lines that arrived do not tell. None, too,

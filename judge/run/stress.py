@@ -22,9 +22,9 @@ from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.execute import fault_text, noted
 from judge.run.function import judge_calls
+from judge.run.group import GroupRun
 from judge.run.program import judge_programs
 from judge.run.result import SCHEMA, Failure, GroupResult, Mode, Result, Timing
-from judge.run.tally import Tally
 from judge.sandbox import Box, Usage
 
 MOST_SERIES = 16  # in one process: about as many cases as a problem's pinned ones, which share one too
@@ -184,13 +184,13 @@ class _Run:
         self._failure: Failure | None = None
         self._series: Iterator[Series] = fresh.series()
         self._at_once = 1
-        self._now: Sequence[tuple[Series, Tally]] = ()
+        self._now: Sequence[tuple[Series, GroupRun]] = ()
 
     def some(self) -> None:
         """Judge the next few series."""
         begun = self._clock()
         self._now = [
-            (series, Tally(self._data, series.data, self._mode))
+            (series, GroupRun(self._data, series.data, self._mode))
             for series in islice(self._series, self._at_once)
         ]
         judge = judge_calls if self._mode is Mode.FUNCTION else judge_programs
@@ -257,5 +257,5 @@ class _Run:
         return self.cases > 0 or any(tally.run for _, tally in self._now)
 
 
-def _note(tally: Tally) -> None:
+def _note(tally: GroupRun) -> None:
     tally.run = True

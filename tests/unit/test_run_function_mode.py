@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from judge.problem import Verdict
 from judge.run import Mode
 from judge.run.budget import MOST_LOSSES, Budget
-from judge.run.tally import Tally, group_limits
+from judge.run.group import GroupRun, group_limits
 from judge.sandbox import Stop, Usage, levels
 
 
@@ -105,7 +105,7 @@ def test_a_submission_is_given_up_after_ten_losses_in_all():
 def test_what_is_given_up_says_why_and_never_decides():
     data = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
     budget = Budget(data.problem)
-    tallies = [Tally(data, group, Mode.FUNCTION) for group in data.groups]
+    tallies = [GroupRun(data, group, Mode.FUNCTION) for group in data.groups]
     for _ in range(MOST_LOSSES):
         assert budget.over is None
         budget.spent(Usage(), Stop.TAMPERED)

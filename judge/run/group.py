@@ -31,7 +31,7 @@ VERDICTS = {
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
 
 
-class Tally:
+class GroupRun:
     """Collects the outcomes of one group's cases, in order, into a `GroupResult` and a `Failure`."""
 
     def __init__(self, data: ProblemData, group: GroupData, mode: Mode) -> None:
