@@ -16,22 +16,23 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, NamedTuple
 
 from msgspec import Struct
 
-from judge.compare.check import check
 from judge.data import GroupData, ProblemData, load_data
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import UsageError, nearest
-from judge.problem import Group, Problem
+from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
+from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
-from judge.run.result import GroupResult, Mode
-from judge.sandbox import Stop
+from judge.run.replies import Replies
+from judge.run.result import GroupResult
+from judge.sandbox import Reply, Stop, Usage
 from judge.sandbox.encode import encode
 
 Routine = Callable[..., Any]
@@ -92,9 +93,9 @@ class JudgeProblem:
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
         judged = [_judged(self.data, each, routine) for each in self.data.groups if each.group.name in chosen]
-        failed = next((each for each in judged if each.tally.failure is not None), None)
+        failed = next((each for each in judged if each.run.failure is not None), None)
         if failed is not None:
-            results = [each.tally.result() for each in judged]
+            results = [each.run.result() for each in judged]
             text = _text(_lines(self.problem, routine, failed, results))
             raise AssertionError(text) from failed.raised
 
@@ -130,27 +131,37 @@ class JudgeGroup(Struct, frozen=True):
         return group
 
 
-class _Judged(Struct, frozen=True):
+class _Judged(NamedTuple):
     """A group, judged, and the first exception of the routine if that is its first failure."""
 
-    tally: GroupRun
+    run: GroupRun
     raised: Exception | None
 
 
+class _Routine(FunctionRunner, frozen=True):
+    """Calls a routine in this process, where any other runner has a box for it."""
+
+    routine: Routine
+
+    def called(self, cases: Sequence[Case]) -> tuple[Replies, Exception | None]:
+        """What it answers to each of the cases, and the first exception among them."""
+        replies: list[Reply] = []
+        first: Exception | None = None
+        for case in cases:
+            try:
+                replies.append(Reply(Stop.ANSWERED, encode(self.routine(*case))))
+            except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
+                first = first or fault
+                replies.append(Reply(Stop.EXCEPTION, None, _told(fault)))
+        return Replies(replies, Usage()), first
+
+
 def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
-    tally = GroupRun(data, group, Mode.FUNCTION)
-    first: Exception | None = None
-    for index, (case, target) in enumerate(zip(group.cases, group.targets, strict=True)):
-        try:
-            answer = encode(routine(*case))
-        except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
-            if tally.failure is None:
-                first = fault
-            tally.stopped(index, Stop.EXCEPTION, _told(fault))
-        else:
-            outcome = check(data.problem.answer, answer, target, tally.exact(index))
-            tally.compared(index, outcome, answer)
-    return _Judged(tally, first)
+    runner = _Routine(data.problem, routine)
+    run = GroupRun(data, group, runner)
+    replies, raised = runner.called(group.cases)
+    run.take(replies)
+    return _Judged(run, raised if run.verdict is Verdict.RTE else None)
 
 
 def _told(fault: Exception) -> str:
@@ -175,7 +186,7 @@ def _place(step: TracebackType | None) -> str:
 def _lines(
     problem: Problem, routine: Routine, failed: _Judged, results: Sequence[GroupResult]
 ) -> Iterator[Line]:
-    failure = failed.tally.failure
+    failure = failed.run.failure
     assert failure is not None
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
@@ -190,7 +201,7 @@ def _lines(
         columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
         rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
         yield from (line(), *Table(columns, rows).lines(_WIDTH))
-    yield from _hints(problem, failed.tally.group.group)
+    yield from _hints(problem, failed.run.group)
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:

@@ -10,7 +10,7 @@ import click
 from judge.data import cache_folder
 from judge.problem import Problem
 from judge.report.screen import note
-from judge.run import Mode, Reference, Settings
+from judge.run import Reference, Settings
 from judge.run.parallel import Turnstile
 from judge.sandbox import LEVELS, Box, Boxes, BoxFactory
 
@@ -60,9 +60,7 @@ class Containment:
         """Start the box of a submission that will be judged soon, and that of the reference."""
         box = self._ahead[source, name] = self.open_box(source, name)
         box.warm_up()
-        reference = self._reference.open(Mode.FUNCTION)
-        if reference is not None:
-            reference.warm_up()
+        self._reference.warm_up()
 
     def settings(self, *, jobs: int, submissions: int) -> Settings:
         """How to judge so many submissions with `jobs` at once."""

@@ -13,8 +13,9 @@ from judge.cli.submissions import Submission
 from judge.data import ProblemData
 from judge.errors import told
 from judge.report.screen import note
-from judge.run import Mode, Reference, Result
+from judge.run import Reference, Result
 from judge.run.result import Failure
+from judge.run.runner import Runner
 from judge.sandbox import Box, BoxFactory
 
 if TYPE_CHECKING:
@@ -41,42 +42,40 @@ class Diagnosis(Struct, frozen=True):
     regression: Path | None = None
     choices: Choices | None = None  # of fresh data, which know what they are built from
 
-    def __call__(self, submission: Submission, result: Result, box: Box) -> Result:
+    def __call__(self, submission: Submission, result: Result, runner: Runner, box: Box) -> Result:
         """The result with its counterexample; a fault in the search is told and leaves the verdict alone."""
         if result.failure is None:
             return result
         try:
-            found = self._search(result, result.failure, box)
+            found = self._search(result, result.failure, runner, box)
         except Exception as fault:
             note(f"no smaller case for {submission.name}: {told(fault)}")
             return result
         if self.regression is not None:
-            self._save(submission, result, found)
+            self._save(submission, runner, found)
         return result if found is None else replace(result, counterexample=found.as_json())
 
-    def _search(self, result: Result, failure: Failure, box: Box) -> Counterexample | None:
+    def _search(self, result: Result, failure: Failure, runner: Runner, box: Box) -> Counterexample | None:
         from judge.diagnose import shrink  # only after a wrong answer
 
-        problem = self.data.problem
-        with Reference(problem, self.open_box) as reference:
+        with Reference(self.data.problem, self.open_box) as reference:
             return shrink(
-                problem,
                 self.data,
                 box,
-                result.mode,
+                runner,
                 result.verdict,
                 failure,
-                reference=lambda: reference.open(result.mode),
+                reference=lambda: reference.open(runner),
                 choices=self.choices,
             )
 
-    def _save(self, submission: Submission, result: Result, found: Counterexample | None) -> None:
+    def _save(self, submission: Submission, runner: Runner, found: Counterexample | None) -> None:
         from judge.diagnose.regression import add_case
 
         assert self.regression is not None
         if found is None or found.replay is None:
             text = f"{submission.name} fails on no case by itself; {self.regression} is as it was"
-        elif result.mode is Mode.PROGRAM:
+        elif not runner.calls:
             text = f"{submission.name} is a program, not a function; {self.regression} is as it was"
         else:
             target = Path(submission.name)

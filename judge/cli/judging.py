@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.cli.containment import Containment
 from judge.cli.diagnosis import Diagnosis
@@ -23,7 +22,8 @@ from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.progress import progress
 from judge.report.screen import note
-from judge.run import Result, Settings, judge_fault, run_submission
+from judge.run import Result, Settings, judge_fault
+from judge.run.execute import run_in
 from judge.run.parallel import in_order
 
 
@@ -103,13 +103,13 @@ def _judge(
     naming: Naming | None,
 ) -> Result:
     source, name = submission.source, submission.name
-    if diagnosis is not None:
-        settings = replace(settings, diagnose=partial(diagnosis, submission))
     try:
-        with progress(name) if bar else nullcontext() as advance:
-            result = run_submission(
-                problem, data, source, name, groups=groups, on_progress=advance, settings=settings
-            )
+        with settings.box_factory(source, name) as box:
+            with progress(name) if bar else nullcontext() as advance:
+                judged = run_in(box, problem, data, source, name, groups, advance, settings)
+            result = judged.result
+            if diagnosis is not None and judged.runner is not None:
+                result = diagnosis(submission, result, judged.runner, box)
         return naming.named(result) if naming else result
     except UsageError:  # a level of isolation that cannot be had
         raise

@@ -8,37 +8,31 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem, Verdict
-from judge.run.result import Failure, GroupResult, Mode
-from judge.sandbox import Limits, Stop, Usage
+from judge.run.replies import VERDICTS, Replies
+from judge.run.result import Failure, GroupResult
+from judge.sandbox.boundary import Limits, Stop, Usage
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
     from judge.compare.check import Accepted, Rejection
     from judge.compare.outline import Outline
-    from judge.data import GroupData, ProblemData
+    from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
+    from judge.run.runner import Runner
 
-VERDICTS = {
-    Stop.EXCEPTION: Verdict.RTE,
-    Stop.EXITED: Verdict.RTE,
-    Stop.TAMPERED: Verdict.RTE,
-    Stop.CPU: Verdict.TLE,
-    Stop.WALL: Verdict.TLE,
-    Stop.WAITING: Verdict.TLE,
-    Stop.MEMORY: Verdict.MLE,
-    Stop.OUTPUT: Verdict.OLE,
-}
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
 
 
 class GroupRun:
     """Collects the outcomes of one group's cases, in order, into a `GroupResult` and a `Failure`."""
 
-    def __init__(self, data: ProblemData, group: GroupData, mode: Mode) -> None:
+    def __init__(self, data: ProblemData, group: GroupData, runner: Runner) -> None:
         self.problem: Problem = data.problem
-        self.group = group
+        self.group = group.group
+        self.cases = group.cases
+        self.targets = group.targets
         self.usage = Usage()
-        self.run = False  # whether it was run to its end
+        self.ended = False  # whether nothing more of it is to be run
         self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
         self.verdict = Verdict.AC
@@ -46,15 +40,26 @@ class GroupRun:
         self.reached = 0  # the cases before this one have all been decided
         self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
         self._data = data
-        self._mode = mode
+        self._runner = runner
         self._worst: float | None = None
 
     def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
-        """What `check` calls if it needs the exact answer of a case."""
-        return lambda: self._data.exact(self.group.cases[index], self.group.group)
+        """What a comparison calls if it needs the exact answer of a case."""
+        return lambda: self._data.exact(self.cases[index], self.group)
 
-    def compared(self, index: int, outcome: Accepted | Rejection, given: Any) -> None:
-        """Record what comparing `given`, the answer of a case or its line, came to."""
+    def take(self, replies: Replies) -> None:
+        """Decide what came of the next cases, and record it; a breakdown is left to the caller."""
+        self.usage += replies.usage
+        decide, targets = self._runner.decide, self.targets
+        for index, reply in enumerate(replies.replies, self.reached):
+            if reply.stop is Stop.ANSWERED:
+                self._compared(index, decide(reply.answer, targets[index], self.exact(index)), reply.answer)
+            else:
+                self.stopped(index, reply.stop, reply.detail)
+        self.reached += len(replies.replies)
+
+    def _compared(self, index: int, outcome: Accepted | Rejection, answer: Any) -> None:
+        """Record what comparing the answer of a case came to."""
         from judge.compare.check import Accepted
 
         if isinstance(outcome, Accepted):
@@ -64,14 +69,14 @@ class GroupRun:
             if worst is not None and math.isfinite(worst):
                 self._worst = max(self._worst or 0.0, worst)
             return
-        self.wrong[index] = self._outline(given)
+        self.wrong[index] = self._runner.outline(answer)
         if self.failure is None:
             self.verdict = Verdict.WA
             self.failure = Failure(
                 outcome.message,
-                self.group.group.name,
+                self.group.name,
                 index + 1,
-                named_input(self.problem, self.group.cases[index]),
+                named_input(self.problem, self.cases[index]),
                 outcome.wanted,
                 outcome.got,
                 outcome.where,
@@ -87,10 +92,10 @@ class GroupRun:
             self.verdict = verdict
             self.failure = Failure(
                 message,
-                self.group.group.name,
+                self.group.name,
                 index + 1,
-                named_input(self.problem, self.group.cases[index]),
-                self._wanted(index),
+                named_input(self.problem, self.cases[index]),
+                self._runner.wanted(self.targets[index]),
                 got,
             )
 
@@ -112,23 +117,10 @@ class GroupRun:
         self.passed -= 1
         self.failed(index, verdict, message, got)
 
-    def _outline(self, given: Any) -> Outline:
-        from judge.compare.outline import line_outline, outline
-
-        describe = outline if self._mode is Mode.FUNCTION else line_outline
-        return describe(self.problem.answer, given)
-
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
         self.verdict = Verdict.TLE
-        self.failure = Failure(message, self.group.group.name)
-
-    def _wanted(self, index: int) -> str:
-        from judge.compare.check import wanted_text
-        from judge.compare.text import render_target
-
-        text = wanted_text if self._mode is Mode.FUNCTION else render_target
-        return text(self.group.targets[index])
+        self.failure = Failure(message, self.group.name)
 
     @property
     def out_of_time(self) -> bool:
@@ -138,15 +130,14 @@ class GroupRun:
 
     def result(self) -> GroupResult:
         """The group's outcome; cases that were never run have not passed."""
-        group = self.group.group
         return GroupResult(
-            group.name,
+            self.group.name,
             self.verdict,
-            len(self.group.cases),
+            len(self.cases),
             self.passed,
             self._worst,
             self.usage.cpu_seconds,
-            group.points,
+            self.group.points,
             self.reached,
             self.wrong,
         )

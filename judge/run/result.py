@@ -209,13 +209,6 @@ class Result(Struct, frozen=True):
         }
 
 
-def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
-    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
-    return Result(
-        problem, submission, Mode.FUNCTION, Verdict.JE, failure=Failure(message), isolation=isolation
-    )
-
-
 def exit_code(results: list[Result]) -> ExitCode:
     """What several results together tell the shell: the judge's fault weighs most, then a rejection."""
     return max((result.exit_code for result in results), default=ExitCode.ACCEPTED)

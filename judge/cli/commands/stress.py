@@ -189,7 +189,8 @@ class _Asked(Struct, frozen=True):
             self.regression,
             lambda _group, _builder, number, _case: fresh.choices_of(series, number),
         )
-        result = diagnosis(self.submission, replace(stressed.result, failure=broken.failure), box)
+        failed = replace(stressed.result, failure=broken.failure)
+        result = diagnosis(self.submission, failed, broken.runner, box)
         return replace(stressed, result=replace(stressed.result, counterexample=result.counterexample))
 
     def _with_name(self, stressed: Stressed, settings: Settings) -> Stressed:
