@@ -161,8 +161,7 @@ def _race(
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
-        reference = shared.open(runner)
-        return measure(problem, runner, runs, box, reference, budget) if reference else Decision(None)
+        return measure(problem, runner, runs, box, shared, budget)
 
 
 class _Judging:

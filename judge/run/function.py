@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
@@ -40,11 +41,12 @@ class FunctionRunner(Struct, frozen=True):
         """All series in one process, as far as that goes."""
         return [_replies(each) for each in box.call_series(self.problem.entry, series, limits, on_series)]
 
-    def decide(self, answer: Any, target: AnyTarget, exact: Exact) -> Outcome:
-        """Compare a value that a call returned."""
+    @property
+    def decide(self) -> Callable[[Any, AnyTarget, Exact], Outcome]:
+        """Compares a value that a call returned."""
         from judge.compare.check import check  # late, as all comparing: a box boots meanwhile
 
-        return check(self.problem.answer, answer, target, exact)
+        return partial(check, self.problem.answer)
 
     def wanted(self, target: AnyTarget) -> str:
         """The right answer as Python writes it."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem, Verdict
@@ -14,7 +15,7 @@ from judge.sandbox.boundary import Limits, Stop, Usage
 
 if TYPE_CHECKING:
     from judge.compare.answers import Answer
-    from judge.compare.check import Accepted, Rejection
+    from judge.compare.check import Rejection
     from judge.compare.outline import Outline
     from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
@@ -45,30 +46,35 @@ class GroupRun:
 
     def exact(self, index: int) -> Callable[[], tuple[Answer, Tolerance]]:
         """What a comparison calls if it needs the exact answer of a case."""
-        return lambda: self._data.exact(self.cases[index], self.group)
+        return partial(self._exact, index)
+
+    def _exact(self, index: int) -> tuple[Answer, Tolerance]:
+        return self._data.exact(self.cases[index], self.group)
 
     def take(self, replies: Replies) -> None:
         """Decide what came of the next cases, and record it; a breakdown is left to the caller."""
-        self.usage += replies.usage
-        decide, targets = self._runner.decide, self.targets
-        for index, reply in enumerate(replies.replies, self.reached):
-            if reply.stop is Stop.ANSWERED:
-                self._compared(index, decide(reply.answer, targets[index], self.exact(index)), reply.answer)
-            else:
-                self.stopped(index, reply.stop, reply.detail)
-        self.reached += len(replies.replies)
-
-    def _compared(self, index: int, outcome: Accepted | Rejection, answer: Any) -> None:
-        """Record what comparing the answer of a case came to."""
         from judge.compare.check import Accepted
 
-        if isinstance(outcome, Accepted):
+        self.usage += replies.usage
+        decide, targets, worst, answered = self._runner.decide, self.targets, self._worst, Stop.ANSWERED
+        for index, (stop, answer, detail) in enumerate(replies.replies, self.reached):
+            if stop is not answered:
+                self.stopped(index, stop, detail)
+                continue
+            outcome = decide(answer, targets[index], partial(self._exact, index))
+            if not isinstance(outcome, Accepted):
+                self._rejected(index, outcome, answer)
+                continue
             self.passed += 1
-            worst = outcome.worst_ulps
+            ulps = outcome.worst_ulps
             # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
-            if worst is not None and math.isfinite(worst):
-                self._worst = max(self._worst or 0.0, worst)
-            return
+            if ulps is not None and (worst is None or ulps > worst) and math.isfinite(ulps):
+                worst = ulps
+        self._worst = worst
+        self.reached += len(replies.replies)
+
+    def _rejected(self, index: int, outcome: Rejection, answer: Any) -> None:
+        """Record a wrong answer of a case."""
         self.wrong[index] = self._runner.outline(answer)
         if self.failure is None:
             self.verdict = Verdict.WA

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Sequence
 
 from judge.errors import JudgeError
@@ -10,7 +11,7 @@ from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.replies import VERDICTS, Replies
 from judge.run.runner import Runner
-from judge.run.timing import Decision, race
+from judge.run.timing import Decision, Pace, race
 from judge.sandbox.boundary import Box, BoxFactory, Limits, Stop, Usage
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
@@ -23,13 +24,15 @@ _AGAIN = "when it was run again to be timed"
 class Reference:
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
-    A context manager, its boxes end with it; one race at a time may use them.
+    A context manager, its boxes end with it; one race at a time may use them. The races are all on the same
+    data: how long the solutions took on them is remembered.
     """
 
     def __init__(self, problem: Problem, box_factory: BoxFactory) -> None:
         self._problem = problem
         self._box_factory = box_factory
         self._boxes: dict[str, Box | None] = {}
+        self._paces: dict[tuple[str, ...], Pace] = {}
 
     def __enter__(self) -> Reference:
         return self
@@ -53,6 +56,11 @@ class Reference:
         name = runner.reference(rule) if rule else None
         return self._box(name) if name else None
 
+    def pace(self, runner: Runner, runs: Sequence[GroupRun]) -> Pace:
+        """What the reference for such submissions took so far on the cases of these groups."""
+        key = (runner.mode.value, *(run.group.name for run in runs))
+        return self._paces.setdefault(key, Pace())
+
     def _box(self, name: str) -> Box | None:
         if name not in self._boxes:
             try:
@@ -69,10 +77,12 @@ def measure(
     runner: Runner,
     runs: Sequence[GroupRun],
     submission: Box,
-    reference: Box,
+    reference: Reference,
     budget: Budget,
 ) -> Decision:
-    """Race the two on the cases of accepted groups, in one series of calls or one program a turn.
+    """Race a submission and the reference, if there is one, on the cases of accepted groups.
+
+    A turn is one series of calls, or one program.
 
     The submission's answers are compared in every turn: one that answers otherwise than before, or not to
     the end, is no longer accepted, its group says why, and there is no more racing. Nor is there for one
@@ -81,7 +91,9 @@ def measure(
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    assert problem.time is not None
+    rival = reference.open(runner)
+    if problem.time is None or rival is None:
+        return Decision(None)
     places = [(run, index) for run in runs for index in range(len(run.cases))]
     places = places[:: 1 + (len(places) - 1) // MOST_CASES]
     cases = [run.cases[index] for run, index in places]
@@ -92,15 +104,20 @@ def measure(
         wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
     )
     taken = Usage()
+    accepted: bytes | None = None  # the answers that were compared last
 
     def mine() -> float | None:
-        nonlocal taken
+        nonlocal taken, accepted
         replies = budget.booked(runner.answers(submission, cases, budget.within(tighter)))
         taken += replies.usage
-        return replies.usage.cpu_seconds if _as_before(runner, replies, places) else None
+        given = _exactly(replies)
+        if (given is None or given != accepted) and not _as_before(runner, replies, places):
+            return None
+        accepted = given
+        return replies.usage.cpu_seconds
 
     def theirs() -> float | None:
-        replies = runner.answers(reference, cases, limits)
+        replies = runner.answers(rival, cases, limits)
         if replies.trouble:
             raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
         return replies.usage.cpu_seconds
@@ -109,10 +126,15 @@ def measure(
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * taken.cpu_seconds
 
-    decision = race(mine, theirs, problem.time.limit, goes_on)
+    decision = race(mine, theirs, problem.time.limit, goes_on, reference.pace(runner, runs))
     if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)
     return decision
+
+
+def _exactly(replies: Replies) -> bytes | None:
+    """The answers as bytes, for 1, 1.0 and True are equal and yet three answers; None if some are missing."""
+    return None if replies.trouble else marshal.dumps([reply.answer for reply in replies.replies], 2)
 
 
 def _as_before(runner: Runner, replies: Replies, places: Sequence[tuple[GroupRun, int]]) -> bool:

@@ -7,6 +7,7 @@ cx cy r ax ay bx by    the parameters in order, floats as `repr`; T such lines
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
@@ -52,11 +53,12 @@ class ProgramRunner(Struct, frozen=True):
         """A run on the first series alone: each has a process of its own."""
         return [self.answers(box, cases, limits) for cases in series[:1]]
 
-    def decide(self, answer: Any, target: AnyTarget, exact: Exact) -> Outcome:
-        """Compare a line of output."""
+    @property
+    def decide(self) -> Callable[[Any, AnyTarget, Exact], Outcome]:
+        """Compares a line of output."""
         from judge.compare.text import check_line  # late, as all comparing: a box boots meanwhile
 
-        return check_line(self.problem.answer, answer, target, exact)
+        return partial(check_line, self.problem.answer)
 
     def wanted(self, target: AnyTarget) -> str:
         """The line that a perfect program prints."""

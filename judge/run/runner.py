@@ -63,8 +63,9 @@ class Runner(Protocol):
         """
         ...
 
-    def decide(self, answer: Any, target: AnyTarget, exact: Exact) -> Outcome:
-        """Hold a reply's answer against the target; see `judge.compare.check.check`."""
+    @property
+    def decide(self) -> Callable[[Any, AnyTarget, Exact], Outcome]:
+        """What holds a reply's answer against a target; see `judge.compare.check.check`."""
         ...
 
     def wanted(self, target: AnyTarget) -> str:
