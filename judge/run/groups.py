@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from judge.errors import JudgeError
-from judge.problem import Verdict
+from judge.problem import Case, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun, group_limits
 from judge.run.replies import Breakdown, Replies
@@ -33,7 +33,7 @@ def run_groups(
     loss of a group, ends the group, and so does any breakdown. `on_calls` is told as soon as a group's cases
     have been run, `on_group` once its answers are compared; nothing more is begun once the budget is used up.
     """
-    waiting = [_Course(runner, box, group, budget) for group in groups]
+    waiting = [_Progress(runner, box, group, budget) for group in groups]
     while waiting and not budget.over:
         # A group that has lost a call goes on by itself, with what is left of its limits.
         batch = waiting if not waiting[0].group.reached else waiting[:1]
@@ -41,20 +41,20 @@ def run_groups(
         called = iter(batch)
         results = runner.series(
             box,
-            [course.group.cases[course.group.reached :] for course in batch],
+            [progress.rest for progress in batch],
             budget.within(group_limits(first.problem, first.usage)),
             lambda called=called: on_calls(next(called).group),  # type: ignore[misc]
         )
         if not any(result.replies or result.breakdown for result in results):
             raise JudgeError("the sandbox made no call at all", where=first.group.name)
-        for course, result in zip(batch, results, strict=False):
-            course.take(budget.booked(result))
-            if course.over:
-                on_group(course.group)
-        waiting = [course for course in waiting if not course.over]
+        for progress, result in zip(batch, results, strict=False):
+            progress.take(budget.booked(result))
+            if progress.over:
+                on_group(progress.group)
+        waiting = [progress for progress in waiting if not progress.over]
 
 
-class _Course:
+class _Progress:
     """A group on its way to its end."""
 
     def __init__(self, runner: Runner, box: Box, group: GroupRun, budget: Budget) -> None:
@@ -64,6 +64,12 @@ class _Course:
         self._box = box
         self._budget = budget
         self._losses = 0
+
+    @property
+    def rest(self) -> Sequence[Case]:
+        """The cases still to be run: at first the group's own list, which need not be packed again."""
+        cases, reached = self.group.cases, self.group.reached
+        return cases[reached:] if reached else cases
 
     def take(self, replies: Replies) -> None:
         """Record what came of the next cases."""

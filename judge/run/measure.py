@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import marshal
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from judge.errors import JudgeError
-from judge.problem import Problem, Verdict
+from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.replies import VERDICTS, Replies
@@ -21,6 +22,14 @@ _LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the fir
 _AGAIN = "when it was run again to be timed"
 
 
+class Track(NamedTuple):
+    """What races are run on: cases by group and index, and what the reference took on them so far."""
+
+    places: list[tuple[int, int]]
+    cases: list[Case]
+    pace: Pace
+
+
 class Reference:
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
@@ -32,7 +41,7 @@ class Reference:
         self._problem = problem
         self._box_factory = box_factory
         self._boxes: dict[str, Box | None] = {}
-        self._paces: dict[tuple[str, ...], Pace] = {}
+        self._tracks: dict[tuple[str, ...], Track] = {}
 
     def __enter__(self) -> Reference:
         return self
@@ -56,10 +65,14 @@ class Reference:
         name = runner.reference(rule) if rule else None
         return self._box(name) if name else None
 
-    def pace(self, runner: Runner, runs: Sequence[GroupRun]) -> Pace:
-        """What the reference for such submissions took so far on the cases of these groups."""
+    def track(self, runner: Runner, runs: Sequence[GroupRun]) -> Track:
+        """What such submissions are raced on if these are their groups: the same whenever it is asked for."""
         key = (runner.mode.value, *(run.group.name for run in runs))
-        return self._paces.setdefault(key, Pace())
+        if key not in self._tracks:
+            places = [(place, index) for place, run in enumerate(runs) for index in range(len(run.cases))]
+            chosen = places[:: 1 + (len(places) - 1) // MOST_CASES]
+            self._tracks[key] = Track(chosen, [runs[place].cases[index] for place, index in chosen], Pace())
+        return self._tracks[key]
 
     def _box(self, name: str) -> Box | None:
         if name not in self._boxes:
@@ -94,9 +107,8 @@ def measure(
     rival = reference.open(runner)
     if problem.time is None or rival is None:
         return Decision(None)
-    places = [(run, index) for run in runs for index in range(len(run.cases))]
-    places = places[:: 1 + (len(places) - 1) // MOST_CASES]
-    cases = [run.cases[index] for run, index in places]
+    chosen, cases, pace = reference.track(runner, runs)
+    places = [(runs[place], index) for place, index in chosen]
     limits = _limits(problem, len(runs))
     used = sum((run.usage for run in runs), Usage())
     tighter = limits._replace(
@@ -126,7 +138,7 @@ def measure(
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * taken.cpu_seconds
 
-    decision = race(mine, theirs, problem.time.limit, goes_on, reference.pace(runner, runs))
+    decision = race(mine, theirs, problem.time.limit, goes_on, pace)
     if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)
     return decision

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from judge.errors import JudgeError
-from judge.sandbox import imports, outcome, shared
+from judge.sandbox import imports, outcome, packing, shared
 from judge.sandbox.boundary import (
     CallsResult,
     Inspection,
@@ -33,7 +33,6 @@ OnLevel = Callable[[str, bool], None]  # a level, and whether it was refused for
 Refuse = Callable[[NotStarted], JudgeError]
 
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
-_SEQUENCES = frozenset({list, tuple})
 _LOST = "it stopped the process that watches it"
 
 
@@ -151,7 +150,7 @@ class ForkServerBox:
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
-        packed = _packed(entry, series)
+        packed = packing.packed(entry, series)
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
@@ -323,14 +322,3 @@ class ForkServerBox:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
-
-
-def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
-    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
-    count = sum(len(calls) for calls in series)
-    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
-
-
-def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:
-    """A sequence as a tuple, and the sequences in it too."""
-    return tuple([_frozen(item) if type(item) in _SEQUENCES else item for item in value])
