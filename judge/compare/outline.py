@@ -8,7 +8,7 @@
     shape 3 x …      a list of something else, by those of its items that are numbers
     text             a line of output that is no answer
 
-A run that ended without an answer has the outlines of `judge.run.tally`.
+A run that ended without an answer has the outlines of `judge.run.group`.
 """
 
 from __future__ import annotations

@@ -55,7 +55,7 @@ def shared_roots() -> Roots:
 
 
 def exact_ends(x: Surd, tolerance: Tolerance, unit: Surd) -> tuple[Surd, Surd]:
-    """L and U as `spec.Tolerance` defines them; `unit` >= 0 in the units of x.
+    """L and U as `problem.Tolerance` defines them; `unit` >= 0 in the units of x.
 
     Raises ProblemError where an `extent` is asked of an irrational unit: the sum of two different roots
     is no Surd, and no problem needs it.

@@ -21,7 +21,7 @@ from judge.reading import read_ordinary
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "spec")  # the packages that the data depend on
+_CODE = ("exact", "compare", "data", "problem")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 
@@ -50,8 +50,12 @@ def cache_folder() -> Path:
 
 def data_key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the data are made from."""
-    own = [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
-    return content_key(f"{FORMAT}/{seed}", [*own, *code_files(_CODE)])
+    return content_key(f"{FORMAT}/{seed}", [*own_files(problem), *code_files(_CODE)])
+
+
+def own_files(problem: Problem) -> list[Path]:
+    """The files of the problem's folder that its data are made from."""
+    return [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
 
 
 def code_files(packages: Iterable[str]) -> list[Path]:

@@ -20,6 +20,7 @@ from typing import NamedTuple
 from msgspec import Struct
 
 from judge.errors import ProblemError
+from judge.language import SUFFIX, is_program
 from judge.problem.model import Problem
 from judge.problem.program import tree_of
 from judge.problem.verdict import Verdict
@@ -126,11 +127,6 @@ def accepted_source(problem: Problem, file: str) -> bytes | None:
         return None
 
 
-def is_program(path: Path) -> bool:
-    """Whether the file of that name is a program in a language known here, and not hidden."""
-    return path.suffix in _HEADS and not path.name.startswith(".")
-
-
 def is_solution(path: str, problem: str) -> bool:
     """Whether a path, with / between its parts, names a solution of the problem of that id."""
     return path.split("/")[-4:-2] == ["solutions", problem]
@@ -179,7 +175,7 @@ def _docstring(source: bytes) -> str:
     return ast.get_docstring(tree_of(source)) or ""
 
 
-_HEADS: Mapping[str, Callable[[bytes], str]] = {".py": _docstring}  # how a language's programs begin
+_HEADS: Mapping[str, Callable[[bytes], str]] = {SUFFIX: _docstring}  # how a language's programs begin
 
 
 def _place(path: Path, parts: int) -> str:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import imports, outcome, room, shared
+from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
     Inspection,
@@ -34,7 +34,6 @@ STDERR_BYTES = 4096
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
-_SEQUENCES = frozenset({list, tuple})
 _TRUSTED_TRIES = 2
 _BUSY = "judge it again, with a smaller -j if the machine is busy"
 _LOST = "it stopped the process that watches it"
@@ -150,7 +149,7 @@ class ForkServerBox:
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
-        packed = _packed(entry, series)
+        packed = packing.packed(entry, series)
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
@@ -303,14 +302,3 @@ def _killed(done: Done) -> bool:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
-
-
-def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
-    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
-    count = sum(len(calls) for calls in series)
-    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
-
-
-def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:
-    """A sequence as a tuple, and the sequences in it too."""
-    return tuple([_frozen(item) if type(item) in _SEQUENCES else item for item in value])

@@ -10,9 +10,9 @@ import pytest
 from cli_support import PACK, ROOT, Outcome
 
 from judge.cli import main
-from judge.cli.isolation import keep_level
 from judge.data import load_data
 from judge.data.pins import write_pins
+from judge.judging.isolation import keep_level
 from judge.problem.find import find_problem
 from judge.sandbox import levels
 

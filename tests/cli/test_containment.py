@@ -8,7 +8,7 @@ import shutil
 import pytest
 from cli_support import ROOT
 
-from judge.cli.containment import Containment
+from judge.judging.containment import Containment
 from judge.problem.load import load_problem
 from judge.sandbox import LEVELS, Limits, levels
 from judge.sandbox.roots import find_roots

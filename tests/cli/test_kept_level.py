@@ -8,8 +8,8 @@ import os
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.cli.isolation import keep_level, kept_level
 from judge.cli.kata import Kata
+from judge.judging.isolation import keep_level, kept_level
 from judge.sandbox import levels, probe
 
 BEST = next(level.name for level in levels() if level.available)
@@ -105,7 +105,7 @@ def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch
             patch.setattr(os, name, other)
             assert kept_level() is None
     with monkeypatch.context() as patch:
-        patch.setattr("judge.cli.isolation.__version__", "99")
+        patch.setattr("judge.judging.isolation.__version__", "99")
         assert kept_level() is None
     assert kept_level() == "full"
     with monkeypatch.context() as patch:  # a folder that two machines share keeps a level of each

@@ -127,9 +127,7 @@ def test_a_solution_that_is_a_pipe(folder, tmp_path):
     assert f"middle/{folder}/a-pipe.py" in ended.stdout
     (tmp_path / "floor.py").write_text(FLOOR)
     assert patient("run", "-q", "middle", tmp_path / "floor.py", *problems).returncode == 1
-    assert patient("solution", "middle", "--give-up", *problems).returncode == (
-        3 if folder == "accepted" else 0
-    )
+    assert patient("solution", "middle", "--give-up", *problems).returncode == 0  # another one is sound
 
 
 def test_force_writes_over_no_device_and_no_pipe(named_pipe):

@@ -11,17 +11,8 @@ import judge
 
 PACKAGE = Path(judge.__file__).parent
 ROOMS = [
-    "cli",
-    "report",
-    "kata",
-    "diagnose",
-    "run",
-    "data",
-    "compare",
-    "problem",
-    "exact",
-    "reading",
-    "errors",
+    *("cli", "judging", "report", "kata", "diagnose", "run"),
+    *("data", "compare", "problem", "exact", "language", "reading", "errors"),
 ]
 
 

@@ -9,9 +9,9 @@ from typing import Any
 import click
 from msgspec.structs import replace
 
-from judge.cli.isolation import kept_level
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
+from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
 from judge.problem.find import find_problem, problem_folders
 from judge.report.layout import line
