@@ -20,7 +20,7 @@ from judge.problem import Problem
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "spec")  # the packages that the data depend on
+_CODE = ("exact", "compare", "data", "problem", "topics")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 

@@ -25,7 +25,6 @@ from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
-from judge.diagnose.simplicity import measure
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
@@ -134,7 +133,7 @@ class _Search:
                 for rung, count in step
                 for number in range(count)
             ]
-            simple = [case for case in cases if measure(case) < self._first.measure]
+            simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
             found = self._trial.simplest(simple, group)
             if found is not None:
                 return found

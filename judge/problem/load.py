@@ -58,15 +58,6 @@ def is_name(text: str) -> bool:
     return _NAME.fullmatch(text) is not None
 
 
-def bands_beside(file: str | Path) -> MappingProxyType[str, Fraction]:
-    """The `[bands]` of the problem.toml beside `file`, for a problem.py: `bands_beside(__file__)`.
-
-    They are declared once, there; the reference and the statement both take them from it.
-    """
-    reader = _Reader(Path(file).parent)
-    return reader.bands(reader.file.table())
-
-
 def words_beside(folder: Path) -> dict[str, str]:
     """What the placeholders in the texts of that problem's folder stand for. Raises ProblemError."""
     return _words(TomlFile(folder).table())

@@ -10,7 +10,19 @@ import pytest
 import judge
 
 PACKAGE = Path(judge.__file__).parent
-ROOMS = ["cli", "report", "kata", "diagnose", "run", "data", "compare", "spec", "exact", "errors"]
+ROOMS = [
+    "cli",
+    "report",
+    "kata",
+    "diagnose",
+    "run",
+    "data",
+    "compare",
+    "problem",
+    "drawing",
+    "exact",
+    "errors",
+]
 
 
 def imported(path: Path) -> set[str]:
@@ -47,4 +59,4 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 
 def test_every_room_has_its_place():
     rooms = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
-    assert rooms <= {*ROOMS, "sandbox", "schema"}
+    assert rooms <= {*ROOMS, "sandbox", "schema", "topics"}
