@@ -4,7 +4,7 @@ A set's file beside the problems says what it is, and each problem names the set
 
     problems/sets/middle.toml          title = "Middle"
                                        about = "One sentence for the list of sets."
-    problems/segment/problem.toml      sets = ["middle", "path"]
+    problems/count/problem.toml        sets = ["middle", "path"]
 
 A file may list its `problems` itself, in an order of its own: then the set is made of these.
 """

@@ -1,10 +1,10 @@
 """The checklist: what there is to learn, and which runs have shown it.
 
-    problems/skills.toml                  [[skills]]
-                                          name = "clamp to a ray"
-                                          about = "The nearest root that is not behind the origin."
-    problems/ray-nearest/problem.toml     [skills]
-                                          "clamp to a ray" = ["ahead", "behind"]
+    problems/skills.toml            [[skills]]
+                                    name = "far from the origin"
+                                    about = "Subtract first: the square of a large number drowns a small one."
+    problems/count/problem.toml     [skills]
+                                    "far from the origin" = ["offset", "offset-near"]
 
 A problem may explain a skill of its own there too. What it names is a need, met by one run that passed all of
 these groups; a skill is shown when each of its needs was met, and lost where the latest run that tried a need
