@@ -20,7 +20,6 @@ from typing import Any
 from judge.data.build import bound_builder, choices_of
 from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.model import GroupData, ProblemData
-from judge.data.module import load_module
 from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
@@ -65,7 +64,7 @@ def shrink(
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
     budget = Budget(budget_seconds, clock)
-    trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference)
+    trial = Trial(problem, data.module, box, mode, verdict, budget, reference)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None

@@ -86,6 +86,7 @@ class Picture:
     whole: Panel
     lens: Panel | None
     facts: tuple[Fact, ...]
+    legend: str = ""  # what its words stand for
 
     @property
     def panels(self) -> tuple[Panel, ...]:

@@ -98,7 +98,7 @@ def to_svg(picture: Picture) -> str:
     ]
     for place, panel in enumerate(panels):
         parts.extend(_panel(panel, _GAP + place * (_SIDE + _GAP), _TOP))
-    parts.extend(_legend(_GAP, below))
+    parts.extend(_legend(picture.legend, _GAP, below))
     for place, (label, text, kind) in enumerate(rows, 1):
         y = below + 6 + _ROW * place
         parts.append(_text(_GAP, y, label, "quiet"))
@@ -270,12 +270,12 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
     yield _text(12, y - 8, bar.text, "halo quiet")
 
 
-def _legend(left: float, y: float) -> Iterator[str]:
+def _legend(legend: str, left: float, y: float) -> Iterator[str]:
     yield f'<circle class="wanted" cx="{_n(left + 7)}" cy="{_n(y - 5)}" r="{_n(_MARK + 1)}"/>'
     yield _text(left + 22, y, "wanted", "t-wanted")
     yield _cross(left + 97, y - 5)
     yield _text(left + 110, y, "got", "t-got")
-    yield _text(left + 160, y, "e: the case's own size", "quiet")
+    yield _text(left + 160, y, legend, "quiet")
 
 
 def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:

@@ -222,7 +222,9 @@ class _Reader:
                 self.fault((*place, key), f"the tolerance {key} is negative", "give 0 or more")
         tolerance = Tolerance(**exact)
         if tolerance.extent and table.answer is AnswerKind.PARAMETER:
-            self.fault((*place, "extent"), "a parameter has no tolerance in extents", "use relative and zero")
+            self.fault(
+                (*place, "extent"), "a parameter has no tolerance in `extent`", "use relative and zero"
+            )
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance

@@ -55,8 +55,8 @@ class Parameter(Struct, frozen=True):
 class Tolerance(Struct, frozen=True):
     """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
 
-    `unit` belongs to the case and is given with its exact answer (the extent e for points, e/|D| for a ray's
-    parameter). Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
+    `unit` belongs to the case and is given with its exact answer, such as the size of what it is about.
+    Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
     """
 
     extent: Fraction = Fraction(0)

@@ -14,6 +14,7 @@ ROOMS = [
     "cli",
     "report",
     "kata",
+    "topics",
     "diagnose",
     "run",
     "data",
@@ -59,4 +60,13 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 
 def test_every_room_has_its_place():
     rooms = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
-    assert rooms <= {*ROOMS, "sandbox", "schema", "topics"}
+    assert rooms <= {*ROOMS, "sandbox", "schema"}
+
+
+def test_no_engine_room_knows_a_topic():
+    found = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in PACKAGE.rglob("*.py")
+        if "topics" not in path.relative_to(PACKAGE).parts and "topics" in imported(path)
+    }
+    assert found == set()

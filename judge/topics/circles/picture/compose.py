@@ -13,6 +13,8 @@ from judge.topics.circles.picture.lens import gap_words, lens_panel
 from judge.topics.circles.picture.scene import Scene, read_scene
 from judge.topics.circles.picture.whole import whole_panel
 
+_LEGEND = "e: the case's own size"
+
 
 def compose(part: Part, shown: Shown) -> Picture | None:
     """The picture of one case, or None where its arguments are no circle and line."""
@@ -28,7 +30,9 @@ def compose(part: Part, shown: Shown) -> Picture | None:
         Fact("geometry", _situation(scene, shown.exact) + _turned(lens)),
     ]
     description = f"Wanted {shown.wanted}, got {got}; {gap_words(scene)}."
-    return Picture(shown.problem.title, shown.heading, description, whole_panel(scene), lens, tuple(facts))
+    return Picture(
+        shown.problem.title, shown.heading, description, whole_panel(scene), lens, tuple(facts), _LEGEND
+    )
 
 
 def _turned(lens: Panel | None) -> str:

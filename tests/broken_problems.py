@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-FIXTURES = Path(__file__).parent.parent / "fixtures"
+FIXTURES = Path(__file__).parent / "fixtures"
 SOUND = FIXTURES / "problems" / "root-count"
 FAULTS: dict[str, dict[str, Any]] = tomllib.loads(
     (FIXTURES / "broken_problems.toml").read_text(encoding="utf-8")
