@@ -1,9 +1,11 @@
-"""What all tests share: no test reads or writes the person's own history."""
+"""What all tests share: no test reads or writes the person's own history; the wheel is built once."""
 
 from __future__ import annotations
 
 import os
 import shutil
+import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -25,3 +27,14 @@ def own_history(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Mo
     path = tmp_path_factory.getbasetemp() / "histories" / os.urandom(8).hex() / "history.sqlite3"
     monkeypatch.setenv(_OWN, str(path))
     return path
+
+
+@pytest.fixture(scope="session")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of this checkout."""
+    pytest.importorskip("hatchling")
+    target = tmp_path_factory.mktemp("dist")
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(target)]
+    subprocess.run(command, cwd=Path(__file__).parents[1], check=True, capture_output=True, timeout=120)
+    (built,) = target.glob("*.whl")
+    return built

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 
 from judge.data import cache_folder
+from judge.errors import JudgeError
 from judge.problem import Problem
+from judge.problem.find import problem_roots
 from judge.report.screen import note
 from judge.run import Mode, Reference, Settings
 from judge.run.parallel import Turnstile
@@ -33,6 +37,24 @@ jobs_option: Callable[[F], F] = click.option(
 )
 
 
+def hidden_folders(problem: Problem) -> tuple[Path, ...]:
+    """What a submission to the problem must not see; the cache is made first, or it could not be covered."""
+    cache = cache_folder()
+    with contextlib.suppress(OSError):  # whoever builds the data says so
+        cache.mkdir(parents=True, exist_ok=True)
+    own = (problem.folder, problem.solutions)  # they may be symlinks to another place than their parents
+    return (*own, *(folder.parent for folder in own), cache)
+
+
+def every_hidden_folder() -> tuple[Path, ...]:
+    """What a submission to any problem that can be found must not see; nothing of packs that are broken."""
+    try:
+        roots = problem_roots()
+    except JudgeError:
+        roots = []
+    return (*roots, *(root.parent / "solutions" for root in roots), cache_folder())
+
+
 class Containment:
     """The boxes of one command; a context manager that ends those that were never used.
 
@@ -41,8 +63,7 @@ class Containment:
     """
 
     def __init__(self, problem: Problem, level: str | None) -> None:
-        hidden = (problem.folder.parent, problem.solutions.parent, cache_folder())
-        self.open_box: BoxFactory = Boxes(level, hidden)
+        self.open_box: BoxFactory = Boxes(level, hidden_folders(problem))
         self._level = level
         self._ahead: dict[tuple[bytes, str], Box] = {}
         self._reference = Reference(problem, self.open_box)

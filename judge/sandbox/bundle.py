@@ -22,6 +22,7 @@ _ALWAYS = (
     "judge.sandbox.inside.source",
     "judge.sandbox.inside.child",
     "judge.sandbox.inside.confine",
+    "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
 )
 _ON_LINUX = (

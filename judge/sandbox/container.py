@@ -149,6 +149,8 @@ class Container:
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
         self._ready = False
+        self._level = level
+        self._exposed = ""  # a path
         try:
             self._start(level, name, source, roots)
         except BaseException:
@@ -185,19 +187,32 @@ class Container:
                 raise NotStarted(f"{plan.command[0]} cannot be started: {error.strerror}") from error
 
     def await_ready(self) -> None:
-        """Wait until it has confined itself. Raises NotStarted, the container then being closed."""
+        """Wait until it has confined itself. Raises NotStarted, the container then being closed.
+
+        Raises JudgeError where a submission in it could read what none may see: a lower level is no way out.
+        """
         if self._ready:
             return
+        if self._exposed:
+            raise self._refusal()
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             self._complaints.seek(0)
             said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
-            reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
+            kind, note = self.region.note()
+            reason = note or (said[-1] if said else "it ended without a word")
             self.close()
+            if kind == wire.EXPOSED:
+                self._exposed = note
+                raise self._refusal()
             refusal = NotStarted(reason)
             refusal.lasting = reason.startswith("bwrap: ")
             raise refusal
         self._ready = True
+
+    def _refusal(self) -> JudgeError:
+        what = f"isolation {self._level} would let a submission read {self._exposed}"
+        return JudgeError(what, remedy="install the judge in a virtual environment of its own")
 
     def _receive(self, seconds: float) -> bytes:
         self._line.patience(seconds)

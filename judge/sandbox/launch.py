@@ -58,11 +58,17 @@ def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int])
         "writable": ["/dev/null"],
         "threads": _threads(level, uid),
         "cores": os.cpu_count() or 1,
+        "unseen": to_look_for(level, roots),
     }
     if level != "full":
         return Plan(tuple(python), dict(_ENVIRONMENT), config)
     command = [*_bubblewrap(roots, uid, config["reads_all"]), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+
+
+def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What must not be visible inside, and where nothing of ours may be; nothing is hidden at `limits`."""
+    return ((), ()) if level == "limits" else (roots.unseen, roots.searched)
 
 
 def bubblewrap_path() -> str | None:
@@ -89,11 +95,9 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):
-        arguments += _parents(path, made)
-        if Path(path).is_symlink() and Path(path).parent == Path("/"):
-            arguments += ["--symlink", str(Path(path).readlink()), path]
-        else:
-            arguments += ["--ro-bind", path, path]
+        arguments += [*_parents(path, made), "--ro-bind", path, path]
+    for path, target in roots.links:
+        arguments += [*_parents(path, made), "--symlink", target, path]
     for path in roots.hidden:
         arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
     arguments += _parents("/dev/null", made)

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from judge.errors import JudgeError, UsageError, nearest
-from judge.sandbox import launch
-from judge.sandbox.boundary import LEVELS
+from judge.sandbox import concealed, launch
+from judge.sandbox.boundary import LEVELS, Limits, Stop
 from judge.sandbox.box import ForkServerBox, OnLevel
 from judge.sandbox.roots import find_roots
 
@@ -35,16 +35,32 @@ _INSTALL = {
     "pacman": "pacman -S bubblewrap",
     "zypper": "zypper install bubblewrap",
 }
+_LOOK = b"""
+import os, sys
+for path in sys.stdin.buffer.read().split(b"\\0"):
+    try:
+        found = os.listdir(path) if os.path.isdir(path) else [open(path)]
+    except OSError:
+        continue
+    if found:
+        sys.stdout.buffer.write(path + b"\\n")
+"""
+_LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
 
 
 class Level(NamedTuple):
-    """What is known of one level on this machine."""
+    """What is known of one level on this machine.
+
+    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where
+    it was not tried.
+    """
 
     name: str
     available: bool
     meaning: str
     why_not: str = ""
     remedy: str = ""  # a command, or what else would have to change
+    visible: str | None = None
 
 
 def open_box(
@@ -81,18 +97,27 @@ def open_box(
     return ForkServerBox(source, name, possible, find_roots(hide), refuse, on_level)
 
 
-def levels() -> tuple[Level, ...]:
-    """Try each level with an empty submission, the best first."""
-    return tuple(_try(name) for name in LEVELS)
+def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+    """Try each level, the best first, with a submission that looks for the judge, its problems and solutions.
+
+    `hide` are more folders that it looks for.
+    """
+    hide = tuple(hide)
+    roots = find_roots(hide)
+    others = concealed.ours(roots.searched, (*roots.folders, *roots.files))
+    wanted = "\0".join([*roots.unseen, *others])
+    return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 
-def _try(name: str) -> Level:
+def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
     try:
-        with open_box(b"", "empty.py", level=name) as box:
-            box.inspect()
+        with open_box(_LOOK, "look.py", level=name, hide=hide) as box:
+            looked = box.run_program(wanted, _LOOKING)
     except JudgeError as error:
         return Level(name, False, MEANING[name], error.what, error.remedy or "")
-    return Level(name, True, MEANING[name])
+    if looked.stop is not Stop.ANSWERED:
+        return Level(name, False, MEANING[name], f"a program that looks around failed: {looked.detail}")
+    return Level(name, True, MEANING[name], visible=looked.stdout.decode(errors="replace").partition("\n")[0])
 
 
 @cache

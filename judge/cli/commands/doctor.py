@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from judge import __version__
+from judge.cli.containment import every_hidden_folder
 from judge.cli.options import json_option, write_json
 from judge.data import cache_folder
 from judge.errors import ExitCode
@@ -25,12 +26,12 @@ SCHEMA = 1
 def command(as_json: bool) -> ExitCode:
     """Say how well submissions are contained on this machine.
 
-    Each isolation level is tried with an empty submission; what is missing for a better one is named, with
-    the command that would help.
+    Each isolation level is tried with a submission that looks for the judge, its problems and its solutions.
+    What is missing for a better level is named, with the command that would help.
 
     Exit status: 0 always; the level that is used without --isolation is the first that works.
     """
-    found = levels()
+    found = levels(every_hidden_folder())
     facts = {
         "judge": __version__,
         "python": f"{platform.python_version()} at {sys.executable}",
@@ -58,6 +59,8 @@ def _as_object(facts: dict[str, str], found: tuple[Any, ...]) -> dict[str, Any]:
                 "meaning": level.meaning,
                 "why_not": level.why_not or None,
                 "remedy": level.remedy or None,
+                "hides": None if level.visible is None else not level.visible,
+                "visible": level.visible or None,
             }
             for level in found
         ],

@@ -23,7 +23,7 @@ import select
 import sys
 import time
 
-from judge.sandbox.inside import child, wire
+from judge.sandbox.inside import child, unseen, wire
 from judge.sandbox.inside.confine import Confinement
 from judge.sandbox.inside.series import Series
 
@@ -74,6 +74,7 @@ def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> N
         sys.path[:] = config["path"]
         _fill_finders()
         confinement = Confinement(config)
+        _look_around(region, line, config)
         builtins.exit = _sitebuiltins.Quitter("exit", "Ctrl-D")  # -S leaves them out
         builtins.quit = _sitebuiltins.Quitter("quit", "Ctrl-D")
         for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
@@ -84,6 +85,15 @@ def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> N
         os._exit(1)
     line.send(wire.READY)
     Server(line, region, confinement, config, source).serve()
+
+
+def _look_around(region: wire.Region, line: wire.Channel, config: dict[str, Any]) -> None:
+    """End here, with the reason, if something can be read that no submission may see."""
+    visible = unseen.first_visible(*config["unseen"])
+    if visible:
+        region.write_note(wire.EXPOSED, visible)
+        line.send(wire.FAILED)
+        os._exit(1)
 
 
 def _fill_finders() -> None:

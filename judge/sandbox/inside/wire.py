@@ -63,6 +63,7 @@ NOTE_BYTES = PAYLOAD_AT - WORDS
 REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
+EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
 
 
 class Channel:
