@@ -205,10 +205,13 @@ def _check_example(
 
 def target_of(problem: Problem, answer: Answer, tolerance: Tolerance) -> AnyTarget:
     """What an answer is held against. Raises ProblemError where `solve` gave one of another kind."""
-    with blaming(problem, "solve's answer cannot be used"):
+    try:
         if type(answer) is not _ANSWERS[problem.answer]:
             raise TypeError(f"a {_ANSWERS[problem.answer].__name__} is wanted, not {answer!r}")
         return compile_answer(answer, tolerance)
+    except Exception:
+        with blaming(problem, "solve's answer cannot be used"):
+            raise
 
 
 def _as_json(value: Any) -> Any:

@@ -9,12 +9,12 @@ from math import hypot, sqrt
 from judge.drawing.shapes import Dot
 from judge.exact import Surd
 
-Exact = Fraction | Surd
+ExactNumber = Fraction | Surd
 
 FAR = 1e6  # whatever is further away than this, in panels, is drawn as if it were there
 
 
-def near(value: Exact) -> float:
+def near(value: ExactNumber) -> float:
     """The double next to `value`, at most `FAR` in magnitude."""
     try:
         double = float(value)
@@ -29,7 +29,7 @@ def over_root(value: Fraction, square: int) -> float:
     return size if value >= 0 else -size
 
 
-def length(x: Exact, y: Exact) -> Fraction:
+def length(x: ExactNumber, y: ExactNumber) -> Fraction:
     """√(x² + y²) to three digits, as a fraction: for scales and for words."""
     return root(rounded(x) ** 2 + rounded(y) ** 2)
 
@@ -39,7 +39,7 @@ def root(square: Fraction) -> Fraction:
     return rounded(Surd(0, 1, square.numerator * square.denominator, square.denominator))
 
 
-def rounded(value: Exact) -> Fraction:
+def rounded(value: ExactNumber) -> Fraction:
     """`value` to three digits."""
     return Fraction(Surd.of(value).decimal(3))
 
@@ -63,6 +63,6 @@ class Frame:
     y: Fraction
     unit: Fraction
 
-    def place(self, x: Exact | int, y: Exact | int) -> Dot:
+    def place(self, x: ExactNumber | int, y: ExactNumber | int) -> Dot:
         """An exact point in the panel."""
         return near((x - self.x) / self.unit), near((y - self.y) / self.unit)

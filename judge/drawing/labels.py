@@ -15,7 +15,7 @@ _COVERING = 400.0  # and a label or a mark
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class Rectangle:
     """A rectangle by its middle and half its sides."""
 
     x: float
@@ -23,7 +23,7 @@ class Box:
     w: float
     h: float
 
-    def meets(self, other: Box) -> bool:
+    def meets(self, other: Rectangle) -> bool:
         """Whether the two overlap."""
         return abs(self.x - other.x) < self.w + other.w and abs(self.y - other.y) < self.h + other.h
 
@@ -36,7 +36,7 @@ class Box:
 class Label:
     """A text in its place; `leader` says that it stands so far from its mark that a line must join them."""
 
-    box: Box
+    box: Rectangle
     text: str
     x: float
     y: float
@@ -51,7 +51,7 @@ def width(text: str) -> float:
 def place_labels(
     wanted: Sequence[tuple[float, float, str]],
     size: float,
-    taken: Sequence[Box],
+    taken: Sequence[Rectangle],
     ink: Sequence[tuple[float, float]],
 ) -> list[Label]:
     """A label for each (x, y, text), in pixels of a square panel, off the boxes `taken` and dots `ink`."""
@@ -67,7 +67,7 @@ def place_labels(
     return placed
 
 
-def _candidates(x: float, y: float, text: str, size: float) -> list[tuple[float, Box]]:
+def _candidates(x: float, y: float, text: str, size: float) -> list[tuple[float, Rectangle]]:
     w, h = width(text) / 2, HEIGHT / 2
     found = []
     for radius in _RADII:
@@ -78,11 +78,13 @@ def _candidates(x: float, y: float, text: str, size: float) -> list[tuple[float,
             # Kept inside: a label that is too wide for its place moves rather than being cut off.
             bx = min(max(bx, w + 2), size - w - 2)
             by = min(max(by, h + 2), size - h - 2)
-            found.append((radius, Box(bx, by, w, h)))
+            found.append((radius, Rectangle(bx, by, w, h)))
     return found
 
 
-def _cost(candidate: tuple[float, Box], boxes: Sequence[Box], ink: Sequence[tuple[float, float]]) -> float:
+def _cost(
+    candidate: tuple[float, Rectangle], boxes: Sequence[Rectangle], ink: Sequence[tuple[float, float]]
+) -> float:
     radius, box = candidate
     covered = sum(box.meets(other) for other in boxes)
     crossed = sum(box.holds(*dot) for dot in ink)

@@ -7,7 +7,7 @@ from html import escape
 from itertools import pairwise
 from math import atan2, cos, hypot, sin
 
-from judge.drawing.labels import Box, place_labels
+from judge.drawing.labels import Rectangle, place_labels
 from judge.drawing.shapes import Bar, Dot, Fact, Mark, Panel, Picture, Role, Stroke
 
 _SIDE = 400.0
@@ -160,10 +160,10 @@ def _drawing(panel: Panel) -> Iterator[str]:
         at = _arrow_place(stroke)
         if at:
             yield _head(*at, "head-line")
-            taken.append(Box(at[0], at[1], 8, 8))
+            taken.append(Rectangle(at[0], at[1], 8, 8))
     yield from bars
     spots = [_pixel(mark.at) for mark in panel.marks]
-    taken += [Box(x, y, _MARK + 2, _MARK + 2) for x, y in spots]
+    taken += [Rectangle(x, y, _MARK + 2, _MARK + 2) for x, y in spots]
     for mark, (x, y) in zip(panel.marks, spots, strict=True):
         yield _mark(mark, x, y)
     labelled = [(mark, spot) for mark, spot in zip(panel.marks, spots, strict=True) if mark.text]
@@ -238,7 +238,7 @@ def _ink(panel: Panel) -> list[Dot]:
     return dots
 
 
-def _side_of(box: Box, x: float, y: float) -> Dot:
+def _side_of(box: Rectangle, x: float, y: float) -> Dot:
     """The point of a label's box that is next to its mark."""
     return min(max(x, box.x - box.w), box.x + box.w), min(max(y, box.y - box.h), box.y + box.h)
 
@@ -246,12 +246,12 @@ def _side_of(box: Box, x: float, y: float) -> Dot:
 # -- scale bars, legend, facts -----------------------------------------------------------------------------
 
 
-def _bars(panel: Panel, ink: Sequence[Dot]) -> tuple[list[str], list[Box]]:
+def _bars(panel: Panel, ink: Sequence[Dot]) -> tuple[list[str], list[Rectangle]]:
     """The scale bars in the left corner, below or above, that has less in it; and what room they take."""
     upright = [bar for bar in panel.bars if bar.upright]
     high = 40.0 + sum(bar.length * _SIDE / 2 + 4 for bar in upright)
     wide = max(max(bar.length * _SIDE / 2, 7.6 * len(bar.text)) + 16 for bar in panel.bars)
-    corners = [Box(wide / 2 + 4, base - high / 2, wide / 2 + 4, high / 2) for base in (_SIDE, high)]
+    corners = [Rectangle(wide / 2 + 4, base - high / 2, wide / 2 + 4, high / 2) for base in (_SIDE, high)]
     corner = min(corners, key=lambda box: sum(box.holds(*dot) for dot in ink))
     base = corner.y + corner.h
     return [part for bar in panel.bars for part in _bar(bar, base)], [corner]

@@ -42,7 +42,7 @@ class ParameterType(Enum):
     INTEGER_POINT = "integer-point"  # a pair of ints
 
 
-class Parameter(Struct, frozen=True):
+class Parameter(Struct, frozen=True, cache_hash=True):
     """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
 
     name: str
@@ -128,7 +128,7 @@ class Problem(Struct, frozen=True):
     entry: str
     answer: AnswerKind
     parameters: tuple[Parameter, ...]
-    bands: MappingProxyType[str, Fraction]  # named widths the statement and the reference share; may be empty
+    bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
     limits: Limits
     groups: tuple[Group, ...]
     folder: Path

@@ -37,7 +37,8 @@ class Bands:
     @staticmethod
     def of(widths: Mapping[str, Fraction]) -> Bands:
         """The bands that problem.toml names `snap` and `clear`."""
-        return _bands(widths["snap"], widths["clear"])
+        snap, clear = widths["snap"], widths["clear"]
+        return _bands(snap.numerator, snap.denominator, clear.numerator, clear.denominator)
 
     def count(self, line: CircleLine) -> int | None:
         """0, 1 or 2 common points of the circle and the infinite line; None where there is no line."""
@@ -120,9 +121,9 @@ class Bands:
         return None
 
 
-@lru_cache(maxsize=8)  # every case of a problem asks for the same
-def _bands(snap: Fraction, clear: Fraction) -> Bands:
-    return Bands(snap, clear)
+@lru_cache(maxsize=8)  # every case of a problem asks for the same; ints, for hashing a Fraction takes long
+def _bands(snap: int, per_snap: int, clear: int, per_clear: int) -> Bands:
+    return Bands(Fraction(snap, per_snap), Fraction(clear, per_clear))
 
 
 _FORBIDDEN = "of the extent, inside the forbidden band"

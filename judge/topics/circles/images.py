@@ -9,16 +9,25 @@ needs neither an exact answer nor a proof; the tests prove it of every group all
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 
 from judge.compare.targets import AnyTarget, PointsTarget, Target
 from judge.problem import Case, Problem
-from judge.problem.model import Point
 from judge.problem.topic import Chance, Image
-from judge.topics.circles.signature import layout
+from judge.topics.circles.signature import Change, layout
 
 # Numbered as in figure.mirrored: 1 negates x, 2 negates y, 4 then swaps them; 0 would do nothing.
 SYMMETRIES = range(1, 8)
+# Not -x: a zero has no sign in the data, and the image of 0.0 is 0.0.
+_CHANGES: tuple[Change, ...] = (
+    lambda x, y: (x, y),
+    lambda x, y: (0 - x, y),
+    lambda x, y: (x, 0 - y),
+    lambda x, y: (0 - x, 0 - y),
+    lambda x, y: (y, x),
+    lambda x, y: (y, 0 - x),
+    lambda x, y: (0 - y, x),
+    lambda x, y: (0 - y, 0 - x),
+)
 
 
 def mirror_images(problem: Problem, case: Case, target: AnyTarget, chance: Chance, most: int) -> list[Image]:
@@ -36,22 +45,12 @@ def images_under(problem: Problem, case: Case, target: AnyTarget, symmetries: Se
     images: list[Image] = []
     seen = [case]
     for symmetry in symmetries:
-        image = places.mapped(case, partial(_mirrored, symmetry))
+        image = places.mapped(case, _CHANGES[symmetry])
         if image not in seen:
             seen.append(image)
             mirrored = _target(target, symmetry) if isinstance(target, PointsTarget) else target
             images.append((image, mirrored))
     return images
-
-
-def _mirrored(symmetry: int, point: Point) -> Point:
-    x, y = point
-    # Not -x: a zero has no sign in the data, and the image of 0.0 is 0.0.
-    if symmetry & 1:
-        x = 0 - x
-    if symmetry & 2:
-        y = 0 - y
-    return (y, x) if symmetry & 4 else (x, y)
 
 
 def _target(target: PointsTarget, symmetry: int) -> PointsTarget:

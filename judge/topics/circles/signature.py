@@ -19,6 +19,7 @@ from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import Figure, Recipe
 
 Adapter = Callable[[Figure], Case]
+Change = Callable[[Number, Number], Point]  # of a point or vector, by its coordinates
 
 _PAIRS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
 
@@ -47,13 +48,14 @@ class Layout(Struct, frozen=True):
     pairs: tuple[int, ...]
     split: tuple[int, ...]
 
-    def mapped(self, case: Case, change: Callable[[Point], Point]) -> Case:
+    def mapped(self, case: Case, change: Change) -> Case:
         """The case with every point and vector changed."""
         values: list[Any] = list(case)
         for place in self.pairs:
-            values[place] = change(values[place])
+            x, y = values[place]
+            values[place] = change(x, y)
         for place in self.split:
-            values[place : place + 2] = change((values[place], values[place + 1]))
+            values[place], values[place + 1] = change(values[place], values[place + 1])
         return tuple(values)
 
 

@@ -17,7 +17,7 @@ from judge.topics.circles.signature import circle_and_pairs
 _DIGITS = 60  # of the roots taken here: whatever a double holds, and the narrowest gaps
 _FINEST = 16  # digits that are kept at most
 
-Level = tuple[Decimal, Decimal, Decimal, Decimal]  # radius, height, start, end (seen from the foot)
+_Laid = tuple[Decimal, Decimal, Decimal, Decimal]  # radius, height, start, end (seen from the foot)
 
 
 def simpler(_problem: Problem, case: Case) -> Iterator[Case]:
@@ -63,7 +63,7 @@ def moved(case: Case) -> Iterator[Case]:
         yield (0, 0, radius, *points)
 
 
-def _level(f: tuple[Fraction, Fraction], d: tuple[Fraction, Fraction], radius: Fraction) -> Level | None:
+def _level(f: tuple[Fraction, Fraction], d: tuple[Fraction, Fraction], radius: Fraction) -> _Laid | None:
     square = d[0] * d[0] + d[1] * d[1]
     if square == 0:
         return None
@@ -73,7 +73,7 @@ def _level(f: tuple[Fraction, Fraction], d: tuple[Fraction, Fraction], radius: F
     return _decimal(radius), height, start, start + length
 
 
-def _across_the_centre(level: Level) -> Level:
+def _across_the_centre(level: _Laid) -> _Laid:
     """The figure with the line through the centre, its ends as far from the nearest root as they were."""
     radius, height, start, end = level
     square = radius * radius - height * height
@@ -85,7 +85,7 @@ def _across_the_centre(level: Level) -> Level:
     return radius, Decimal(0), place(start), place(end)
 
 
-def _rounded(level: Level, *, is_ray: bool, floats: bool) -> Iterator[Case]:
+def _rounded(level: _Laid, *, is_ray: bool, floats: bool) -> Iterator[Case]:
     """Cases of few digits like this one; for a ray, the length of its direction is the line's own."""
     radius, height, start, end = level
     size = max(map(abs, level))
@@ -102,7 +102,7 @@ def _rounded(level: Level, *, is_ray: bool, floats: bool) -> Iterator[Case]:
         yield from _whole(level, kept, is_ray)
 
 
-def _whole(level: Level, kept: int, is_ray: bool) -> Iterator[Case]:
+def _whole(level: _Laid, kept: int, is_ray: bool) -> Iterator[Case]:
     """The figure in integers, with a radius of 10^kept."""
     radius, height, start, end = level
     if radius == 0:

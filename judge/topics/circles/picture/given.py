@@ -14,18 +14,18 @@ _DEPTH = 3  # levels of lists that are looked into
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class Drawable:
     """The numbers in an answer, in the caller's units: its points, or the one number it is."""
 
     points: tuple[tuple[Fraction, Fraction], ...] = ()
     number: Fraction | None = None
 
 
-def read_given(raw: Raw) -> Given:
+def read_given(raw: Raw) -> Drawable:
     """What `raw` holds: every two numbers in a list of their own are a point."""
     if type(raw) in (list, tuple):
-        return Given(tuple(islice(_points(raw, _DEPTH), _MOST)))
-    return Given(number=_number(raw))
+        return Drawable(tuple(islice(_points(raw, _DEPTH), _MOST)))
+    return Drawable(number=_number(raw))
 
 
 def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:

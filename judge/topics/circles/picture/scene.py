@@ -7,12 +7,12 @@ from fractions import Fraction
 from typing import Any
 
 from judge.compare.answers import Answer, Count, Parameter, Points
-from judge.drawing.frame import Exact
+from judge.drawing.frame import ExactNumber
 from judge.exact import Surd
 from judge.problem.topic import Shown
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.picture.given import Given, read_given
+from judge.topics.circles.picture.given import Drawable, read_given
 from judge.topics.circles.signature import circle_and_pairs
 
 
@@ -20,8 +20,8 @@ from judge.topics.circles.signature import circle_and_pairs
 class Spot:
     """An exact point in units of the scene, and its label."""
 
-    x: Exact
-    y: Exact
+    x: ExactNumber
+    y: ExactNumber
     text: str
 
 
@@ -100,7 +100,7 @@ def _wanted(line: CircleLine, exact: Answer) -> tuple[Spot, ...]:
     return tuple(Spot(x * one, y * one, "common point") for x, y in points)
 
 
-def _given(line: CircleLine, part: Part, given: Given) -> tuple[Spot, ...]:
+def _given(line: CircleLine, part: Part, given: Drawable) -> tuple[Spot, ...]:
     one = 1 << line.shift
     if given.points:
         return _numbered([(x * one, y * one) for x, y in given.points], "got")

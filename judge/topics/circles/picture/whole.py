@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from judge.drawing.frame import Exact, Frame, length, rounded
+from judge.drawing.frame import ExactNumber, Frame, length, rounded
 from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Panel
 from judge.topics.circles.picture.marks import every_spot, extent, marks_in
@@ -48,7 +48,7 @@ def whole_frame(scene: Scene) -> Frame:
     return Frame((box[0] + box[2]) / 2, (box[1] + box[3]) / 2, side / 2 * _MARGIN)
 
 
-def rounded_near(value: Exact, middle: Fraction, reach: Fraction) -> Fraction:
+def rounded_near(value: ExactNumber, middle: Fraction, reach: Fraction) -> Fraction:
     """A coordinate, irrational or not, as a fraction that is near it on the window's scale."""
     return middle + rounded((value - middle) / reach) * reach
 
