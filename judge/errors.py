@@ -34,7 +34,7 @@ class ExitCode(IntEnum):
 class JudgeError(Exception):
     """One clear line: what is wrong, where, and what to do about it.
 
-    `where` names the place as a person would look it up: `problem.toml:12`, `segment/statement.md`, a path.
+    `where` names the place as a person would look it up: `problem.toml:12`, `count/statement.md`, a path.
     """
 
     exit_code = ExitCode.FAULT

@@ -2,8 +2,8 @@
 
     from judge.testing import judge_problem
 
-    def test_intersection():
-        judge_problem("segment").check(my_intersection)
+    def test_count():
+        judge_problem("count").check(my_count)
 
 The routine is called in this process, so it is trusted; `judge run` contains what is not. What it does to
 Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
@@ -69,7 +69,7 @@ class JudgeProblem:
 
         It takes the problem's parameters in their order, numbers as int or float and points as pairs of
         them, and returns what `judge show` says. Wrap another signature:
-        `check(lambda cx, cy, r, A, B: mine(Circle(cx, cy, r), Line(A, B)))`.
+        `check(lambda x, y, A, B: mine(Point(x, y), [A, B]))`.
 
         Raises:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first

@@ -21,7 +21,7 @@ from judge.reading import read_ordinary
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "problem")  # the packages that the data depend on
+_CODE = ("exact", "compare", "data", "problem", "topics")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 

@@ -1,6 +1,6 @@
 """Pinned hashes: a problem's hashes.json holds one for each group, so that data cannot drift unseen.
 
-{"schema": 1, "groups": {"tangent": "<sha256 of the cases and their targets, as canonical JSON>"}}
+{"schema": 1, "groups": {"grid": "<sha256 of the cases and their targets, as canonical JSON>"}}
 """
 
 from __future__ import annotations

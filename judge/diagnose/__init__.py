@@ -1,4 +1,4 @@
-"""Why a submission is wrong: the simplest case that breaks it, its picture, the name of the mistake."""
+"""Why a submission is wrong: the simplest case that breaks it, the name of the mistake."""
 
 from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.namer import Namer

@@ -45,7 +45,7 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
     Raises:
         UsageError: the file cannot be read or written, or was not written here.
-        ProblemError: the reference fails.
+        ProblemError: `solve` fails.
     """
     assert found.replay is not None
     content = _read(path) if path.exists() else ""

@@ -2,7 +2,7 @@
 
     with History.open() as history:
         history.add(result, source, path)
-        history.runs("segment")                      # oldest first
+        history.runs("count")                        # oldest first
 
 Importing this module imports no SQLite; opening a history does.
 """

@@ -60,15 +60,6 @@ def is_name(text: str) -> bool:
     return _NAME.fullmatch(text) is not None
 
 
-def bands_beside(file: str | Path) -> MappingProxyType[str, Fraction]:
-    """The `[bands]` of the problem.toml beside `file`, for a problem.py: `bands_beside(__file__)`.
-
-    They are declared once, there; the reference and the statement both take them from it.
-    """
-    reader = _Reader(Path(file).parent)
-    return reader.bands(reader.file.table())
-
-
 def words_beside(folder: Path) -> dict[str, str]:
     """What the placeholders in the texts of that problem's folder stand for. Raises ProblemError."""
     return _words(TomlFile(folder).table())
@@ -233,7 +224,9 @@ class _Reader:
                 self.fault((*place, key), f"the tolerance {key} is negative", "give 0 or more")
         tolerance = Tolerance(**exact)
         if tolerance.extent and table.answer is AnswerKind.PARAMETER:
-            self.fault((*place, "extent"), "a parameter has no tolerance in extents", "use relative and zero")
+            self.fault(
+                (*place, "extent"), "a parameter has no tolerance in `extent`", "use relative and zero"
+            )
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance

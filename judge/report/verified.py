@@ -56,7 +56,7 @@ def _remark(label: str, text: str, width: int | None) -> list[Line]:
 
 
 def _places(matrix: Matrix) -> str:
-    """The cases of the cover by group, as `grid 3 17, tangent 5`."""
+    """The cases of the cover by group, as `grid 3 17, small 5`."""
     numbers = {
         group: sorted(case.case for case in matrix.cover if case.group == group) for group in matrix.groups
     }

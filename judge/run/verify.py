@@ -16,7 +16,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.data import ProblemData, load_data
-from judge.data.module import blaming, load_module
+from judge.data.module import load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
@@ -130,10 +130,9 @@ def verify_problem(
 
 def _prove_data(problem: Problem, data: ProblemData) -> None:
     """A second, independent look at every case, after all builders have had their say."""
-    validator = Validator(problem, load_module(problem).promise)
-    with blaming(problem, "the promise fails"):
-        for group in data.groups:
-            prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
+    validator = Validator(problem, load_module(problem).solve)
+    for group in data.groups:
+        prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:

@@ -92,7 +92,7 @@ def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch)
         raise ArithmeticError("too many digits")
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
-    monkeypatch.setattr("judge.diagnose.picture.compose", faulty)
+    monkeypatch.setattr("judge.topics.circles.picture.compose", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")
@@ -110,7 +110,7 @@ def test_an_internal_fault_is_one_line(judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err == (
@@ -123,7 +123,7 @@ def test_debug_shows_the_traceback(words, judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge(*words)
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith("Traceback (most recent call last)")
@@ -138,7 +138,7 @@ def test_an_interrupt(judge, monkeypatch):
     def interrupt(_folders):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(list_module, "problem_folders", interrupt)
+    monkeypatch.setattr(list_module, "sound_problems", interrupt)
     ended = judge("list")
     assert ended.status == 130
     assert "Traceback" not in ended.err

@@ -35,6 +35,7 @@ WORDS = {  # each command in the ways that could make a difference; `watch` neve
     "due": ["due"],
     "report": ["report --no-matrix"],
     "data": ["data middle --out made"],
+    "new": ["new problems/fresh-kata"],
     "verify": ["verify middle"],
     "doctor": ["doctor"],
     "schema": ["schema", "schema run"],

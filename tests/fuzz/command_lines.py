@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import random
 import shutil
+import sys
 import tomllib
 from functools import cache
 from pathlib import Path
@@ -20,8 +21,10 @@ from worker import CLOSED, FULL, GONE, NULL, TERMINAL
 
 from judge.cli.app import COMMANDS, app
 
+sys.path.append(str(ROOT / "tests"))
+
 _FIXTURES = ROOT / "tests" / "fixtures"
-_BROKEN = str(_FIXTURES / "broken_problems")
+_BROKEN = "../broken"  # from where a command line is run
 _STANDS_FOR = {"<byte>": "\udcff", "<long>": "x" * 5000, "<digits>": "9" * 5000, "<broken>": _BROKEN}
 _UNSET = "<unset>"
 _MEAN = b"def middle(a, b):\n    return (a + b) / 2\n"
@@ -78,6 +81,10 @@ def _usual(*words: str) -> Run:
 
 def _lay_out(folder: Path) -> None:
     shutil.copytree(_FIXTURES / "pack", folder, dirs_exist_ok=True)
+    from broken_problems import FAULTS, broken  # late: there is no other way to a folder above
+
+    for name in FAULTS:
+        broken(name, folder / "broken")
     work = folder / "work"
     for name, source in _FILES.items():
         path = work / name

@@ -10,7 +10,7 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.problem import AnswerKind, ParameterType, Tier, Tolerance
-from judge.problem.load import bands_beside, load_problem
+from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -89,13 +89,6 @@ def test_numbers_are_exact(floating):
 
 def test_a_groups_own_tolerance_replaces_the_common_one_whole(floating):
     assert load_problem(floating).group("strict").tolerance == Tolerance(ulps=Fraction(2))
-
-
-def test_bands_for_a_problem_py(floating):
-    assert bands_beside(str(floating / "problem.py")) == {
-        "snap": Fraction(1, 10**12),
-        "clear": Fraction(1, 10**7),
-    }
 
 
 def test_what_was_read_cannot_change():

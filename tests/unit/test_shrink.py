@@ -18,7 +18,6 @@ from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose import shrink
-from judge.diagnose.figures import levelled
 from judge.diagnose.replay import decode
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
@@ -28,6 +27,7 @@ from judge.run import Reference, Settings, run_submission
 from judge.run.function import FunctionRunner
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
+from judge.topics.circles.simpler import levelled
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
@@ -176,8 +176,8 @@ def test_the_smallest_case_of_a_mistake(name, mistake):
     problem, result, found = shrunk(name, source)
     assert found is not None
     module = load_module(problem)
-    assert Validator(problem, module.promise).fault(found.case) is None
-    assert decode(found.replay, problem, module) == (problem.group(found.group), found.case)
+    assert Validator(problem, module.solve).proof(found.case).fault is None
+    assert decode(found.replay, problem, module)[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     assert found.expected != found.got
     assert found.message
