@@ -7,7 +7,8 @@ import sys
 from collections.abc import Callable
 
 import pytest
-from cli_support import PACK, ROOT, Outcome
+from broken_problems import FAULTS, broken
+from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
 from judge.data import load_data
@@ -24,6 +25,15 @@ def pack(tmp_path_factory):
     shutil.copytree(PACK, folder, dirs_exist_ok=True)
     problem = find_problem("middle", [folder / "problems"])
     write_pins(problem, load_data(problem, cache=False).groups)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def broken_pack(tmp_path_factory):
+    """A folder of problems, every one of them broken."""
+    folder = tmp_path_factory.mktemp("broken")
+    for name in FAULTS:
+        broken(name, folder)
     return folder
 
 
@@ -47,11 +57,12 @@ def _own_settings(pack, cache, monkeypatch):
 
 
 @pytest.fixture
-def judge(capsys, monkeypatch) -> Callable[..., Outcome]:
-    """Run the command line in this process."""
+def judge(capsys, monkeypatch, broken_pack) -> Callable[..., Outcome]:
+    """Run the command line in this process; the word BROKEN is the folder of broken problems."""
 
     def run(*words: object) -> Outcome:
-        monkeypatch.setattr(sys, "argv", ["judge", *map(str, words)])
+        told = [str(broken_pack if word == BROKEN else word) for word in words]
+        monkeypatch.setattr(sys, "argv", ["judge", *told])
         with pytest.raises(SystemExit) as left:
             main()
         written = capsys.readouterr()

@@ -76,10 +76,10 @@ def test_groups_of_the_problem_before(words):
     assert offered(*words, "h") == ["half"]
 
 
-def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch):
+def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch, broken_pack):
     assert offered("run", "--group", "") == []
     assert offered("why", "middel", "") == []
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(ROOT / "tests" / "fixtures" / "broken_problems"))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(broken_pack))
     assert offered("why", "bad-toml", "") == []
 
 

@@ -92,7 +92,7 @@ def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch)
         raise ArithmeticError("too many digits")
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
-    monkeypatch.setattr("judge.topics.circles.picture.compose", faulty)
+    monkeypatch.setattr("judge.cli.picture.Drawing.picture", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")

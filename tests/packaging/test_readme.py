@@ -24,6 +24,7 @@ PAGES = (
     "tests/README.md",
     "judge/manual/problem-toml.md",
     "judge/manual/new-kata.md",
+    "judge/manual/problem-py.md",
 )
 TOUR = WALKS[0][1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

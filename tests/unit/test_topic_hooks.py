@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections import Counter
 from fractions import Fraction
@@ -11,8 +12,10 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+import judge
 from judge.data import load_data
 from judge.data.build import build
+from judge.data.draw import QuickDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
 from judge.data.model import ProblemData
 from judge.data.module import load_module
@@ -140,3 +143,19 @@ def test_the_four_problems_are_of_the_topic_and_short():
         problem = find_problem(name)
         assert load_module(problem).topic in (circles.LINE, circles.SEGMENT, circles.RAY)
         assert len((problem.folder / "problem.py").read_text(encoding="utf-8").splitlines()) <= 45
+
+
+PAGE = Path(judge.__file__).parent / "manual" / "problem-py.md"
+
+
+def test_the_page_tells_every_name_and_every_hook():
+    rows = re.findall(r"^\| `(\w+)", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]
+
+
+def test_the_pages_builder_is_one():
+    example = re.findall(r"```py\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)[1]
+    names = {}
+    exec(example, names)
+    (x, y), z = names["BUILDERS"]["anywhere"](QuickDraw("page"), 9)
+    assert max(abs(x), abs(y), z) <= 9
