@@ -40,6 +40,7 @@ _CHANGES = {  # audited events, and which of their arguments are paths that are 
     "os.link": (1,),
     "os.symlink": (1,),
 }
+_OF_LINKS = ("os.rename", "os.remove", "os.link", "os.symlink")
 _AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich.progress", "sqlite3", "fsrs")
 
 
@@ -212,14 +213,18 @@ def _guard(folders: list[str], report: int) -> None:
     """Refuse and report every change of a file outside these folders; devices may be opened."""
     roots = [os.path.realpath(folder) for folder in folders]
 
-    def allowed(path: Any) -> bool:
+    def allowed(path: Any, *, itself: bool) -> bool:
+        """`itself`: a link is changed, not what it leads to."""
         if isinstance(path, int):
             return True
         try:
-            real = os.path.realpath(os.fsdecode(path))
-        except (TypeError, ValueError):
+            folder, name = os.path.split(os.fsdecode(path))
+            real = f"{os.path.realpath(folder)}/{name}" if itself else os.path.realpath(path)
+        except (TypeError, ValueError):  # no name of a file
             return True
-        return real.startswith(os.devnull) or any(
+        if not Path(real).parent.is_dir():  # that fails by itself
+            return True
+        return any(
             real == root or real.startswith(root + os.sep) for root in roots
         )
 
@@ -232,7 +237,7 @@ def _guard(folders: list[str], report: int) -> None:
         else:
             paths = [arguments[index] for index in _CHANGES.get(event, ())]
         for path in paths:
-            if not allowed(path):
+            if not allowed(path, itself=event in _OF_LINKS):
                 os.write(report, f"{event} {os.fsdecode(path)!r}\n".encode(errors="backslashreplace"))
                 raise PermissionError(13, "outside the folders of the fuzz", os.fsdecode(path))
 
