@@ -224,9 +224,7 @@ def _guard(folders: list[str], report: int) -> None:
             return True
         if not Path(real).parent.is_dir():  # that fails by itself
             return True
-        return any(
-            real == root or real.startswith(root + os.sep) for root in roots
-        )
+        return any(real == root or real.startswith(root + os.sep) for root in roots)
 
     def look(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "open":
