@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import click
-from runs import KEPT, ROOT, Ended, Run
-from worker import CLOSED, FULL, GONE, NULL, TERMINAL
+from runs import ROOT, Ended, Run
+from worker import CLOSED, FULL, GONE, KEPT, NULL, TERMINAL
 
 from judge.cli.app import COMMANDS, app
 

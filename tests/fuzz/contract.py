@@ -7,8 +7,8 @@ from functools import cache
 from typing import Any
 
 from jsonschema import Draft202012Validator
-from runs import KEPT, Ended, Run
-from worker import CLOSED, FULL
+from runs import Ended, Run
+from worker import CLOSED, FULL, KEPT
 
 from judge.schema import schema_of
 

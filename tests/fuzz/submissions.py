@@ -75,9 +75,9 @@ def _files() -> dict[str, bytes]:
 
 
 def _shortened(text: str) -> bytes:
-    """A problem.toml with few cases, no race against a reference and a fifth of a second a group."""
+    """A problem.toml with few cases, no race against a reference and a tenth of a second a group."""
     text = re.sub(r"(?m)^count = \d+", f"count = {_CASES}", text)
-    text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.2", text)
+    text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.1", text)
     text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 30", text)
     return re.sub(r"(?m)^\[time\].*\n([^\[\n].*\n|\n)*", "", text).encode()
 

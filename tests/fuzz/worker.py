@@ -28,6 +28,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 CLOSED, FULL, NULL, GONE, TERMINAL = "closed", "full", "null", "gone", "terminal"
+KEPT = "kept"  # a word for the file of the case's own
 PATIENCE = 300  # seconds after which a command line is said not to end; nothing takes a tenth of it
 _GUARDED = "--guarded"  # our own first word for: be a command line in this interpreter
 _OWN_FAULT = 99  # the status of a child of which we made no command line
