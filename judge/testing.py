@@ -5,14 +5,20 @@
     def test_intersection():
         judge_problem("segment").check(my_intersection)
 
-The routine is called in this process, so it is trusted; `judge run` contains what is not. With the pytest
-plug-in of this distribution each test group becomes a test of its own; see `judge.pytest_plugin`.
+The routine is called in this process, so it is trusted; `judge run` contains what is not. What it does to
+Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
+for a test group and is undone then. With the pytest plug-in of this distribution each test group becomes a
+test of its own; see `judge.pytest_plugin`.
 """
 
 from __future__ import annotations
 
+import decimal
 import os
+import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
@@ -31,7 +37,7 @@ from judge.run.result import GroupResult, Mode
 from judge.run.tally import Tally
 from judge.sandbox import Stop
 from judge.sandbox.encode import encode
-from judge.spec import Group, Problem
+from judge.spec import Case, Group, Problem
 from judge.spec.find import find_problem
 
 Routine = Callable[..., Any]
@@ -140,17 +146,57 @@ class _Judged(Struct, frozen=True):
 def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
     tally = Tally(data, group, Mode.FUNCTION)
     first: Exception | None = None
-    for index, (case, target) in enumerate(zip(group.cases, group.targets, strict=True)):
-        try:
-            answer = encode(routine(*case))
-        except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
+    with _as_it_was():
+        replies = list(_replies(routine, group.cases))
+    for index, (reply, target) in enumerate(zip(replies, group.targets, strict=True)):
+        if isinstance(reply, _Raised):
             if tally.failure is None:
-                first = fault
-            tally.stopped(index, Stop.EXCEPTION, _told(fault))
+                first = reply.fault
+            tally.stopped(index, Stop.EXCEPTION, reply.told)
         else:
-            outcome = check(data.problem.answer, answer, target, tally.exact(index))
-            tally.compared(index, outcome, answer)
+            outcome = check(data.problem.answer, reply, target, tally.exact(index))
+            tally.compared(index, outcome, reply)
     return _Judged(tally, first)
+
+
+class _Raised(Struct, frozen=True):
+    """What is told of an exception of the routine; the first one itself, which holds all that it saw."""
+
+    told: str
+    fault: Exception | None
+
+
+def _replies(routine: Routine, cases: Sequence[Case]) -> Iterator[Any]:
+    """The encoded answers; a case that raises is lost and the others are called, as `judge run` has it."""
+    first = True
+    for case in cases:
+        try:
+            reply = encode(routine(*case))
+        except Exception as fault:
+            reply = _Raised(_told(fault), fault if first else None)
+            first = False
+        yield reply
+
+
+@contextmanager
+def _as_it_was() -> Iterator[None]:
+    """Undo at the end what was done to the state that the whole process shares.
+
+    So that no test group depends on the one before it, nor the caller's next test on any.
+    """
+    with ExitStack() as undone:
+        undone.enter_context(decimal.localcontext())
+        undone.enter_context(warnings.catch_warnings())
+        # Who imports these only now finds them new: there is nothing to undo.
+        if random := sys.modules.get("random"):
+            undone.callback(random.setstate, random.getstate())
+        if numpy := sys.modules.get("numpy"):
+            undone.enter_context(numpy.errstate())
+        if numpy_random := sys.modules.get("numpy.random"):
+            undone.callback(numpy_random.set_state, numpy_random.get_state())
+        undone.callback(sys.set_int_max_str_digits, sys.get_int_max_str_digits())
+        undone.callback(sys.setrecursionlimit, sys.getrecursionlimit())  # first: the others need room too
+        yield
 
 
 def _told(fault: Exception) -> str:

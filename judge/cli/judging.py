@@ -18,12 +18,12 @@ from judge.cli.picture import Drawing
 from judge.cli.recording import Recording
 from judge.cli.submissions import Submission
 from judge.data import ProblemData, load_data
-from judge.errors import JudgeError, UsageError
+from judge.errors import JudgeError, UsageError, shortage
 from judge.report.progress import progress
 from judge.report.screen import note
 from judge.run import Result, Settings, judge_fault, run_submission
 from judge.run.parallel import in_order
-from judge.spec import Problem
+from judge.spec import Problem, Verdict
 from judge.spec.find import find_problem
 
 
@@ -33,7 +33,8 @@ class Wish(Struct, frozen=True):
     groups: tuple[str, ...] = ()  # all of them where none is named
     seed: int | None = None
     jobs: int = 1
-    level: str | None = None  # of isolation
+    level: str | None = None  # of isolation, demanded
+    had: str | None = None  # the level of isolation that the command has had before
     diagnosed: bool = True  # look for the smallest failing case
     named: bool = True  # look for the mistake
     regression: Path | None = None
@@ -42,15 +43,20 @@ class Wish(Struct, frozen=True):
 
 
 def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
-    """Judge them; each result is kept in the history once the caller has done with it and asks for more.
+    """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
-    Close it, so that it is kept as well where the caller fails. Raises JudgeError.
+    Close it, so that what was started for the rest ends. Raises JudgeError.
     """
     chosen = {group.name for group in chosen_groups(problem, wish.groups)} if wish.groups else None
-    with Containment(problem, wish.level) as containment, Recording(wish.db, wanted=wish.kept) as recording:
+    jobs = min(wish.jobs, len(submissions) * len(chosen or problem.groups))
+    with (
+        Containment(problem, wish.level, jobs, wish.had) as containment,
+        Recording(wish.db, wanted=wish.kept) as recording,
+    ):
         containment.boot(submissions[0].source, submissions[0].name)
+        recording.open()  # while the boxes boot
         data = _data(problem, wish.seed)
-        settings = containment.settings(jobs=wish.jobs, submissions=len(submissions))
+        settings = containment.settings(submissions=len(submissions))
         judge = partial(
             _judge,
             problem,
@@ -58,15 +64,15 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
             Diagnosis(data, containment.open_box, wish.regression) if wish.diagnosed else None,
             groups=chosen,
             settings=settings,
-            bar=wish.jobs == 1,
-            naming=Naming(data, wish.seed, settings, wish.jobs) if wish.named else None,
+            bar=containment.jobs == 1,
+            naming=Naming(data, wish.seed, settings, containment.jobs) if wish.named else None,
         )
-        for submission, result in zip(submissions, in_order(submissions, wish.jobs, judge), strict=True):
-            containment.warn_of(result.isolation)
-            try:
-                yield Drawing(problem, data, result)
-            finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
-                recording.add(submission, result)
+        results = in_order(submissions, containment.jobs, judge)
+        for submission, result in zip(submissions, results, strict=True):
+            if result.verdict is not Verdict.JE:  # it was not held at any level, perhaps
+                containment.warn_of(result.isolation)
+            recording.add(submission, result)
+            yield Drawing(problem, data, result)
 
 
 def named_problem(name: str, folders: Sequence[Path]) -> Problem:
@@ -115,3 +121,8 @@ def _judge(
         raise
     except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
         return judge_fault(problem.id, name, str(fault))
+    except (OSError, MemoryError, RuntimeError) as fault:
+        short = shortage(fault)
+        if short is None:
+            raise
+        return judge_fault(problem.id, name, str(short))

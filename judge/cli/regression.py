@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from judge.cli.target import check_place
+from judge.data.atomic import replace_file
 from judge.diagnose.regression import is_ours
 from judge.errors import UsageError
 
@@ -28,4 +29,4 @@ def agree_on(path: Path) -> None:
         raise UsageError(what, where=where, remedy="name another one")
     if not click.confirm(f"{path}: {what}; write over it?", err=True):
         raise UsageError("left as it is", where=where, remedy="name another file")
-    path.write_text("", encoding="utf-8")
+    replace_file(path, b"")

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from judge.data.kept import VARIABLE, KeptFile
 from judge.errors import ProblemError
+from judge.reading import read_ordinary
 from judge.spec import Problem
 
 FORMAT = 2  # raise it when the form of the file changes
@@ -70,7 +71,7 @@ def content_key(start: str, files: Iterable[Path]) -> str:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_ordinary(path)
     except OSError as error:
         raise ProblemError(
             f"cannot be read: {error.strerror}", where=str(path), remedy="make it readable"

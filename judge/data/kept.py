@@ -15,7 +15,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import replace_file, sweep
+from judge.reading import read_ordinary
 
 VARIABLE = "JUDGE_CACHE"
 
@@ -39,7 +40,8 @@ class KeptFile:
     def read(self) -> Any:
         """What was written, or None if there is no sound file."""
         try:
-            content = self._path().read_bytes()
+            sweep(self._path().parent)
+            content = read_ordinary(self._path())
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
         checksum, _, body = content.partition(b"\n")

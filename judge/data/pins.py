@@ -14,6 +14,7 @@ from judge.compare.targets import to_json
 from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
+from judge.reading import read_ordinary
 from judge.spec import Problem
 
 SCHEMA = 1
@@ -31,7 +32,7 @@ def read_pins(problem: Problem) -> dict[str, str] | None:
     where = f"{problem.id}/{_path(problem).name}"
     remedy = _REMEDY.format(problem.id)
     try:
-        content = json.loads(_path(problem).read_bytes())
+        content = json.loads(read_ordinary(_path(problem)))
     except FileNotFoundError:
         return None
     except OSError as error:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from judge.reading import read_ordinary
 from judge.spec import Problem
 from judge.spec.program import tree_of
 
@@ -50,7 +51,7 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
 
 def _read(path: Path) -> Mistake | None:
     try:
-        source = path.read_bytes()
+        source = read_ordinary(path)
         docstring = ast.get_docstring(tree_of(source)) or ""
     except (OSError, SyntaxError):
         return None

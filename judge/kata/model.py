@@ -8,6 +8,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import ProblemError
+from judge.reading import read_ordinary_text
 from judge.spec import Problem
 from judge.spec.program import tree_of
 
@@ -33,7 +34,7 @@ def model_solution(problem: Problem) -> Model:
         paths.sort(key=lambda path: problem.time is None or path.name != problem.time.function)
     for path in paths:
         try:
-            text = path.read_text(encoding="utf-8")
+            text = read_ordinary_text(path)
             tree = tree_of(text)
         except OSError as fault:
             what = f"cannot be read ({fault.strerror})"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from judge.report.layout import Line, Span, Style, beside, hanging, line
+from judge.report.names import shown_name
 from judge.report.results import counterexample_lines, failure_lines, pitfall_lines, place_lines, verdict_span
 from judge.report.values import counted, seconds
 from judge.run.result import Mode
@@ -18,7 +19,7 @@ def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] 
     """The report: what broke it with its smallest case, and last how many cases it came to."""
     result = stressed.result
     mode = "" if result.verdict is Verdict.CE else f", {_MODES[result.mode]}"
-    yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
+    yield from beside(Span(shown_name(result.submission), Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
     if result.failure:
         yield from (*failure_lines(result.failure, width), *place_lines(result, width), line())

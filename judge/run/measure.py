@@ -7,6 +7,7 @@ from itertools import takewhile
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
+from judge.reading import read_ordinary
 from judge.run.budget import Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.result import Mode
@@ -55,7 +56,7 @@ class Reference:
         if name is None:
             return None
         try:
-            return (self._problem.solutions / "accepted" / name).read_bytes(), name
+            return read_ordinary(self._problem.solutions / "accepted" / name), name
         except OSError:  # an installed pack may come without solutions; `judge verify` tells of a wrong name
             return None
 

@@ -22,9 +22,11 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
+from judge.reading import read_ordinary
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.sandbox import Boxes, BoxFactory
 from judge.spec import Group, Problem, Verdict
 from judge.spec.program import tree_of
 
@@ -114,12 +116,16 @@ class _Source(Struct, frozen=True):
 
 
 def verify_problem(
-    problem: Problem, *, update_pins: bool = False, progress: Progress | None = None
+    problem: Problem,
+    *,
+    update_pins: bool = False,
+    progress: Progress | None = None,
+    box_factory: BoxFactory | None = None,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    A problem whose data cannot be built has that as its one fault. Raises ProblemError only where hashes.json
-    cannot be written.
+    Solutions run in boxes of `box_factory`, where there is one. A problem whose data cannot be built has that
+    as its one fault. Raises ProblemError only where hashes.json cannot be written.
     """
     tell = progress or (lambda _what, _done, _total: None)
     try:
@@ -133,7 +139,7 @@ def verify_problem(
     sources, unreadable = _read_sources(problem)
     faults += unreadable
     reports = []
-    settings = Settings()
+    settings = Settings(box_factory=box_factory or Boxes())
     for done, source in enumerate(sources):
         tell("judging solutions", done, len(sources))
         result = run_submission(problem, data, source.content, source.path.name, settings=settings)
@@ -198,7 +204,7 @@ def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
         for path in paths:
             where = f"{problem.solutions.name}/{folder.value}/{path.name}"
             try:
-                content = path.read_bytes()
+                content = read_ordinary(path)
                 name = _docstring_name(content)
             except OSError as error:
                 faults.append(Fault(f"cannot be read: {error.strerror}", where, "make it readable"))

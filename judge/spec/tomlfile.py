@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 import msgspec
 
 from judge.errors import ProblemError, nearest
+from judge.reading import read_ordinary_text
 from judge.spec import schema
 from judge.spec.lines import KeyPath, key_lines, line_of, parse_path
 from judge.spec.model import Problem
@@ -111,7 +112,7 @@ def read_text(path: Path) -> str:
     """The text of one of a problem's files. Raises ProblemError."""
     where = f"{path.parent.name}/{path.name}"
     try:
-        return path.read_text(encoding="utf-8")
+        return read_ordinary_text(path)
     except FileNotFoundError:
         raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
     except UnicodeDecodeError as error:

@@ -10,8 +10,10 @@ import pytest
 from cli_support import PACK, ROOT, Outcome
 
 from judge.cli import main
+from judge.cli.isolation import keep_level
 from judge.data import load_data
 from judge.data.pins import write_pins
+from judge.sandbox import levels
 from judge.spec.find import find_problem
 
 
@@ -27,7 +29,12 @@ def pack(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory):
-    return tmp_path_factory.mktemp("cache")
+    """A cache like that of somebody who has run `judge doctor`: no command has a note on isolation then."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(folder))
+        keep_level(next(level.name for level in levels() if level.available))
+    return folder
 
 
 @pytest.fixture(autouse=True)

@@ -16,7 +16,15 @@ from judge.cli import judging
 from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
 
-FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
+FAULTY = [
+    "example-answer-text",
+    "missing-key",
+    "misspelt-key",
+    "bad-bound",
+    "bad-toml",
+    "example-contradicts",
+    "module-raises",
+]
 
 
 @pytest.mark.parametrize("name", FAULTY)
@@ -200,6 +208,37 @@ def test_standard_output_that_is_closed_or_full(process):
         assert ended.returncode == 3, target
         assert ended.stderr.startswith("judge: cannot write (")
         assert ended.stderr.count("\n") == 1
+
+
+FULL = [  # where standard error is full: the status is that of the command
+    ("nothing", 2),
+    ("run middle mine.py --nothing", 2),
+    ("run middle gone.py", 2),
+    ("--nothing", 2),
+    (f"list --problems {BROKEN}", 3),
+    (f"show bad-toml --debug --problems {BROKEN}", 3),
+    ("run middle mine.py -q --db diary", 0),
+    ("run middle floor.py -q --db diary", 1),
+    ("list > /dev/full", 3),
+]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@pytest.mark.parametrize(("words", "status"), FULL)
+def test_a_full_standard_error_changes_no_status(words, status, submit):
+    for name, content in (("mine.py", MEAN), ("floor.py", FLOOR), ("diary", "Dear diary,")):
+        submit(content, name)
+    ended = subprocess.run(
+        ["sh", "-c", f'"{sys.executable}" -m judge {words} 2> /dev/full'],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert ended.returncode == status
+    if " -q " in words:
+        assert ended.stdout.startswith(("AC  ", "WA  "))
 
 
 CLOSED = ["<&-", "2>&-", "<&- 2>&-"]

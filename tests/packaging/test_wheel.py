@@ -19,15 +19,6 @@ PROBLEMS = {"count", "exact-count", "ray-nearest", "segment"}
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
-    target = tmp_path_factory.mktemp("dist")
-    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(target)]
-    subprocess.run(command, cwd=ROOT, check=True, capture_output=True, timeout=120)
-    (built,) = target.glob("*.whl")
-    return built
-
-
-@pytest.fixture(scope="module")
 def installed(wheel, tmp_path_factory):
     """A pure wheel is installed by unpacking it."""
     place = tmp_path_factory.mktemp("site")

@@ -67,6 +67,11 @@ REFUSED = {
         "the example's answer 'nothing' is no plain value",
         "write numbers, points (x, y), lists or None",
     ),
+    "example-answer-text": (
+        "statement.md:5",
+        "the example's answer '\"0\"' is neither a whole number nor None",
+        "correct it, or the answer that problem.toml declares",
+    ),
     "example-contradicts": (
         "statement.md:5",
         "the example contradicts the reference: ",

@@ -10,7 +10,7 @@ import pytest
 import judge
 
 PACKAGE = Path(judge.__file__).parent
-ROOMS = ["cli", "report", "kata", "diagnose", "run", "data", "compare", "spec", "exact", "errors"]
+ROOMS = ["cli", "report", "kata", "diagnose", "run", "data", "compare", "spec", "exact", "reading", "errors"]
 
 
 def imported(path: Path) -> set[str]:

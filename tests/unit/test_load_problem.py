@@ -44,6 +44,7 @@ def floating(tmp_path):
     text = (folder / "problem.toml").read_text()
     text = text.replace('answer = "count"', 'answer = "points"').replace("[limits]", NUMBERS + "\n[limits]")
     (folder / "problem.toml").write_text(text + GROUP)
+    (folder / "statement.md").write_text(">>> root_count(4)\n[(-2, 0), (2, 0)]\n")
     return folder
 
 

@@ -43,7 +43,7 @@ def command(replay: str, file: str, as_json: bool, level: str | None, folders: t
     data = _one_case(replay, problem)
     (submission,) = submissions
     with Containment(problem, level) as containment:
-        settings = replace(containment.settings(jobs=1, submissions=1), measured=False)
+        settings = replace(containment.settings(submissions=1), measured=False)
         result = run_submission(problem, data, submission.source, submission.name, settings=settings)
         containment.warn_of(result.isolation)
     if as_json:

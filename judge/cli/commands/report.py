@@ -15,6 +15,7 @@ from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.report.layout import Link, Span, line
+from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.spec import Problem
@@ -132,7 +133,7 @@ def _matrix(problem: Problem) -> Matrix | None:
         with progress(f"building {problem.id}") as advance:
             data = load_data(problem, progress=advance)
         with Containment(problem, None) as containment:
-            settings = containment.settings(jobs=1, submissions=1)
+            settings = containment.settings(submissions=1)
             workers = min(_AT_ONCE, os.cpu_count() or 1)
             label = f"learning the mistakes of {problem.id}"
             namer = Namer(data, None, settings, workers, lambda: progress(label))
@@ -172,4 +173,4 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
             }
         )
         return
-    out().show([line(Span(str(path), link=Link(str(path))))])
+    out().show([line(Span(shown_name(str(path)), link=Link(str(path))))])

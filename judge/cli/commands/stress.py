@@ -152,7 +152,7 @@ class _Asked(Struct, frozen=True):
         module = load_module(problem)
         data = ProblemData(problem, (), module=module)
         fresh = Fresh(problem, module, self.groups, self.seed)
-        settings = containment.settings(jobs=1, submissions=1)
+        settings = containment.settings(submissions=1)
         with settings.box_factory(submission.source, submission.name) as box:
             containment.warn_of(box.isolation)
             stressed = self._run(data, fresh, box)
