@@ -84,9 +84,9 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
 
     text = make_stub(problem).encode()
     where = str(path)
-    if not path.name or path.is_dir():
-        raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
     try:
+        if not path.name or path.is_dir():
+            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
         (replace_file if force else new_file)(path, text)
     except FileExistsError as fault:
         remedy = f"'judge watch {problem.id} {path}' goes on with it, --force writes over it"

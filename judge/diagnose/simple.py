@@ -102,7 +102,7 @@ def ladder(problem: Problem) -> Iterator[Step]:
     yield [(Rung(3, floats=True), 150), (Rung(3, unit=1), 100)]
     for tens in (2, 4, 6, 8):
         yield [(Rung(3, tens), 150), (Rung(3, tens, floats=True), 150)]
-        if tens < 6:
+        if tens < 6 and any(parameter.type in _POINTS for parameter in problem.parameters):
             yield [(Rung(2, lone, lone=True), 150) for lone in (tens, tens + 1)]
     for unit in (9, 7, 11, 13, 5, 3):
         yield [(Rung(3, unit=unit), 150)]

@@ -10,10 +10,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import concealed, launch
+from judge.sandbox import concealed, launch, roots
 from judge.sandbox.boundary import LEVELS, Limits, Stop
 from judge.sandbox.factory import Boxes
-from judge.sandbox.roots import find_roots
 
 MEANING = {
     "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",
@@ -70,9 +69,9 @@ def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
     `hide` are more folders that it looks for.
     """
     hide = tuple(hide)
-    roots = find_roots(hide)
-    others = concealed.ours(roots.searched, (*roots.folders, *roots.files))
-    wanted = "\0".join([*roots.unseen, *others])
+    found = roots.find_roots(hide)
+    others = concealed.ours(found.searched, (*found.folders, *found.files))
+    wanted = "\0".join([*found.unseen, *others])
     return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 

@@ -60,7 +60,7 @@ def test_doctor_looks_for_packs_that_are_installed(judge, pack_among_modules):
 
 def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
     found = find_roots()._replace(hidden=())
-    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
     weak = [
         level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
     ]
@@ -73,7 +73,7 @@ def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monk
 def test_doctor_believes_the_submission_not_the_plan(judge, pack_among_modules, monkeypatch):
     """Where the container's own look around fails too."""
     found = find_roots()._replace(hidden=(), unseen=(str(pack_among_modules),))
-    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
     monkeypatch.setattr("judge.sandbox.launch.to_look_for", lambda _level, _roots: ((), ()))
     for level in json.loads(judge("doctor", "--json").out)["levels"]:
         if level["available"]:

@@ -72,6 +72,7 @@ def test_init_says_where_nothing_can_be_written(force, judge, tmp_path):
     refused(judge("init", "middle", str(tmp_path), *force), "this is a folder; name a file in it")
     refused(judge("init", "middle", "", *force), "this is a folder")
     refused(judge("init", "middle", "a\0b", *force), "cannot be written")
+    refused(judge("init", "middle", "x" * 3000, *force), "cannot be written (file name too long)")
     refused(judge("init", "midle", *force), "did you mean 'middle'?")
     (tmp_path / "link.py").symlink_to("elsewhere.py")
     if not force:

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 import click
-from runs import KEPT, ROOT, Run
-from worker import CLOSED, FULL, GONE, NULL, TERMINAL
+from runs import ROOT, Ended, Run
+from worker import CLOSED, FULL, GONE, KEPT, NULL, TERMINAL
 
 from judge.cli.app import COMMANDS, app
 
@@ -196,3 +196,16 @@ def _world(chance: random.Random) -> tuple[dict[str, str | None], tuple[str, str
         extra["encoding"] = (locale.get("PYTHONIOENCODING") or "utf-8").partition(":")[0]
         settings |= locale
     return settings, streams, extra
+
+
+def further_faults(run: Run, _ended: Ended, folder: Path) -> list[str]:
+    """What the command line has done to files that it was not asked to change."""
+    if "--force" in run.words or (TERMINAL in run.streams and "--save-regression" in " ".join(run.words)):
+        return []
+    changed = [
+        name
+        for name, source in _FILES.items()
+        if source not in (b"", _FILES["old.svg"], _FILES["old.xml"])
+        and (folder / "work" / name).read_bytes() != source
+    ]
+    return [f"it changes {name!r}, which nobody asked for" for name in changed]

@@ -7,13 +7,13 @@ from functools import cache
 from typing import Any
 
 from jsonschema import Draft202012Validator
-from runs import KEPT, Ended, Run
-from worker import CLOSED, FULL
+from runs import Ended, Run
+from worker import CLOSED, FULL, KEPT
 
 from judge.schema import schema_of
 
 STATUSES = (0, 1, 2, 3, 130, 141)
-_LINES = 40  # that any command line says on standard error
+_LINES = 100  # that any command line says on standard error
 _LONGEST = 2_000  # characters of one of them
 _USAGE = 3  # lines that a usage error takes
 _MAY_BE_EMPTY = ("history", "list")  # commands that write an object for each thing there is
@@ -45,12 +45,14 @@ def faults(run: Run, ended: Ended) -> list[str]:
 def _foreign(run: Run, change: str) -> bool:
     """Whether nobody asked for that change: the pins of a shipped problem, another temporary folder."""
     pins = "--pin" in run.words and "hashes.json" in change
-    return not pins and not ("TMPDIR" in run.settings and "tmp/" in change)
+    return not pins and not ("TMPDIR" in run.settings and change.startswith("open "))
 
 
 def _in_complaints(run: Run, ended: Ended) -> list[str]:
     """What is wrong with standard error."""
     lines = ended.err.splitlines()
+    if run.interrupt is not None and lines[-1:] == [""]:  # for the ^C that a terminal shows
+        lines.pop()
     found = [
         f"a line of standard error is not the judge's: {line[:200]!r}"
         for line in lines

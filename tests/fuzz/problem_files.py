@@ -250,7 +250,10 @@ def _runs(chance: random.Random, problem: str, files: dict[str, bytes]) -> list[
         ("replay", f"{problem}:{group}:v1,2:000000", program),
         ("report", "--no-matrix"),
     ]
-    chosen = [*chance.sample(cheap, chance.choice((1, 2, 3))), *chance.sample(dear, chance.choice((0, 1, 1)))]
+    chosen = [
+        *chance.sample(cheap, chance.choice((1, 2, 3))),
+        *chance.sample(dear, chance.choice((0, 0, 0, 1))),
+    ]
     return [_run(chance, words) for words in chosen]
 
 

@@ -12,10 +12,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from worker import NULL, TERMINAL
+from worker import KEPT, NULL, TERMINAL
 
 ROOT = Path(__file__).resolve().parents[2]
-KEPT = "kept"  # a stream that goes into a file of ours
+
 _MOST = 8 * 2**20  # bytes that are read of what was written
 
 

@@ -16,6 +16,7 @@ from programs import changed_program, odd_program
 from runs import ROOT, Ended, Run
 
 _BATCH = 10  # odd ones of a case
+_LONGEST = 100_000  # characters of a result
 _CASES = 2  # of a test group
 _PROBLEMS = ("middle", "count", "segment", "ray-nearest", "exact-count")
 _PACKS = {"middle": ROOT / "tests" / "fixtures" / "pack"}  # the others are shipped
@@ -74,9 +75,9 @@ def _files() -> dict[str, bytes]:
 
 
 def _shortened(text: str) -> bytes:
-    """A problem.toml with few cases, no race against a reference and a fifth of a second a group."""
+    """A problem.toml with few cases, no race against a reference and a tenth of a second a group."""
     text = re.sub(r"(?m)^count = \d+", f"count = {_CASES}", text)
-    text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.2", text)
+    text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.1", text)
     text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 30", text)
     return re.sub(r"(?m)^\[time\].*\n([^\[\n].*\n|\n)*", "", text).encode()
 
@@ -103,10 +104,10 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
                 [content for name, content in _files().items() if name.startswith(f"solutions/{problem}/")]
             )
             what, source = changed_program(chance, source)
-        name = f"{chance.choice(_NAMES)}{number}.py" if chance.random() < 0.3 else f"odd{number}.py"
+        name = f"odd{number}.py" if chance.random() < 0.7 else f"{chance.choice(_NAMES)}{number}.py"
         (batch / name).write_bytes(source)
         story.append(f"{name!r}: {what}")
-    return story, [_run(chance, problem, [group["name"] for group in table["groups"]])]
+    return story, _runs(chance, problem, [group["name"] for group in table["groups"]])
 
 
 def _program(problem: str, folder: str, entry: str) -> bytes:
@@ -119,31 +120,41 @@ def _program(problem: str, folder: str, entry: str) -> bytes:
     )
 
 
-def _run(chance: random.Random, problem: str, groups: list[str]) -> Run:
-    words = ["run", "--json", problem, "batch", "--group", groups[0], "--group", chance.choice(groups[1:])]
-    words += ["--no-shrink"] if chance.random() < 0.8 else []
-    words += ["--no-name"] if chance.random() < 0.8 else []
+def _runs(chance: random.Random, problem: str, groups: list[str]) -> list[Run]:
+    """All of them judged, most often; else one of them stressed."""
+    few = ("--group", groups[0], "--group", chance.choice(groups[1:]))
+    level = ("--isolation", "strong") if chance.random() < 0.1 else ()
+    if chance.random() < 0.1:
+        name = f"batch/odd{chance.randrange(_BATCH)}.py"
+        stressing = ("stress", "--json", problem, name, "--for", "0.2s", "--seed", "7", *few, *level)
+        return [_one(stressing), _one(("watch", "--json", problem, name, *few, *level), interrupt=2.0)]
+    words = ["run", problem, "batch", *few, *level]
+    words += ["--no-shrink"] if chance.random() < 0.7 else []
+    words += ["--no-name"] if chance.random() < 0.7 else []
     words += ["-j", "2"] if chance.random() < 0.3 else []
     words += ["--junit", "out.xml"] if chance.random() < 0.3 else []
-    words += ["--isolation", "strong"] if chance.random() < 0.1 else []
-    return Run(tuple(words), {"JUDGE_PROBLEMS": "../problems"}, checked=True)
+    form = chance.choice(("--json", "--json", "--json", "--format=github", "--format=text", "-q"))
+    return [_one((words[0], form, *words[1:]))]
+
+
+def _one(words: tuple[str, ...], interrupt: float | None = None) -> Run:
+    settings = {"JUDGE_PROBLEMS": "../problems", "COLUMNS": "80"}
+    return Run(words, settings, checked="--json" in words, interrupt=interrupt)
 
 
 def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
     """What is wrong with the results: one is missing, is the judge's fault, or is not what it must be."""
+    if run.words[:2] != ("run", "--json"):
+        return ["the judge is at fault"] if ended.status == 3 and run.words[0] != "stress" else []
     results = [json.loads(line) for line in ended.out.split("\n")[:-1]]
-    given = sorted(str(path) for path in (folder / "work" / "batch").iterdir())
-    found = []
-    names = [result["submission"] for result in results]
-    if len(names) != len(given):
-        found.append(f"it has {len(names)} results of {len(given)} submissions")
-    for result in results:
-        if result["verdict"] == "JE":
-            found.append(f"{result['submission']!r} is judged JE: {result['failure']['message'][:200]}")
+    given = len(list((folder / "work" / "batch").iterdir()))
+    found = [] if len(results) == given else [f"it has {len(results)} results of {given} submissions"]
     known = {result["submission"].rpartition("/")[2]: result for result in results}
-    for name, wanted in ((_RIGHT, "AC"), (_WRONG, "WA")):
-        result = known.get(name)
-        if result is not None and result["verdict"] != wanted:
-            why = (result["failure"] or {}).get("message")
-            found.append(f"{name} is judged {result['verdict']}, not {wanted}: {why}")
+    for name, result in known.items():
+        why = str((result["failure"] or {}).get("message"))
+        wanted = {_RIGHT: "AC", _WRONG: "WA"}.get(name)
+        if result["verdict"] == "JE" or wanted not in (None, result["verdict"]):
+            found.append(f"{name!r} is judged {result['verdict']}, not {wanted or 'by itself'}: {why[:300]}")
+        if len(json.dumps(result)) > _LONGEST:
+            found.append(f"the result of {name!r} has {len(json.dumps(result))} characters")
     return found

@@ -28,6 +28,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 CLOSED, FULL, NULL, GONE, TERMINAL = "closed", "full", "null", "gone", "terminal"
+KEPT = "kept"  # a word for the file of the case's own
 PATIENCE = 300  # seconds after which a command line is said not to end; nothing takes a tenth of it
 _GUARDED = "--guarded"  # our own first word for: be a command line in this interpreter
 _OWN_FAULT = 99  # the status of a child of which we made no command line
@@ -40,6 +41,7 @@ _CHANGES = {  # audited events, and which of their arguments are paths that are 
     "os.link": (1,),
     "os.symlink": (1,),
 }
+_OF_LINKS = ("os.rename", "os.remove", "os.link", "os.symlink")
 _AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich.progress", "sqlite3", "fsrs")
 
 
@@ -212,16 +214,18 @@ def _guard(folders: list[str], report: int) -> None:
     """Refuse and report every change of a file outside these folders; devices may be opened."""
     roots = [os.path.realpath(folder) for folder in folders]
 
-    def allowed(path: Any) -> bool:
+    def allowed(path: Any, *, itself: bool) -> bool:
+        """`itself`: a link is changed, not what it leads to."""
         if isinstance(path, int):
             return True
         try:
-            real = os.path.realpath(os.fsdecode(path))
-        except (TypeError, ValueError):
+            folder, name = os.path.split(os.fsdecode(path))
+            real = f"{os.path.realpath(folder)}/{name}" if itself else os.path.realpath(path)
+        except (TypeError, ValueError):  # no name of a file
             return True
-        return real.startswith(os.devnull) or any(
-            real == root or real.startswith(root + os.sep) for root in roots
-        )
+        if not Path(real).parent.is_dir():  # that fails by itself
+            return True
+        return any(real == root or real.startswith(root + os.sep) for root in roots)
 
     def look(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "open":
@@ -232,7 +236,7 @@ def _guard(folders: list[str], report: int) -> None:
         else:
             paths = [arguments[index] for index in _CHANGES.get(event, ())]
         for path in paths:
-            if not allowed(path):
+            if not allowed(path, itself=event in _OF_LINKS):
                 os.write(report, f"{event} {os.fsdecode(path)!r}\n".encode(errors="backslashreplace"))
                 raise PermissionError(13, "outside the folders of the fuzz", os.fsdecode(path))
 

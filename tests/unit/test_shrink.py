@@ -13,12 +13,14 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from judge.data.draw import SeededDraw
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose import shrink
 from judge.diagnose.replay import decode
+from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -308,6 +310,16 @@ def test_a_program_that_keeps_something_between_its_cases_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.as_json()["input"] == result.failure.input
+
+
+@pytest.mark.parametrize("name", ["root-count", "middle", "count", "exact-count"])
+def test_there_are_simple_cases_of_every_step_for_a_problem_with_and_without_points(name):
+    fixtures = SOLUTIONS.parent / "tests" / "fixtures"
+    problem = find_problem(name, [fixtures / "problems", fixtures / "pack" / "problems"])
+    for rung in (rung for step in ladder(problem) for rung, _ in step):
+        cases = [rung.case(SeededDraw(str(number)), problem) for number in range(20)]
+        assert {len(case) for case in cases} == {len(problem.parameters)}
+        assert len(set(cases)) > 1
 
 
 @pytest.mark.parametrize("name", ["count", "exact-count", "segment", "ray-nearest"])
