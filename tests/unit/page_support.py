@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 
 from past_runs import StoppedClock
 
-from judge.diagnose import known_mistakes
+from judge.diagnose.mistakes import known_mistakes
 from judge.kata.history import History
 from judge.problem import Verdict
 from judge.problem.find import find_problem

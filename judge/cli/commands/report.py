@@ -89,7 +89,7 @@ def command(
 
 def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[Known]:
     """Every sound problem, with the mistakes of those that were tried."""
-    from judge.diagnose import known_mistakes
+    from judge.diagnose.mistakes import known_mistakes
     from judge.report.page.compose import Known
 
     found = []
