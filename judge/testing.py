@@ -20,7 +20,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, held
 from judge.problem import Group, Problem

@@ -1,27 +1,26 @@
-"""Judging submissions as a person has asked for it: the one way of `judge run` and `judge watch`."""
+"""Judging submissions as a person has asked for it: the one way of `judge run` and `judge watch`.
+
+Containers are started as early as can be: most of what judging and showing need is imported while they boot.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.cli.picture import Drawing
-from judge.cli.recording import Recording
-from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
 from judge.errors import UsageError
-from judge.judging.executors import executor
+from judge.judging.containment import Containment
 from judge.judging.job import Terms
-from judge.judging.session import Session
 from judge.language import is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.report.progress import progress
-from judge.report.screen import Notes
-from judge.run.execute import judge_fault
-from judge.run.result import Result
+
+if TYPE_CHECKING:
+    from judge.cli.picture import Drawing
 
 
 class Wish(Struct, frozen=True):
@@ -40,29 +39,13 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
+    first, terms = submissions[0], wish.terms
+    jobs = min(wish.jobs, len(submissions) * len(terms.groups or problem.groups))
+    with Containment(problem, terms.isolation, jobs, wish.had) as containment:
+        containment.boot(first.source, first.name)
+        from judge.cli.drawings import drawings  # while it boots
 
-    def lost(submission: Submission, why: str) -> Result:
-        return judge_fault(problem.id, submission.name, why)
-
-    said = Notes()
-    with (
-        Session(
-            problem, wish.terms, jobs=wish.jobs, expected=len(submissions), had=wish.had, bars=progress
-        ) as session,
-        Recording(wish.db, wanted=wish.kept) as recording,
-    ):
-        session.containment.boot(submissions[0].source, submissions[0].name)
-        recording.open()  # while the boxes boot
-        said.say([*session.notes, *session.data.notes])
-        results = executor(session.jobs).results(
-            lambda submission: session.judge(submission.source, submission.name), submissions, lost
-        )
-        for submission, result in zip(submissions, results, strict=True):
-            recording.add(submission, result)
-            said.say(result.notes)
-            if wish.regression is not None:
-                said.say(save_regression(wish.regression, session.data, result))
-            yield Drawing(problem, session.data, result)
+        yield from drawings(problem, submissions, wish, containment)
 
 
 def named_problem(name: str, folders: Sequence[Path]) -> Problem:

@@ -23,7 +23,7 @@ from msgspec import Struct
 
 from judge.compare import AnyTarget
 from judge.diagnose.agreement import WrongAnswer
-from judge.diagnose.known import Answers
+from judge.diagnose.answers import Answers
 
 _INDEPENDENT = 6.0  # cases that a group is worth at most
 _BOUND = math.log(100)

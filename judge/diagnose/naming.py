@@ -19,10 +19,10 @@ from msgspec import Struct
 
 from judge.compare import AnyTarget, CountTarget, ParameterTarget
 from judge.compare.outline import Outline
-from judge.data import GroupData
+from judge.data.model import GroupData
 from judge.diagnose.agreement import wanted_numbers
+from judge.diagnose.answers import Answers, Behaviour
 from judge.diagnose.evidence import Evidence, log_sum
-from judge.diagnose.known import Answers, Behaviour
 
 LEAST = 0.7  # the score below which nothing is named
 

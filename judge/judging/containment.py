@@ -10,10 +10,11 @@ from judge.errors import JudgeError, ShortageError
 from judge.judging.isolation import kept_level
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.run.measure import Reference
+from judge.run.reference import Reference
 from judge.sandbox import Boxes, room
 from judge.sandbox.boundary import Box, BoxFactory
 
+_SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
 _WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
 
 
@@ -38,9 +39,9 @@ def every_hidden_folder() -> tuple[Path, ...]:
 class Containment:
     """The boxes of one session; a context manager that ends those that were never used.
 
-    The first submission's box and the reference's boot while the judge still reads its data. `open_box` opens
-    another one at the same level; `jobs` is how many things may be done at once here, and `short` says it
-    where they are fewer than were asked for.
+    The first submission's box boots while the judge still reads its data. `open_box` opens another one at the
+    same level; `jobs` is how many things may be done at once here, and `short` says it where they are fewer
+    than were asked for.
     """
 
     def __init__(self, problem: Problem, level: str | None, jobs: int = 1, had: str | None = None) -> None:
@@ -66,10 +67,14 @@ class Containment:
             box.__exit__(*exc)
 
     def boot(self, source: bytes, name: str) -> None:
-        """Start the box of a submission that will be judged soon, and that of the reference."""
-        with suppress(ShortageError, OSError, MemoryError, RuntimeError):  # it shows when they are needed
+        """Start the box of a submission that will be judged soon."""
+        with suppress(*_SHORT):
             box = self._ahead[source, name] = self.open_box(source, name)
             box.warm_up()
+
+    def boot_reference(self) -> None:
+        """Start the box of the reference, which will be wanted if a submission is accepted."""
+        with suppress(*_SHORT):
             self.reference.warm_up()
 
     def take(self, source: bytes, name: str) -> Box:

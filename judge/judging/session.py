@@ -14,7 +14,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from threading import Lock
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
@@ -22,9 +22,10 @@ from judge.judging.diagnosis import diagnosed
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
-from judge.run.execute import Progress, Settings, judge_fault, run_in
+from judge.run.execute import judge_fault, run_in
 from judge.run.parallel import Turnstile
 from judge.run.result import Result
+from judge.run.settings import Progress, Settings
 
 _PACKAGE = str(Path(__file__).resolve().parent.parent)
 
@@ -37,28 +38,31 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
 class Session:
     """A context manager; `judge` may be called from several threads.
 
-    `jobs` is how many things may be done at once, `expected` how many submissions are to come: few of them
-    use several boxes each. `had` is the level of isolation that whoever judges has had before: a lower one is
-    refused. `bars` opens what is told how far the work is, by its label. Nothing is printed: what a person
-    should know is in the results' notes, and in the session's own, where `jobs` has become smaller.
+    `containment` is one in which the first submission's box may have been started; it says how many things
+    may be done at once. Without it `jobs` asks for so many. `expected` is how many submissions are to come:
+    few of them use several boxes each. `bars` opens what is told how far the work is, by its label. Nothing
+    is printed: what a person should know is in the results' notes, and in the session's own, where there is
+    no room for `jobs`.
     """
 
     def __init__(
         self,
         problem: Problem,
         terms: Terms = Terms(),  # noqa: B008 - frozen
+        containment: Containment | None = None,
         *,
         jobs: int = 1,
         expected: int = 1,
-        had: str | None = None,
         bars: Bars = silent,
     ) -> None:
         self.problem = problem
         self.terms = terms
-        jobs = min(jobs, expected * len(terms.groups or problem.groups))
-        self.containment = Containment(problem, terms.isolation, jobs, had)
-        self.jobs = self.containment.jobs
-        self.notes = (self.containment.short,) if self.containment.short else ()
+        if containment is None:
+            jobs = min(jobs, expected * len(terms.groups or problem.groups))
+            containment = Containment(problem, terms.isolation, jobs)
+        self.containment = containment
+        self.jobs = containment.jobs
+        self.notes = (containment.short,) if containment.short else ()
         self.settings = Settings(
             box_factory=self.containment.take,
             workers=max(1, self.jobs // max(1, expected)),
@@ -78,14 +82,20 @@ class Session:
         self.containment.__exit__(*exc)
 
     def boot(self, source: bytes, name: str) -> None:
-        """Start the box of the submission that will be judged first, and then read the problem's data.
+        """Start the box of the submission that will be judged first, and prepare.
 
         Raises:
             UsageError: the level of isolation that is asked for cannot be had.
             ProblemError: the data cannot be built.
         """
         self.containment.boot(source, name)
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Read the problem's data, and start the reference, which is not wanted yet. Raises ProblemError."""
         _ = self.data
+        if self.terms.timed:
+            self.containment.boot_reference()
 
     @property
     def data(self) -> ProblemData:

@@ -9,7 +9,7 @@ from typing import Any
 from judge.compare.answers import Answer, Count, Parameter
 from judge.compare.targets import to_json
 from judge.compare.text import render
-from judge.data import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.exact import Surd
 from judge.problem import Case, Problem
 from judge.run.program import render_group

@@ -15,7 +15,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
@@ -23,9 +24,10 @@ from judge.errors import ProblemError
 from judge.language import file_name
 from judge.problem import Group, Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.run.execute import Settings, run_submission
+from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all

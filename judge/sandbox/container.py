@@ -6,11 +6,11 @@ request starts another.
 
 from __future__ import annotations
 
+import _socket  # socket itself wraps every constant in an enumeration: slow
 import contextlib
 import os
 import select
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -30,9 +30,7 @@ GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 END_SECONDS = 1.0
 REASON_BYTES = 2000
 
-_PAIR = (
-    getattr(socket, "SOCK_SEQPACKET", socket.SOCK_STREAM) if sys.platform == "linux" else socket.SOCK_STREAM
-)
+_PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
 class Mark(NamedTuple):
@@ -160,7 +158,7 @@ class Container:
             raise
 
     def _start(self, level: str, name: str, source: bytes, roots: Roots, share: Share) -> None:
-        ours, theirs = socket.socketpair(socket.AF_UNIX, _PAIR)
+        ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
         with contextlib.ExitStack() as passed:

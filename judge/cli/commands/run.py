@@ -9,12 +9,16 @@ import click
 
 from judge.cli.judging import Wish, judged, named_problem
 from judge.cli.judging_options import (
+    chosen_format,
+    format_option,
     isolation_option,
     jobs_option,
+    junit_option,
     no_history_option,
     no_name_option,
     no_shrink_option,
     save_regression_option,
+    svg_option,
 )
 from judge.cli.kata import file_in_hand
 from judge.cli.options import (
@@ -24,10 +28,9 @@ from judge.cli.options import (
     problems_option,
     seed_option,
 )
-from judge.cli.outputs import OnScreen, Outputs, chosen_format, format_option, junit_option
-from judge.cli.picture import check_svg, svg_option
-from judge.cli.regression import agree_on
+from judge.cli.outputs import OnScreen, Outputs
 from judge.cli.submissions import read_submissions
+from judge.cli.target import check_svg
 from judge.errors import ExitCode, UsageError
 from judge.judging.job import Terms
 from judge.problem.choose import chosen_groups
@@ -90,8 +93,11 @@ def command(
         problem = named_problem(name, folders)
         submissions = show.expected = read_submissions(files)
         if regression is not None:
+            from judge.cli.regression import agree_on  # only who asks for it waits for it
+
             agree_on(regression)
-        check_svg(svg, len(submissions))
+        if svg is not None:
+            check_svg(svg, len(submissions))
         chosen_groups(problem, groups)  # a name that is none is told before anything is built
         terms = Terms(
             groups,
