@@ -1,24 +1,41 @@
-"""What all tests share: no test reads or writes the person's own history; the wheel is built once."""
+"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once."""
 
 from __future__ import annotations
 
+import contextlib
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 _OWN = "JUDGE_DB"
+_LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
+_A_DAY = 24 * 3600  # longer than any run of the tests
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """Processes that tests start inherit it, so it is set for the whole session, before the first test."""
-    folder = tempfile.mkdtemp(prefix="judge-tests-")
-    config.add_cleanup(lambda: shutil.rmtree(folder, ignore_errors=True))
-    os.environ[_OWN] = str(Path(folder) / "history.sqlite3")
+def pytest_sessionstart() -> None:
+    """Take away the folders of runs that were killed before they could; those of this user, and old ones."""
+    with contextlib.suppress(OSError), os.scandir(tempfile.gettempdir()) as entries:
+        for entry in entries:
+            if _LEFT.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
+                found = entry.stat(follow_symlinks=False)
+                if found.st_uid == os.geteuid() and time.time() - found.st_mtime > _A_DAY:
+                    shutil.rmtree(entry.path, ignore_errors=True)  # which follows no link
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _session_history(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Processes that tests start inherit it, so it is set before the first test. pytest clears it away."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(_OWN, str(tmp_path_factory.mktemp("history") / "history.sqlite3"))
+        yield
 
 
 @pytest.fixture(autouse=True)

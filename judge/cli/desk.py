@@ -9,12 +9,15 @@ from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.cli.judging import Wish, judged
 from judge.cli.kata import Kata
 from judge.cli.picture import Drawing
 from judge.cli.submissions import read_submissions
 from judge.errors import JudgeError, UsageError
 from judge.kata.saves import Mark, mark, settled
+from judge.problem import Verdict
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 
@@ -54,11 +57,14 @@ class Desk:
             return f"{name} is empty; it is judged when there is something in it"
         try:
             with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
-                return next(drawings)
+                drawing = next(drawings)
         except UsageError:
             raise
         except JudgeError as fault:
             return str(fault)
+        if drawing.result.verdict is not Verdict.JE:  # that one was held nowhere
+            self._wish = replace(self._wish, had=drawing.result.isolation)
+        return drawing
 
 
 def await_event(events: SimpleQueue[str]) -> str | None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import new_file, replace_file
 from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.find import find_problem
@@ -85,14 +84,10 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
 
     text = make_stub(problem).encode()
     where = str(path)
-    if not path.name or path.is_dir():
-        raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
     try:
-        if force:
-            replace_file(path, text)
-            return
-        with path.open("xb") as file:  # at once: nobody else's file is lost in between
-            file.write(text)
+        if not path.name or path.is_dir():
+            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
+        (replace_file if force else new_file)(path, text)
     except FileExistsError as fault:
         remedy = f"'judge watch {problem.id} {path}' goes on with it, --force writes over it"
         raise UsageError("the file is there already", where=where, remedy=remedy) from fault
@@ -100,9 +95,7 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         remedy = f"make the folder {path.parent} first"
         raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
     except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
-        reason = (
-            os.strerror(fault.errno).lower() if isinstance(fault, OSError) and fault.errno else str(fault)
-        )
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
         raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 

@@ -5,28 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
 from msgspec import Struct
 
-from judge.cli.target import Target
-from judge.data import ProblemData
+from judge.cli.target import svg_target
 from judge.data.load import tupled
-from judge.errors import UsageError, told
+from judge.data.model import ProblemData
+from judge.errors import told
 from judge.problem import Problem
 from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
-from judge.run import Result
+from judge.run.result import Result
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-
-svg_option = click.option(
-    "--svg",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Draw the failing case of a submission into an SVG file.",
-)
 
 
 class Drawing(Struct, frozen=True):
@@ -85,17 +77,4 @@ class Drawing(Struct, frozen=True):
             text = f"nothing to draw, {path} is not written: no case failed that can be drawn"
             note(text)
             return
-        _target(path).write(to_svg(picture).encode())
-
-
-def check_svg(path: Path | None, submissions: int) -> None:
-    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
-    if path is None:
-        return
-    if submissions > 1:
-        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
-    _target(path).check()
-
-
-def _target(path: Path) -> Target:
-    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+        svg_target(path).write(to_svg(picture).encode())

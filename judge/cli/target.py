@@ -11,6 +11,7 @@ from msgspec import Struct
 
 from judge.data.atomic import replace_file
 from judge.errors import UsageError, unwritable
+from judge.reading import read_ordinary
 
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 
@@ -43,16 +44,27 @@ class Target(Struct, frozen=True):
         raise UsageError(what, where=str(self.path), remedy=remedy or _another(self.option))
 
     def write(self, content: bytes) -> None:
-        """Put `content` there at once; where a link leads, so that the link stays one. Raises UsageError."""
+        """Put `content` there at once. Raises UsageError."""
         try:
-            replace_file(self.path.resolve(), content)
+            replace_file(self.path, content)
         except OSError as fault:
             raise unwritable(self.path, fault, _another(self.option)) from fault
 
     def _is_ours(self) -> bool:
-        with self.path.open("rb") as file:
-            start = file.read(_LOOKED_AT)
+        start = read_ordinary(self.path, _LOOKED_AT)
         return not start.strip() or self.ours(start)
+
+
+def svg_target(path: Path) -> Target:
+    """The file that `--svg` names."""
+    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+
+
+def check_svg(path: Path, submissions: int) -> None:
+    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
+    if submissions > 1:
+        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
+    svg_target(path).check()
 
 
 def check_place(path: Path, option: str) -> None:

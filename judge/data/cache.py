@@ -16,6 +16,7 @@ from pathlib import Path
 from judge.data.kept import VARIABLE, KeptFile
 from judge.errors import ProblemError
 from judge.problem import Problem
+from judge.reading import read_ordinary
 
 FORMAT = 2  # raise it when the form of the file changes
 
@@ -49,14 +50,23 @@ def cache_folder() -> Path:
 
 def data_key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the data are made from."""
+    return content_key(f"{FORMAT}/{seed}", [*own_files(problem), *code_files(_CODE)])
+
+
+def own_files(problem: Problem) -> list[Path]:
+    """The files of the problem's folder that its data are made from, and the pack's own types."""
     own = [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
-    own += sorted((problem.folder.parent / "types").glob("*.py"))
-    return content_key(f"{FORMAT}/{seed}", [*own, *code_files(_CODE)])
+    return own + sorted((problem.folder.parent / "types").glob("*.py"))
 
 
 def code_files(packages: Iterable[str]) -> list[Path]:
     """The source files of the judge's packages of those names."""
     return [path for package in packages for path in sorted((_PACKAGE / package).rglob("*.py"))]
+
+
+def all_code_files() -> list[Path]:
+    """The source files of the judge."""
+    return sorted(_PACKAGE.rglob("*.py"))
 
 
 def content_key(start: str, files: Iterable[Path]) -> str:
@@ -71,7 +81,7 @@ def content_key(start: str, files: Iterable[Path]) -> str:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_ordinary(path)
     except OSError as error:
         raise ProblemError(
             f"cannot be read: {error.strerror}", where=str(path), remedy="make it readable"

@@ -14,6 +14,7 @@ from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
 from judge.problem import Problem
+from judge.reading import read_ordinary
 
 SCHEMA = 1
 _REMEDY = "write it with: judge verify {} --pin"
@@ -30,7 +31,7 @@ def read_pins(problem: Problem) -> dict[str, str] | None:
     where = f"{problem.id}/{_path(problem).name}"
     remedy = _REMEDY.format(problem.id)
     try:
-        content = json.loads(_path(problem).read_bytes())
+        content = json.loads(read_ordinary(_path(problem)))
     except FileNotFoundError:
         return None
     except OSError as error:

@@ -8,13 +8,15 @@ from contextlib import AbstractContextManager
 
 from msgspec.structs import replace
 
-from judge.data import ProblemData
-from judge.diagnose.known import Behaviour, Progress, behaviour, known_behaviours
+from judge.data.model import ProblemData
+from judge.diagnose.answers import Behaviour, behaviour
+from judge.diagnose.known import Progress, known_behaviours
 from judge.diagnose.naming import Known, best_match
 from judge.problem import Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
-from judge.run import GroupResult, Pitfall, Result, Settings
 from judge.run.matrix import Matrix, kill_matrix
+from judge.run.result import GroupResult, Pitfall, Result
+from judge.run.settings import Settings
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 

@@ -13,6 +13,7 @@ from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
+from judge.reading import read_ordinary_text
 from judge.values import Target, Type
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
@@ -101,7 +102,7 @@ def _asserts(answer: Type, target: Target) -> list[str]:
 
 def _read(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
+        return read_ordinary_text(path)
     except OSError as fault:
         reason = (fault.strerror or "unknown").lower()
         raise UsageError(f"cannot be read ({reason})", where=str(path)) from fault

@@ -200,10 +200,10 @@ class History:
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", (digest,))
+        rows = self._rows("SELECT body FROM sources WHERE hash = ?", (digest,))
         try:
-            return zlib.decompress(body)
-        except zlib.error as fault:
+            return zlib.decompress(rows[0][0])
+        except (IndexError, TypeError, zlib.error) as fault:  # it is not there, or no judge wrote it
             raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
     def current(self) -> Current | None:

@@ -10,6 +10,7 @@ from msgspec import Struct
 
 from judge.errors import ProblemError
 from judge.problem import Problem
+from judge.problem.program import tree_of
 from judge.problem.solutions import Kind, Solution, read_solutions
 
 
@@ -31,7 +32,7 @@ def model_solution(problem: Problem) -> Model:
     programs, faults = read_solutions(problem, Kind.ACCEPTED)
     timed = problem.time.function if problem.time else None
     for program in sorted(programs, key=lambda program: program.path.name != timed):
-        tree = ast.parse(program.source)
+        tree = tree_of(program.source)
         if _defines(tree, problem.entry):
             return _model(program, tree)
     for fault in faults:

@@ -15,6 +15,7 @@ from typing import Any
 
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
+from judge.language import file_name as program_name
 from judge.problem import Example, Problem
 
 _WIDTH = 88  # of a line, as formatters have it
@@ -25,7 +26,7 @@ _IMPORTS = {"array": "from array import array"}
 
 def file_name(problem: Problem) -> str:
     """The usual name of a problem's file: one that Python can import."""
-    return f"{problem.id.replace('-', '_')}.py"
+    return program_name(problem.id.replace("-", "_"))
 
 
 def make_stub(problem: Problem) -> str:

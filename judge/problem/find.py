@@ -98,16 +98,23 @@ def _near_roots(extra: Sequence[Path]) -> list[Path]:
     named += [
         (Path(part), f"${_VARIABLE}") for part in os.environ.get(_VARIABLE, "").split(os.pathsep) if part
     ]
-    for folder, source in named:
-        if not folder.is_dir():
-            raise UsageError(
-                f"{folder} is not a folder", where=source, remedy="name a folder that holds problems' folders"
-            )
+    roots = [_root(folder, source) for folder, source in named]
     # Beside an installed package is site-packages, where a folder "problems" would be anybody's.
     own = next(
         (root for root in (_PACKAGE / "problems", _PACKAGE.parent / "problems") if root.is_dir()), None
     )
-    return [folder.resolve() for folder, _ in named] + ([own] if own is not None else [])
+    return roots + ([own] if own is not None else [])
+
+
+def _root(folder: Path, source: str) -> Path:
+    """The folder from the root. Raises UsageError if there is none of that name."""
+    try:
+        if folder.is_dir():
+            return folder.resolve()
+    except (OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
+        pass
+    remedy = "name a folder that holds problems' folders"
+    raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
 
 
 def _installed_roots() -> list[Path]:

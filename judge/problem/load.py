@@ -16,6 +16,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
+from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.lines import KeyPath
 from judge.problem.model import Group, Limits, Parameter, Problem, ShownSkill, TimeRule
@@ -26,6 +27,7 @@ from judge.values import Tolerance, Type, TypeFault, Words, parse
 _POINTS = 100
 _MOST_CASES = 1_000_000
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
+_DEEPEST = 10  # lists in lists of a builder's parameter
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _MEGABYTE = 2**20
 
@@ -153,8 +155,8 @@ class _Reader:
         if self._exact(table.limit, ("time", "limit")) < 1:
             self.fault(("time", "limit"), "the reference itself would be too slow", "give a multiple above 1")
         for key, name in (("function", table.function), ("program", table.program)):
-            if name is not None and (not name.endswith(".py") or Path(name).name != name):
-                remedy = "name a file of the accepted solutions, such as quadratic.py"
+            if name is not None and not (is_program(name) and Path(name).name == name):
+                remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
                 self.fault(("time", key), f"{name!r} is no solution's file", remedy)
         return TimeRule(float(table.limit), table.function, table.program)
 
@@ -269,12 +271,12 @@ class _Reader:
                 self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
         return ShownSkill(skill, tuple(groups), about)
 
-    def _argument(self, value: Any, path: KeyPath) -> Any:
+    def _argument(self, value: Any, path: KeyPath, depth: int = 0) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""
         if isinstance(value, Decimal):
             return self._exact(value, path)
-        if isinstance(value, list):
-            return tuple(self._argument(each, path) for each in value)
+        if isinstance(value, list) and depth < _DEEPEST:
+            return tuple(self._argument(each, path, depth + 1) for each in value)
         if isinstance(value, bool | int | str):
             return value
         return self.fault(

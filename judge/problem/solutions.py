@@ -20,8 +20,11 @@ from typing import NamedTuple
 from msgspec import Struct
 
 from judge.errors import ProblemError
+from judge.language import SUFFIX, is_program
 from judge.problem.model import Problem
+from judge.problem.program import tree_of
 from judge.problem.verdict import Verdict
+from judge.reading import read_ordinary
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
 
@@ -119,14 +122,9 @@ def usual_first(programs: Iterable[Solution]) -> list[Solution]:
 def accepted_source(problem: Problem, file: str) -> bytes | None:
     """The bytes of one accepted program; None where it is not there, as in a pack without solutions."""
     try:
-        return (problem.solutions / Kind.ACCEPTED.value / file).read_bytes()
+        return read_ordinary(problem.solutions / Kind.ACCEPTED.value / file)
     except OSError:  # `judge verify` tells of it
         return None
-
-
-def is_program(path: Path) -> bool:
-    """Whether the file of that name is a program in a language known here, and not hidden."""
-    return path.suffix in _HEADS and not path.name.startswith(".")
 
 
 def is_solution(path: str, problem: str) -> bool:
@@ -162,22 +160,22 @@ def _read(kind: Kind, path: Path) -> Solution:
         remedy = f"end its name in {' or '.join(_HEADS)} if it is one, or move it elsewhere"
         raise ProblemError("this is no program", where=_place(path, 3), remedy=remedy)
     try:
-        source = path.read_bytes()
+        source = read_ordinary(path)
         head = _HEADS[path.suffix](source)
     except OSError as fault:
         what = f"cannot be read: {fault.strerror}"
         raise ProblemError(what, where=_place(path, 3), remedy="make it readable") from None
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as fault:
+    except SyntaxError as fault:
         raise ProblemError(f"no Python: {fault}", where=_place(path, 3), remedy="repair it") from None
     name, _, text = head.partition("\n")
     return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"))
 
 
 def _docstring(source: bytes) -> str:
-    return ast.get_docstring(ast.parse(source)) or ""
+    return ast.get_docstring(tree_of(source)) or ""
 
 
-_HEADS: Mapping[str, Callable[[bytes], str]] = {".py": _docstring}  # how a language's programs begin
+_HEADS: Mapping[str, Callable[[bytes], str]] = {SUFFIX: _docstring}  # how a language's programs begin
 
 
 def _place(path: Path, parts: int) -> str:

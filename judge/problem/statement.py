@@ -17,9 +17,13 @@ from typing import Any
 from judge.errors import ProblemError, nearest
 from judge.problem.model import Argument, Case, Example, Problem
 from judge.problem.tomlfile import read_text
+from judge.values import Type
 
 EXAMPLES = "examples"  # the builder whose cases are the worked examples
 
+_BRIEF = 80  # characters of what is wrong
+# What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
+_UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -33,7 +37,7 @@ def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tup
     examples = tuple(
         Example(
             case=_call(call, problem, f"{name}:{number}"),
-            wanted=_wanted(wanted, f"{name}:{number}"),
+            wanted=_wanted(wanted, problem.answer, f"{name}:{number}"),
             line=number,
         )
         for number, call, wanted in _prompts(text)
@@ -84,35 +88,51 @@ def _call(text: str, problem: Problem, where: str) -> Case:
     remedy = f"write {problem.entry}({', '.join(each.name for each in problem.parameters)}) with plain values"
     try:
         call = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise ProblemError(f"the example {text!r} is no Python call", where=where, remedy=remedy) from None
+    except _UNREADABLE:
+        what = f"the example {_brief(text)!r} is no Python call"
+        raise ProblemError(what, where=where, remedy=remedy) from None
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
-        raise ProblemError(f"the example {text!r} is no plain call", where=where, remedy=remedy)
+        raise ProblemError(f"the example {_brief(text)!r} is no plain call", where=where, remedy=remedy)
     if call.func.id != problem.entry:
         raise ProblemError(f"the example calls {call.func.id!r}, not the entry", where=where, remedy=remedy)
     if len(call.args) != len(problem.parameters):
         what = f"the example gives {len(call.args)} arguments where {len(problem.parameters)} are wanted"
         raise ProblemError(what, where=where, remedy=remedy)
     try:
-        return tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
-    except ValueError:
+        case = tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
+    except _UNREADABLE:
         raise ProblemError(
             "the example's arguments are no plain values", where=where, remedy=remedy
         ) from None
+    for parameter, value in zip(problem.parameters, case, strict=True):
+        fault = parameter.type.fault(parameter.name, value)
+        if fault:
+            raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
+    return case
 
 
 def _argument(value: Any) -> Argument:
-    """Lists are kept as tuples; the data's validator judges everything else."""
+    """Lists are kept as tuples; the parameter's type judges everything else."""
     return tuple(map(_argument, value)) if isinstance(value, list | tuple) else value
 
 
-def _wanted(text: str, where: str) -> Any:
+def _wanted(text: str, type_: Type, where: str) -> Any:
     if not text:
         raise ProblemError(
             "the example shows no answer", where=where, remedy="write it on the next line (None as None)"
         )
     try:
-        return ast.literal_eval(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        what = f"the example's answer {text!r} is no plain value"
+        answer = ast.literal_eval(text)
+    except _UNREADABLE:
+        what = f"the example's answer {_brief(text)!r} is no plain value"
         raise ProblemError(what, where=where, remedy="write numbers, words, tuples, lists or None") from None
+    fault = type_.fault("it", _argument(answer))
+    if fault:
+        what = f"the example's answer {_brief(text)!r} is none: {fault}"
+        raise ProblemError(what, where=where, remedy="correct it, or the answer that problem.toml declares")
+    return answer
+
+
+def _brief(text: str) -> str:
+    """A message is one line, whatever stands in the file."""
+    return text if len(text) <= _BRIEF else f"{text[:_BRIEF]}…"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
@@ -15,6 +15,7 @@ from judge.errors import ProblemError, nearest
 from judge.problem import schema
 from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
 from judge.problem.model import Problem
+from judge.reading import read_ordinary_text
 
 T = TypeVar("T")
 
@@ -47,10 +48,7 @@ class TomlFile:
 
     def table(self) -> schema.ProblemTable:
         """The file in its shape; its values are not yet checked."""
-        try:
-            raw = tomllib.loads(self._text, parse_float=Decimal)
-        except ValueError as error:  # TOMLDecodeError, or an integer too long for Python to read
-            self._no_toml(str(error))
+        raw = toml_of(self._text, self._name, parse_float=Decimal)
         return self.shaped(raw, schema.ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
@@ -65,13 +63,6 @@ class TomlFile:
                     raw = raw[part]
                 self._missing_key(missing[1], (*path, *within), raw)
             self._misshapen(what, (*path, *within))
-
-    def _no_toml(self, message: str) -> NoReturn:
-        what, _, place = message.partition(" (at ")
-        found = re.match(r"line (\d+)", place)
-        line = int(found[1]) if found else self._text.count("\n") + 1
-        what = what[:1].lower() + what[1:]
-        raise ProblemError(f"no TOML: {what}", where=f"{self._name}:{line}", remedy="repair this line")
 
     def _misshapen(self, what: str, path: KeyPath) -> NoReturn:
         """Raise msgspec's fault in words for a person, with the name that was meant."""
@@ -111,11 +102,29 @@ def key_place(problem: Problem, path: KeyPath) -> str:
     return f"{problem.id}/problem.toml:{line_of(path, lines)}"
 
 
+def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> dict[str, Any]:
+    """The tables of a TOML text; `name` is its file's. Raises ProblemError, with the line if it is known."""
+    try:
+        return tomllib.loads(text, parse_float=parse_float)
+    except tomllib.TOMLDecodeError as error:
+        what, _, place = str(error).partition(" (at ")
+        found = re.match(r"line (\d+)", place)
+        line = int(found[1]) if found else text.count("\n") + 1
+        what, where = f"{what[:1].lower()}{what[1:]}", f"{name}:{line}"
+    except ValueError:  # longer than Python reads
+        what, where = "an integer has too many digits", name
+    except RecursionError:
+        what, where = "its lists or tables are nested too deeply", name
+    raise ProblemError(
+        f"no TOML: {what}", where=where, remedy="repair this line" if ":" in where else "repair it"
+    )
+
+
 def read_text(path: Path) -> str:
     """The text of one of a problem's files. Raises ProblemError."""
     where = f"{path.parent.name}/{path.name}"
     try:
-        return path.read_text(encoding="utf-8")
+        return read_ordinary_text(path)
     except FileNotFoundError:
         raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
     except UnicodeDecodeError as error:

@@ -7,6 +7,7 @@ from shlex import quote
 
 from judge.problem import Problem
 from judge.report.layout import Line, Span, Style, beside, hanging, line
+from judge.report.names import shown_name
 from judge.report.screen import Screen, is_terminal
 
 
@@ -20,7 +21,9 @@ def pointer_lines(problem: str, screen: Screen) -> list[Line]:
 
 def begun_lines(problem: Problem, file: str, width: int | None) -> Iterator[Line]:
     """A kata whose stub was written, or that is there already, and the commands to go on with."""
-    yield from beside(Span(file, Style.STRONG), f"{problem.id}: {problem.title}, {problem.tier.value}", width)
+    yield from beside(
+        Span(shown_name(file), Style.STRONG), f"{problem.id}: {problem.title}, {problem.tier.value}", width
+    )
     yield line()
     yield from command_lines(
         {

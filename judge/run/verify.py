@@ -15,16 +15,20 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
+from judge.language import file_name
 from judge.problem import Group, Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.run.execute import Settings, run_submission
+from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.run.settings import Settings
+from judge.sandbox import Boxes, BoxFactory
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -78,12 +82,16 @@ class VerifyReport(Struct, frozen=True):
 
 
 def verify_problem(
-    problem: Problem, *, update_pins: bool = False, progress: Progress | None = None
+    problem: Problem,
+    *,
+    update_pins: bool = False,
+    progress: Progress | None = None,
+    box_factory: BoxFactory | None = None,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    A problem whose data cannot be built has that as its one fault. Raises ProblemError only where hashes.json
-    cannot be written.
+    Solutions run in boxes of `box_factory`, where there is one. A problem whose data cannot be built has that
+    as its one fault. Raises ProblemError only where hashes.json cannot be written.
     """
     tell = progress or (lambda _what, _done, _total: None)
     try:
@@ -101,7 +109,7 @@ def verify_problem(
         where = f"{problem.solutions.name}/{folder.name}"
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
     reports = []
-    settings = Settings()
+    settings = Settings(box_factory=box_factory or Boxes())
     for done, solution in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
         result = run_submission(problem, data, solution.source, solution.path.name, settings=settings)
@@ -181,7 +189,7 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fa
         programs = [report for report in wrong if report.name == mistake]
         if not programs:
             what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"
-            remedy = f"add {problem.solutions / 'wrong' / mistake}.py"
+            remedy = f"add {problem.solutions / 'wrong' / file_name(mistake)}"
             faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
             continue
         killing = {name for report in programs for name in report.failed}
@@ -202,7 +210,8 @@ def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem:
     faults = []
     if report.name and stem != report.name and not stem.startswith(f"{report.name}-"):
         what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
-        faults.append(Fault(what, where, f"call it {report.name}.py, or {report.name}-….py"))
+        remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
+        faults.append(Fault(what, where, remedy))
     if report.name not in aimed:
         faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
     elif report.ok and not aimed[report.name].intersection(report.failed):

@@ -10,12 +10,12 @@ Each needs less of the machine than the one above it.
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from judge.sandbox.bundle import BOOTSTRAP
+from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots
 
 _ENVIRONMENT = {
@@ -30,7 +30,6 @@ _ENVIRONMENT = {
     "VECLIB_MAXIMUM_THREADS": "1",
     "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
 }
-_THREADS = 128  # that one submission may have at once
 _UIDS = 0x7000_0000  # where no real user lives
 _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
 
@@ -43,7 +42,7 @@ class Plan(NamedTuple):
     config: dict[str, Any]
 
 
-def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int]) -> Plan:
+def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int], share: Share) -> Plan:
     """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's."""
     uid = _spare_uid()
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
@@ -56,7 +55,7 @@ def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int])
         "path": list(roots.imports),
         "readable": [*roots.folders, *roots.files, "/dev/urandom"] if level == "full" else roots.readable(),
         "writable": ["/dev/null"],
-        "threads": _threads(level, uid),
+        "threads": _threads(level, uid, share),
         "cores": os.cpu_count() or 1,
         "unseen": to_look_for(level, roots),
     }
@@ -73,7 +72,11 @@ def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, .
 
 def bubblewrap_path() -> str | None:
     """Where bubblewrap is installed."""
-    return shutil.which("bwrap")
+    for folder in os.get_exec_path():
+        path = os.path.join(folder, "bwrap")  # noqa: PTH118 - as long as there is no folder it is no Path
+        if os.access(path, os.X_OK) and os.path.isfile(path):  # noqa: PTH113
+            return path
+    return None
 
 
 def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
@@ -137,22 +140,10 @@ def _may_change_user() -> bool:
     return int(effective, 16) >> 6 & 0b11 == 0b11
 
 
-def _threads(level: str, uid: int | None) -> int:
+def _threads(level: str, uid: int | None, share: Share) -> int:
     """RLIMIT_NPROC that leaves a submission its threads; the kernel counts those of the whole user."""
     if sys.platform != "linux":
         return 0
     if uid is not None or level == "full":
-        return _THREADS + 2
-    return _THREADS + 128 + _tasks_of_mine()
-
-
-def _tasks_of_mine() -> int:
-    count, me = 0, os.geteuid()
-    for entry in os.scandir("/proc"):
-        if entry.name.isdecimal():
-            try:
-                if entry.stat().st_uid == me:
-                    count += max(1, os.stat(f"/proc/{entry.name}/task").st_nlink - 2)  # noqa: PTH116 - hot
-            except OSError:
-                continue  # it has just ended
-    return count
+        return share.each + 2
+    return max(1, min(tasks_of_mine() + share.together, share.ceiling))

@@ -13,7 +13,9 @@ from cli_support import BROKEN, PACK, ROOT, Outcome
 from judge.cli import main
 from judge.data import load_data
 from judge.data.pins import write_pins
+from judge.judging.isolation import keep_level
 from judge.problem.find import find_problem
+from judge.sandbox import levels
 
 
 @pytest.fixture(scope="session")
@@ -37,7 +39,12 @@ def broken_pack(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def cache(tmp_path_factory):
-    return tmp_path_factory.mktemp("cache")
+    """A cache like that of somebody who has run `judge doctor`: no command has a note on isolation then."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(folder))
+        keep_level(next(level.name for level in levels() if level.available))
+    return folder
 
 
 @pytest.fixture(autouse=True)

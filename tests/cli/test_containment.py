@@ -8,7 +8,7 @@ import shutil
 import pytest
 from cli_support import ROOT
 
-from judge.cli.containment import Containment
+from judge.judging.containment import Containment
 from judge.problem.load import load_problem
 from judge.sandbox import LEVELS, Limits, levels
 from judge.sandbox.roots import find_roots
@@ -60,7 +60,7 @@ def test_doctor_looks_for_packs_that_are_installed(judge, pack_among_modules):
 
 def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
     found = find_roots()._replace(hidden=())
-    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
     weak = [
         level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
     ]
@@ -73,7 +73,7 @@ def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monk
 def test_doctor_believes_the_submission_not_the_plan(judge, pack_among_modules, monkeypatch):
     """Where the container's own look around fails too."""
     found = find_roots()._replace(hidden=(), unseen=(str(pack_among_modules),))
-    monkeypatch.setattr("judge.sandbox.probe.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
     monkeypatch.setattr("judge.sandbox.launch.to_look_for", lambda _level, _roots: ((), ()))
     for level in json.loads(judge("doctor", "--json").out)["levels"]:
         if level["available"]:
@@ -95,14 +95,15 @@ def test_a_level_that_does_not_exist_is_refused(judge):
 
 
 def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda _: "bubblewrap is not installed")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda _: "bubblewrap is not installed")
     ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")
     assert (ended.status, ended.out) == (2, "")
     assert "isolation full cannot be had here: bubblewrap is not installed" in ended.err
 
 
-def test_weak_containment_is_warned_of_once(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda level: "" if level == "limits" else "no")
+def test_weak_containment_is_warned_of_once(judge, monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
     ended = judge("run", "count", str(ACCEPTED), "-q")
     assert ended.status == 0
     assert ended.err.count("isolation is 'limits'") == 1

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import judge
 from judge.errors import JudgeError
-from judge.sandbox import probe
+from judge.sandbox import Boxes, roots
 from judge.sandbox.boundary import Limits
 from judge.sandbox.roots import Roots, find_roots
 
@@ -31,7 +31,7 @@ def _told() -> list[str]:
 
 def _tried(level: str | None) -> dict[str, object]:
     try:
-        with probe.open_box(SOURCE.read_bytes(), SOURCE.name, level=level) as box:
+        with Boxes(level)(SOURCE.read_bytes(), SOURCE.name) as box:
             result = box.run_program(json.dumps(_told()).encode(), LIMITS)
             held = box.isolation
     except JudgeError as error:
@@ -45,7 +45,7 @@ def main(level: str, forgotten: list[str]) -> None:
     def forgetful(hide: Iterable[Path]) -> Roots:
         return find_roots(hide)._replace(**dict.fromkeys(forgotten, ()))
 
-    probe.find_roots = forgetful
+    roots.find_roots = forgetful
     print(json.dumps(_tried(None if level == "best" else level)))
 
 

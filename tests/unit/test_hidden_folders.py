@@ -14,7 +14,7 @@ from typing import NamedTuple
 import pytest
 
 from judge.errors import JudgeError
-from judge.sandbox import concealed, levels, open_box, places, probe, roots
+from judge.sandbox import concealed, levels, open_box, places, roots
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 
@@ -314,7 +314,7 @@ def test_a_container_that_shows_what_it_must_not_is_refused(
     monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
     other = {"unseen": "searched", "searched": "unseen"}[kept]
     found = roots.find_roots()
-    monkeypatch.setattr(probe, "find_roots", lambda _: found._replace(hidden=(), **{other: ()}))
+    monkeypatch.setattr(roots, "find_roots", lambda _: found._replace(hidden=(), **{other: ()}))
     refused = pytest.raises(JudgeError, match=f"would let a submission read {site}/problems")
     with refused as caught, open_box(b"", "f.py", level=level):
         pass

@@ -11,18 +11,8 @@ import judge
 
 PACKAGE = Path(judge.__file__).parent
 ROOMS = [
-    "cli",
-    "report",
-    "kata",
-    "topics",
-    "diagnose",
-    "run",
-    "data",
-    "problem",
-    "drawing",
-    "values",
-    "exact",
-    "errors",
+    *("cli", "judging", "report", "kata", "topics", "diagnose", "run", "data"),
+    *("problem", "drawing", "values", "exact", "language", "reading", "errors"),
 ]
 
 

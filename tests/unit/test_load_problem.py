@@ -44,6 +44,7 @@ def floating(tmp_path):
     text = (folder / "problem.toml").read_text()
     text = text.replace('answer = "count"', 'answer = "points"').replace("[limits]", NUMBERS + "\n[limits]")
     (folder / "problem.toml").write_text(text + GROUP)
+    (folder / "statement.md").write_text(">>> root_count(4)\n[(-2, 0), (2, 0)]\n")
     return folder
 
 
@@ -120,5 +121,21 @@ def test_an_integer_too_long_to_read_is_a_fault_of_the_file(tmp_path):
     shutil.copytree(SOUND, folder)
     text = (folder / "problem.toml").read_text()
     (folder / "problem.toml").write_text(text.replace("high = 9", "high = " + "9" * 5000))
-    with pytest.raises(ProblemError, match="no TOML"):
+    with pytest.raises(
+        ProblemError, match=r"^long/problem.toml: no TOML: an integer has too many digits; rep"
+    ):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize(
+    ("depth", "said"),
+    [(3000, "problem.toml: no TOML: its lists or tables are nested"), (12, r"a builder cannot take \(?\[\[")],
+)
+def test_lists_in_lists_in_lists_are_a_fault_of_the_file(depth, said, tmp_path):
+    folder = tmp_path / "problems" / "deep"
+    shutil.copytree(SOUND, folder)
+    text = (folder / "problem.toml").read_text()
+    nested = "reach = " + "[" * depth + "]" * depth
+    (folder / "problem.toml").write_text(text.replace("reach = 9", nested))
+    with pytest.raises(ProblemError, match=said):
         load_problem(folder)

@@ -182,6 +182,7 @@ GOOD = 'title = "T"\nabout = "A"\n'
     ("text", "wanted"),
     [
         (GOOD + "problems = [", r"sets/mine.toml:3: no TOML: .*; repair this line"),
+        (GOOD + "problems = " + "[" * 3000, r"sets/mine.toml: no TOML: its lists or tables are nested too"),
         (GOOD, r"sets/mine.toml:1: the set holds no problem; name 'mine' in the sets of a problem.toml"),
         ('about = "A"\n', r"sets/mine.toml:1: the key 'title' is missing; add title = …"),
         (GOOD + "problems = []\n", r"sets/mine.toml:3: the set holds no problem; name at least one"),

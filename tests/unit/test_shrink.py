@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import ast
+import json
+import os
+import subprocess
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
 
+from judge.data.draw import SeededDraw
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
-from judge.diagnose import shrink
 from judge.diagnose.replay import decode
+from judge.diagnose.shrink import shrink
+from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.solutions import known_mistakes
-from judge.run import Mode, Reference, Settings, run_submission
+from judge.run import Reference, Settings, run_submission
+from judge.run.function import FunctionRunner
+from judge.run.runner import runner_for
 from judge.sandbox import open_box
 from judge.topics.circles.simpler import levelled
 
@@ -147,15 +155,15 @@ def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with ExitStack() as stack:
         box = stack.enter_context(open_box(source, "mine.py"))
+        runner = runner_for(problem, box.inspect(), source)
         reference = stack.enter_context(Reference(problem, open_box))
         found = shrink(
-            problem,
             data,
             box,
-            result.mode,
+            runner,
             result.verdict,
             result.failure,
-            reference=lambda: reference.open(result.mode),
+            reference=lambda: reference.open(runner.reference(problem.time)),
             budget_seconds=budget,
             clock=clock or Clock(),
         )
@@ -208,6 +216,18 @@ def test_a_builder_is_shrunk_by_its_parameters():
     assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
 
 
+def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
+    """In a process of its own: Hypothesis takes its notes on modules once."""
+    source = SOLUTIONS / "ray-nearest" / "wrong" / "cancellation.py"
+    command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(SOLUTIONS.parent)}
+    judged = subprocess.run(
+        command, cwd=tmp_path, env=settings, capture_output=True, timeout=120, check=False
+    )
+    assert json.loads(judged.stdout)["counterexample"]["replay"].startswith("ray-nearest:cancellation:")
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("looks", [0, 3, 10, 40])
 def test_the_budget_ends_the_search(looks):
     source = (SOLUTIONS / "count" / "wrong" / "absolute-epsilon.py").read_bytes()
@@ -250,6 +270,14 @@ def test_a_call_that_never_ends_shrinks():
     assert found.calls < 5_000
 
 
+def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
+    """Its lines were once put together for a single case, and the program was said to answer at random."""
+    source = b"for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
+    _, _, found = shrunk("count", source)
+    assert found.message == "2 lines printed, 1 wanted: one for each case"
+    assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
+
+
 @pytest.mark.parametrize("verdict", [Verdict.OLE, Verdict.CE, Verdict.AC])
 def test_what_no_case_can_show_is_left_alone(verdict):
     problem = find_problem("count")
@@ -257,7 +285,7 @@ def test_what_no_case_can_show_is_left_alone(verdict):
     source = b"def line_count(cx, cy, r, A, B):\n    return 3\n"
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with open_box(source, "mine.py") as box:
-        assert shrink(problem, data, box, Mode.FUNCTION, verdict, result.failure) is None
+        assert shrink(data, box, FunctionRunner(problem), verdict, result.failure) is None
 
 
 @pytest.mark.parametrize(
@@ -282,6 +310,16 @@ def test_a_program_that_keeps_something_between_its_cases_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.as_json()["input"] == result.failure.input
+
+
+@pytest.mark.parametrize("name", ["root-count", "middle", "count", "exact-count"])
+def test_there_are_simple_cases_of_every_step_for_a_problem_with_and_without_points(name):
+    fixtures = SOLUTIONS.parent / "tests" / "fixtures"
+    problem = find_problem(name, [fixtures / "problems", fixtures / "pack" / "problems"])
+    for rung in (rung for step in ladder(problem) for rung, _ in step):
+        cases = [rung.case(SeededDraw(str(number)), problem) for number in range(20)]
+        assert {len(case) for case in cases} == {len(problem.parameters)}
+        assert len(set(cases)) > 1
 
 
 @pytest.mark.parametrize("name", ["count", "exact-count", "segment", "ray-nearest"])

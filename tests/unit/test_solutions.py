@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from judge.language import is_program
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import (
     Kind,
     accepted_source,
-    is_program,
     is_solution,
     known_mistakes,
     read_solutions,

@@ -19,8 +19,8 @@ from judge.data.draw import QuickDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
 from judge.data.model import ProblemData
 from judge.data.module import load_module
-from judge.diagnose import shrink
 from judge.diagnose.replay import decode, encode
+from judge.diagnose.shrink import shrink
 from judge.drawing import Picture
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem

@@ -116,6 +116,11 @@ LOOP = "def root_count(c):\n    while True:\n        pass\n"
         ("accepted/broken.py", '"""broken"""\ndef', "accepted/broken.py: no Python: "),
         ("accepted/binary.py", '"""a\x00b"""', "accepted/binary.py: no Python: "),
         (
+            "accepted/deep.py",
+            "-" * 20_000 + "1",
+            "accepted/deep.py: no Python: it is nested too deeply; repair it",
+        ),
+        (
             "wrong/sign-forgotten-2.py",
             f'"""sign-forgotten"""\n{FINE}',
             "wrong/sign-forgotten-2.py: gets AC where a rejection is wanted",

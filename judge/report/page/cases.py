@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
@@ -18,6 +17,7 @@ from judge.kata.history import Run
 from judge.kata.skills import mistake_names
 from judge.problem import Problem, Verdict
 from judge.problem.topic import Shown
+from judge.report.names import shown_command
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
@@ -121,7 +121,7 @@ def _facts(
     if small is not None and small.replay is None:
         yield "note", _cut(small.message), ""
     if shown.replay:
-        yield "again", shlex.join(["judge", "replay", shown.replay, run.submission]), "code"
+        yield "again", shown_command("judge", "replay", shown.replay, file=run.submission), "code"
 
 
 def _cut(text: str) -> str:

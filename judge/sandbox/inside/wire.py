@@ -3,7 +3,8 @@
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
                      and, where there are several series of calls, that of series.py's file
     server → judge   a 64-byte frame MARK after each series of calls but the last,
-                     then one 64-byte frame DONE, after the child is dead and reaped
+                     then one 64-byte frame DONE, after the child is dead and reaped;
+                     or LACK alone, where the machine had no process or descriptor left for a child
 
 A child ends a series by stopping itself; the server seals its replies, reads its CPU clock and lets it go on.
 Whoever stops elsewhere is killed.
@@ -26,7 +27,6 @@ as JSON, never believed.
 from __future__ import annotations
 
 import _socket
-import array
 import mmap
 import struct
 from _blake2 import blake2b  # hashlib's own, without the rest of hashlib
@@ -39,7 +39,8 @@ FRAME = 64
 REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
 MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
-MARKED, ENDED = b"mark", b"done"
+LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
+MARKED, ENDED, LACKING = b"mark", b"done", b"lack"
 READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
@@ -86,7 +87,7 @@ class Channel:
 
     def send(self, message: bytes, descriptors: Sequence[int] = ()) -> None:
         """Send one frame with copies of the descriptors. Raises OSError when the other side is gone."""
-        carried = array.array("i", descriptors)
+        carried = struct.pack(f"={len(descriptors)}i", *descriptors)
         ancillary = [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, carried)] if descriptors else []
         self._end.sendmsg([message.ljust(FRAME, b"\0")], ancillary)
 
@@ -94,16 +95,16 @@ class Channel:
         """One frame and the descriptors that came with it; an empty frame at the end. Raises OSError."""
         room = _socket.CMSG_SPACE(descriptors * 4) if descriptors else 0
         message, ancillary, _, _ = self._end.recvmsg(FRAME, room)
-        found = array.array("i")
+        found: list[int] = []
         for level, kind, data in ancillary:
             if level == _socket.SOL_SOCKET and kind == _socket.SCM_RIGHTS:
-                found.frombytes(data[: len(data) - len(data) % 4])
+                found += struct.unpack(f"={len(data) // 4}i", data[: len(data) - len(data) % 4])
         while message and len(message) < FRAME:
             more = self._end.recv(FRAME - len(message))
             if not more:
-                return b"", list(found)
+                return b"", found
             message += more
-        return message, list(found)
+        return message, found
 
 
 class Region:
