@@ -7,7 +7,6 @@ from pathlib import Path
 
 import click
 
-from judge.cli.judging import Wish, judged, named_problem
 from judge.cli.judging_options import (
     chosen_format,
     format_option,
@@ -31,6 +30,7 @@ from judge.cli.options import (
 from judge.cli.outputs import OnScreen, Outputs
 from judge.cli.submissions import read_submissions
 from judge.cli.target import check_svg
+from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, UsageError
 from judge.judging.job import Terms
 from judge.problem.choose import chosen_groups
@@ -80,6 +80,8 @@ def command(
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
+    from judge.cli.judging import judged
+
     if name is None:
         name, *files_in_hand = file_in_hand(db)
         files = tuple(files_in_hand)

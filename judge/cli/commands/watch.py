@@ -10,8 +10,6 @@ from typing import NoReturn
 
 import click
 
-from judge.cli.desk import Desk, await_event, handled
-from judge.cli.judging import Wish, named_problem
 from judge.cli.judging_options import (
     isolation_option,
     no_history_option,
@@ -29,6 +27,8 @@ from judge.cli.options import (
 )
 from judge.cli.outputs import show_result
 from judge.cli.submissions import read_submissions
+from judge.cli.watching import WatchedFile, await_event, handled
+from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, HistoryError, UsageError
 from judge.judging.job import Terms
 from judge.kata.saves import Saves
@@ -78,8 +78,8 @@ def command(
         _take_up(kata, db)
     with handled(dict.fromkeys(_ENDINGS, _leave)):
         if as_json or not (draws(out()) and is_terminal(sys.stdin)):
-            _write_on(Desk(kata, wish), as_json=as_json)
-        from judge.cli.board import watch_on_screen  # what draws and reads keys, for who sits there
+            _write_on(WatchedFile(kata, wish), as_json=as_json)
+        from judge.cli.watch_screen import watch_on_screen  # what draws and reads keys, for who sits there
 
         return watch_on_screen(kata, wish, folders)
 
@@ -118,13 +118,13 @@ def _take_up(kata: Kata, db: Path | None) -> None:
         note(f"not kept in the history: {fault}")
 
 
-def _write_on(desk: Desk, *, as_json: bool) -> NoReturn:
+def _write_on(watched: WatchedFile, *, as_json: bool) -> NoReturn:
     """Write every result, for whoever is no terminal; ends when the process does."""
     events: SimpleQueue[str] = SimpleQueue()
-    with Saves(desk.kata.path, lambda: events.put("saved")):
+    with Saves(watched.kata.path, lambda: events.put("saved")):
         while True:
-            if desk.saved():
-                found = desk.judge()
+            if watched.saved():
+                found = watched.judge()
                 if isinstance(found, str):
                     note(found)
                 elif as_json:
