@@ -19,7 +19,7 @@ from judge.cli.judging_options import (
     save_regression_option,
     svg_option,
 )
-from judge.cli.kata import file_in_hand
+from judge.cli.kata import file_in_hand, problem_of
 from judge.cli.options import (
     db_option,
     group_option,
@@ -82,9 +82,10 @@ def command(
     """
     from judge.cli.judging import judged
 
+    current = None
     if name is None:
-        name, *files_in_hand = file_in_hand(db)
-        files = tuple(files_in_hand)
+        current, file = file_in_hand(db)
+        name, files = current.problem, (file,)
     elif not files:
         named_problem(name, folders)  # whose own complaint goes first
         remedy = f"write judge run {name} FILE, or judge run alone for the kata in hand"
@@ -92,7 +93,7 @@ def command(
     form = chosen_format(form, as_json=as_json)
     show = Outputs(form, OnScreen(brief=quiet, pointing=not unrecorded), junit)
     try:
-        problem = named_problem(name, folders)
+        problem = problem_of(current, folders) if current else named_problem(name, folders)
         submissions = show.expected = read_submissions(files)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
