@@ -159,7 +159,7 @@ class ListType(Type):
         return self.item.shown(raw)
 
     def _place(self, place: Place, step: int, at: int, count: int) -> Place:
-        alone = count == 1 and self._is_points and not place.name()
+        alone = count == 1 and self.one == "point" and not place.name()
         return Place(place, step, f"{self.one} {at + 1}", alone=alone)
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:

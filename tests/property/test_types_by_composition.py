@@ -58,7 +58,7 @@ ATOMS = [
 
 
 def optional(kind: Kind) -> Kind:
-    if kind.text.endswith("?"):
+    if parse(kind.text).may_begin_with_none:
         return kind
     return Kind(f"{kind.text}?", st.none() | kind.exact, st.none() | kind.values)
 
