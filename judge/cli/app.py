@@ -114,7 +114,10 @@ class Commands(click.Group):
         if os.environ.get(_COMPLETE):
             from judge.cli.complete import answer
 
-            sys.exit(answer(self, os.environ[_COMPLETE]))
+            status = answer(self, os.environ[_COMPLETE])
+            if status:
+                _hush()
+            sys.exit(status)
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False

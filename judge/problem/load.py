@@ -35,6 +35,7 @@ from judge.problem.tomlfile import TomlFile, meant
 _POINTS = 100
 _MOST_CASES = 1_000_000
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
+_LEAST_LIMIT, _MOST_LIMIT = Fraction(1, 1000), 1_000_000  # of seconds, megabytes and multiples
 _DEEPEST = 10  # lists in lists of a builder's parameter
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _MEGABYTE = 2**20
@@ -130,8 +131,10 @@ class _Reader:
 
     def _limits(self, table: schema.LimitsTable) -> Limits:
         for key in table.__struct_fields__:
-            if self._exact(getattr(table, key), ("limits", key)) <= 0:
+            limit = self._exact(getattr(table, key), ("limits", key))
+            if limit <= 0:
                 self.fault(("limits", key), f"{key} allows nothing", "give a number above 0")
+            self._sensible(limit, ("limits", key))
         return Limits(
             cpu_seconds=float(table.cpu_seconds),
             wall_seconds=float(table.wall_seconds),
@@ -142,13 +145,20 @@ class _Reader:
     def _time(self, table: schema.TimeTable | None) -> TimeRule | None:
         if table is None:
             return None
-        if self._exact(table.limit, ("time", "limit")) < 1:
+        limit = self._exact(table.limit, ("time", "limit"))
+        if limit < 1:
             self.fault(("time", "limit"), "the reference itself would be too slow", "give a multiple above 1")
+        self._sensible(limit, ("time", "limit"))
         for key, name in (("function", table.function), ("program", table.program)):
             if name is not None and not (is_program(name) and Path(name).name == name):
                 remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
                 self.fault(("time", key), f"{name!r} is no solution's file", remedy)
         return TimeRule(float(table.limit), table.function, table.program)
+
+    def _sensible(self, limit: Fraction, path: KeyPath) -> None:
+        if not _LEAST_LIMIT <= limit <= _MOST_LIMIT:
+            remedy = f"stay within {float(_LEAST_LIMIT):g} and {_MOST_LIMIT}"
+            self.fault(path, f"{path[-1]} is absurdly large or small", remedy)
 
     def _groups(self, table: schema.ProblemTable) -> tuple[Group, ...]:
         if not table.groups:

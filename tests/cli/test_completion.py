@@ -156,6 +156,18 @@ def test_errors_are_silent(instruction, settings, status):
     assert asked(instruction, expect=status, **settings).strip() == ""
 
 
+@pytest.mark.parametrize("closed", [">&-", "</dev/null >/dev/full", ">&- 2>&-"])
+def test_an_answer_that_nobody_takes_is_silent(closed):
+    ended = subprocess.run(
+        ["sh", "-c", f'"{sys.executable}" -m judge {closed}'],
+        env={**os.environ, "PYTHONPATH": str(ROOT), complete.VARIABLE: "bash_source"},
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (1, b"", b"")
+
+
 def test_nothing_heavy_is_imported(tmp_path):
     script = (
         "import sys\nfrom judge.cli import main\nsys.argv = ['judge']\n"

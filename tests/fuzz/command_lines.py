@@ -32,7 +32,9 @@ _FLOOR = b"def middle(a, b):\n    return (a + b) // 2\n"
 _FILES = {
     **dict.fromkeys(("mean.py", "team/mean.py"), _MEAN),
     **dict.fromkeys(("floor.py", "team/floor.py", "-dash.py", "no\udcffutf8.py", "spaced name.py"), _FLOOR),
-    **dict.fromkeys(("bad\nname.py", "\x1b[31mred.py", "\u202egnp.py", "x" * 240 + ".py"), _FLOOR),
+    **dict.fromkeys(
+        ("bad\nname.py", "\x1b[31mred.py", "\u202egnp.py", "::notice::x.py", "x" * 240 + ".py"), _FLOOR
+    ),
     "raises.py": b"def middle(a, b):\n    return a / 0\n",
     "broken.py": b"def middle(a, b)\n",
     "program.py": b"for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n",
@@ -91,6 +93,7 @@ def _lay_out(folder: Path) -> None:
         path.parent.mkdir(exist_ok=True)
         path.write_bytes(source)
     (work / "folder" / "inner").mkdir(parents=True)
+    os.mkfifo(work / "pipe")
     for name, target in _LINKS.items():
         (work / name).symlink_to(target)
 
@@ -158,7 +161,8 @@ def _argument(chance: random.Random, argument: Any) -> list[str]:
     if not argument.required and chance.random() < 0.25:
         return []
     several = chance.choice((1, 1, 2, 4)) if argument.nargs == -1 else 1
-    return [_value(chance, argument) for _ in range(several)]
+    values = [_value(chance, argument) for _ in range(several)]
+    return ["mean.py" if value == "pipe" else value for value in values]  # a pipe is waited for
 
 
 def _value(chance: random.Random, parameter: click.Parameter) -> str:
@@ -183,7 +187,7 @@ def _world(chance: random.Random) -> tuple[dict[str, str | None], tuple[str, str
         streams = (
             chance.choice((NULL, NULL, CLOSED, KEPT, TERMINAL)),
             chance.choice((KEPT, KEPT, CLOSED, FULL, GONE, TERMINAL, NULL)),
-            chance.choice((KEPT, KEPT, KEPT, CLOSED, TERMINAL)),
+            chance.choice((KEPT, KEPT, KEPT, CLOSED, FULL, GONE, TERMINAL)),
         )
     extra: dict[str, Any] = {"typed": chance.choice(("", "y\n", "n\n", "\x04"))}
     if chance.random() < 0.04:
@@ -193,7 +197,8 @@ def _world(chance: random.Random) -> tuple[dict[str, str | None], tuple[str, str
     elif chance.random() < 0.06:
         locale = chance.choice(_LOCALES)
         extra |= {"fresh": True, "options": chance.choice(_OPTIONS)}
-        extra["encoding"] = (locale.get("PYTHONIOENCODING") or "utf-8").partition(":")[0]
+        if "-I" not in extra["options"]:  # which looks at no variable
+            extra["encoding"] = (locale.get("PYTHONIOENCODING") or "utf-8").partition(":")[0]
         settings |= locale
     return settings, streams, extra
 

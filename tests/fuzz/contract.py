@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from jsonschema import Draft202012Validator
@@ -17,6 +18,7 @@ _LINES = 100  # that any command line says on standard error
 _LONGEST = 2_000  # characters of one of them
 _USAGE = 3  # lines that a usage error takes
 _MAY_BE_EMPTY = ("history", "list")  # commands that write an object for each thing there is
+_ASKED = "[y/N]: "  # where a question ends that a person was asked
 _NEVER = ("Traceback (most recent call last)", "internal fault")
 
 
@@ -27,7 +29,7 @@ def faults(run: Run, ended: Ended) -> list[str]:
     ]
     if ended.status == -14:
         found.append("it does not end")
-    elif ended.status not in STATUSES:
+    elif ended.status not in STATUSES and not (run.interrupt is not None and ended.status == -2):
         found.append(f"its status {ended.status} is not in the contract")
     for text in _NEVER:
         found += [f"{name} says {text!r}" for name in ("out", "err", "shown") if text in getattr(ended, name)]
@@ -43,14 +45,19 @@ def faults(run: Run, ended: Ended) -> list[str]:
 
 
 def _foreign(run: Run, change: str) -> bool:
-    """Whether nobody asked for that change: the pins of a shipped problem, another temporary folder."""
-    pins = "--pin" in run.words and "hashes.json" in change
-    return not pins and not ("TMPDIR" in run.settings and change.startswith("open "))
+    """Whether nobody asked for that change: of a path that was named, of pins, of a temporary folder."""
+    if "--pin" in run.words and "hashes.json" in change:
+        return False
+    if "TMPDIR" in run.settings and change.startswith("open "):
+        return False
+    named = [text.rpartition("=")[2] for text in (*run.words, *filter(None, run.settings.values()))]
+    asked = [Path(text).parts[:2] for text in named if text.startswith("/")]
+    return tuple(Path(change.partition(" ")[2].strip("'")).parts[:2]) not in asked or "/dev/" in change
 
 
 def _in_complaints(run: Run, ended: Ended) -> list[str]:
     """What is wrong with standard error."""
-    lines = ended.err.splitlines()
+    lines = ended.err.rpartition(_ASKED)[2].splitlines()
     if run.interrupt is not None and lines[-1:] == [""]:  # for the ^C that a terminal shows
         lines.pop()
     found = [

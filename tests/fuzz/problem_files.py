@@ -192,7 +192,14 @@ def _other_example(chance: random.Random, text: str) -> tuple[str, str]:
     return f"{one[2]}{call[:60]} → {answer[:60]}", text[: one.start()] + example + text[one.end() :]
 
 
-_PLACES = ("nothing there", "a folder", "a link to nothing", "a link to itself", "a link to the file")
+_PLACES = (
+    "nothing there",
+    "a folder",
+    "a link to nothing",
+    "a link to itself",
+    "a link to the file",
+    "a pipe",
+)
 
 
 def _place(path: Path, kind: str, content: bytes) -> None:

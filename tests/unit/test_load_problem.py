@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from fractions import Fraction
 from pathlib import Path
@@ -124,6 +125,30 @@ def test_an_integer_too_long_to_read_is_a_fault_of_the_file(tmp_path):
     with pytest.raises(
         ProblemError, match=r"^long/problem.toml: no TOML: an integer has too many digits; rep"
     ):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize("number", ["1e400", "1" + "0" * 400, "1e-400", "1000001", "0.0009"])
+@pytest.mark.parametrize("key", ["cpu_seconds", "wall_seconds", "memory_mb", "output_mb"])
+def test_a_limit_that_no_machine_could_keep_is_a_fault(key, number, tmp_path):
+    folder = tmp_path / "problems" / "limits"
+    shutil.copytree(SOUND, folder)
+    text = (folder / "problem.toml").read_text()
+    (folder / "problem.toml").write_text(re.sub(f"{key} = .*", f"{key} = {number}", text))
+    with pytest.raises(
+        ProblemError,
+        match=rf"limits/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and",
+    ):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize("number", ["1e400", "9" * 400])
+def test_a_multiple_of_the_references_time_that_is_absurd_is_a_fault(number, tmp_path):
+    folder = tmp_path / "problems" / "time"
+    shutil.copytree(SOUND, folder)
+    with (folder / "problem.toml").open("a") as file:
+        file.write(f'[time]\nlimit = {number}\nfunction = "signs.py"\n')
+    with pytest.raises(ProblemError, match="limit is absurdly large"):
         load_problem(folder)
 
 
