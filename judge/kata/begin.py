@@ -17,6 +17,7 @@ from shlex import quote
 from msgspec import Struct
 
 from judge.data import load_data
+from judge.data.atomic import new_file
 from judge.data.pins import write_pins
 from judge.errors import UsageError, unwritable
 from judge.problem import Problem
@@ -122,9 +123,12 @@ def _write(path: Path, text: str, made: list[Path]) -> None:
         if not folder.is_dir():
             folder.mkdir()
             made.append(folder)
-    with path.open("x", encoding="utf-8", newline="\n") as file:
-        made.append(path)
-        file.write(text)
+    try:
+        new_file(path, text.encode())
+    except OSError as fault:
+        fault.filename = str(path)  # the place that is meant, not what was written beside it
+        raise
+    made.append(path)
 
 
 def _undo(made: list[Path]) -> None:

@@ -225,7 +225,8 @@ FULL = [  # where standard error is full: the status is that of the command
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 @pytest.mark.parametrize(("words", "status"), FULL)
-def test_a_full_standard_error_changes_no_status(words, status, submit):
+def test_a_full_standard_error_changes_no_status(words, status, submit, broken_pack):
+    words = words.replace(BROKEN, str(broken_pack))
     for name, content in (("mine.py", MEAN), ("floor.py", FLOOR), ("diary", "Dear diary,")):
         submit(content, name)
     ended = subprocess.run(

@@ -128,10 +128,11 @@ def test_a_desk_demands_what_it_has_had(submit, tmp_path, monkeypatch):
         pytest.skip("full cannot be had here")
     from judge.cli.desk import Desk
     from judge.cli.judging import Wish
+    from judge.judging.job import Terms
     from judge.problem.find import find_problem
 
     path = tmp_path / submit(MEAN)
-    desk = Desk(Kata(find_problem("middle", []), path), Wish(kept=False))
+    desk = Desk(Kata(find_problem("middle", []), path), Wish(Terms(), kept=False))
     assert desk.saved()
     assert desk.judge().result.isolation == "full"
     for _ in range(2):

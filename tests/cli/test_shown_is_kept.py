@@ -63,7 +63,7 @@ def test_a_run_is_in_the_history_when_its_verdict_is_shown(judge, submit, monkey
             kept.append([run.submission for run in history.runs()])
         return []
 
-    monkeypatch.setattr("judge.cli.outputs.verdict_lines", shown)
+    monkeypatch.setattr("judge.report.results.verdict_lines", shown)
     assert judge("run", "-q", "middle", submit(MEAN)).status == 0
     assert kept == [["mine.py"]]
 

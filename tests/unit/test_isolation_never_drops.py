@@ -191,7 +191,7 @@ def test_a_level_that_lacks_something_is_never_tried(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN])
-@pytest.mark.parametrize("place", ["socket.socketpair", "shared.region", "_STARTER.start"])
+@pytest.mark.parametrize("place", ["_socket.socketpair", "shared.region", "_STARTER.start"])
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
     failed = []

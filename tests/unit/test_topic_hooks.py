@@ -26,6 +26,7 @@ from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.topic import Shown, Topic
 from judge.run import Settings, run_submission
+from judge.run.runner import runner_for
 from judge.sandbox import open_box
 from judge.topics import circles
 
@@ -91,7 +92,8 @@ def shrunk(problem, module):
     data = ProblemData(problem, load_data(problem).groups, module=module)
     result = run_submission(problem, data, FLOOR, "mine.py", settings=Settings(measured=False))
     with open_box(FLOOR, "mine.py") as box:
-        return shrink(problem, data, box, result.mode, result.verdict, result.failure)
+        runner = runner_for(problem, box.inspect(), FLOOR)
+        return shrink(data, box, runner, result.verdict, result.failure)
 
 
 def test_the_search_solves_each_case_once(asked):
