@@ -17,11 +17,11 @@ import re
 from collections.abc import Sequence
 
 from judge.data.build import bound_builder
-from judge.data.draw import Rejected, ReplayedDraw
+from judge.data.draw import ReplayedDraw
 from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
-from judge.errors import JudgeError, UsageError
+from judge.errors import UsageError
 from judge.spec import Case, Group, Problem
 from judge.spec.model import Argument, Number, ParameterType
 from judge.spec.statement import EXAMPLES
@@ -98,7 +98,7 @@ def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: 
         return None
     try:
         case: Case = bound_builder(problem, module, group)(ReplayedDraw([int(word, 36) for word in words]))
-    except (Rejected, JudgeError, ArithmeticError, ValueError):  # choices of another builder, or invented
+    except Exception:  # choices of another builder, or invented: a builder counts on its own
         return None
     return case
 
