@@ -1,9 +1,10 @@
-"""What all tests share: no test reads or writes the person's own history."""
+"""What all tests share: a history of their own, and Ctrl-C for the processes that they start."""
 
 from __future__ import annotations
 
 import os
 import shutil
+import signal
 import tempfile
 from pathlib import Path
 
@@ -13,7 +14,9 @@ _OWN = "JUDGE_DB"
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Processes that tests start inherit it, so it is set for the whole session, before the first test."""
+    """What processes that tests start inherit is set for the whole session, before the first test."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # started by nohup or &: such a child is deaf too
+        signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
     folder = tempfile.mkdtemp(prefix="judge-tests-")
     config.add_cleanup(lambda: shutil.rmtree(folder, ignore_errors=True))
     os.environ[_OWN] = str(Path(folder) / "history.sqlite3")
