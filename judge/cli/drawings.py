@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Generator, Sequence
 
-from judge.cli.judging import Wish
 from judge.cli.picture import Drawing
 from judge.cli.recording import Recording
 from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
+from judge.cli.wish import Wish
 from judge.judging.containment import Containment
 from judge.judging.executors import executor
 from judge.judging.session import Session

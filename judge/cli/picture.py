@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from msgspec import Struct
 
@@ -16,9 +16,6 @@ from judge.report.layout import Line
 from judge.report.screen import Screen, note
 from judge.run.result import Result
 
-if TYPE_CHECKING:
-    from judge.drawing import Picture
-
 
 class Drawing(Struct, frozen=True):
     """A result and what its picture is drawn from; nothing is computed until it is asked for."""
@@ -27,8 +24,8 @@ class Drawing(Struct, frozen=True):
     data: ProblemData
     result: Result
 
-    def picture(self) -> Picture | None:
-        """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
+    def picture(self) -> Any:
+        """The `Picture` of the smallest case found that fails, or of the first; None if there is none."""
         from judge.compare.reread import reread  # late: an accepted submission does without
 
         failure = self.result.failure

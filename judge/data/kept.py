@@ -10,7 +10,6 @@ never a run. Two runs may write at once: either file is whole.
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -56,6 +55,8 @@ class KeptFile:
 
     def write(self, value: Any) -> str | None:
         """Keep `value` and drop what was kept for older contents; a note for the person if that fails."""
+        import json  # only for who writes
+
         body = json.dumps(value, separators=(",", ":")).encode()
         try:
             path = self._path()
@@ -84,4 +85,6 @@ def _parsed(body: bytes) -> Any:
     try:
         return msgspec.json.decode(body)
     except msgspec.DecodeError:
+        import json  # seldom
+
         return json.loads(body)

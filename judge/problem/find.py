@@ -99,10 +99,7 @@ def _near_roots(extra: Sequence[Path]) -> list[Path]:
         (Path(part), f"${_VARIABLE}") for part in os.environ.get(_VARIABLE, "").split(os.pathsep) if part
     ]
     roots = [_root(folder, source) for folder, source in named]
-    # Beside an installed package is site-packages, where a folder "problems" would be anybody's.
-    own = next(
-        (root for root in (_PACKAGE / "problems", _PACKAGE.parent / "problems") if root.is_dir()), None
-    )
+    own = shipped_problems()
     return roots + ([own] if own is not None else [])
 
 
@@ -115,6 +112,13 @@ def _root(folder: Path, source: str) -> Path:
         pass
     remedy = "name a folder that holds problems' folders"
     raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
+
+
+def shipped_problems() -> Path | None:
+    """The folder of the judge's own problems, if it has any."""
+    # Beside an installed package is site-packages, where a folder "problems" would be anybody's.
+    places = (_PACKAGE / "problems", _PACKAGE.parent / "problems")
+    return next((root for root in places if root.is_dir()), None)
 
 
 def _installed_roots() -> list[Path]:
