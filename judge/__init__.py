@@ -2,7 +2,7 @@
 
     import judge
 
-    result = judge.judge("segment", pathlib.Path("mine.py"))
+    result = judge.judge("count", pathlib.Path("mine.py"))
 
 `judge.judging` holds that and what goes with it; nothing of it is imported before it is asked for. Imports
 point one way: cli → judging → report, kata → diagnose → run → compare, data → problem → exact. `sandbox`

@@ -3,6 +3,7 @@
     JudgeError            anything the judge says in one line instead of a traceback
     ├── UsageError        the caller's: an unknown problem, a missing file (exit 2)
     ├── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
+    ├── ShortageError     this machine has too little of something just now: processes, memory (exit 3)
     └── HistoryError      the file of past runs cannot be read or written (exit 3)
 
 A submission's faults are not errors: they are verdicts.
@@ -10,6 +11,8 @@ A submission's faults are not errors: they are verdicts.
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterable
 from enum import IntEnum
 from typing import TYPE_CHECKING
@@ -31,7 +34,7 @@ class ExitCode(IntEnum):
 class JudgeError(Exception):
     """One clear line: what is wrong, where, and what to do about it.
 
-    `where` names the place as a person would look it up: `problem.toml:12`, `segment/statement.md`, a path.
+    `where` names the place as a person would look it up: `problem.toml:12`, `count/statement.md`, a path.
     """
 
     exit_code = ExitCode.FAULT
@@ -50,13 +53,66 @@ class JudgeError(Exception):
 
 def told(fault: Exception) -> str:
     """What a person is told of a fault that costs less than the whole run: a line, whatever it was."""
-    return str(fault) if isinstance(fault, JudgeError) else f"internal fault: {fault!r}"
+    line = fault if isinstance(fault, JudgeError) else shortage(fault)
+    return f"internal fault: {fault!r}" if line is None else str(line)
 
 
 class UsageError(JudgeError):
     """What the caller asked for cannot be done as it was asked."""
 
     exit_code = ExitCode.USAGE
+
+
+class ShortageError(JudgeError):
+    """The machine, or a limit set for the judge, has no room for what one submission needs."""
+
+    exit_code = ExitCode.FAULT
+
+
+NO_THREAD = "can't start new thread"  # all that Python says of it
+LIMIT_ON_TASKS = "raise the limit on processes (ulimit -u, a container's pids limit)"
+_SHORTAGES = {
+    errno.EAGAIN: (
+        "no further process or thread can be started",
+        f"use a smaller -j, or {LIMIT_ON_TASKS}",
+    ),
+    errno.ENOMEM: (
+        "there is no memory left",
+        "use a smaller -j, end other programs, or raise the limit (ulimit -v, a container's memory)",
+    ),
+    errno.EMFILE: (
+        "the judge has no file descriptor left",
+        "use a smaller -j, or raise the limit (ulimit -n)",
+    ),
+    errno.ENFILE: ("the system has no file descriptor left", "use a smaller -j, or end other programs"),
+    errno.EFBIG: ("a file may not become as large as it must", "raise the limit (ulimit -f unlimited)"),
+    errno.ENOSPC: ("there is no space left for a file", "free some"),
+    errno.EDQUOT: ("your quota leaves no space for a file", "free some"),
+}
+
+
+def shortage(fault: BaseException) -> ShortageError | None:
+    """What `fault` says that there is too little of, and what to do about it; None where it says no such."""
+    if isinstance(fault, ShortageError):
+        return fault
+    code = shortage_code(fault)
+    return shortage_of(code) if code else None
+
+
+def shortage_code(fault: BaseException) -> int:
+    """The errno of the shortage behind a fault; 0 where it is another's."""
+    if isinstance(fault, MemoryError):
+        return errno.ENOMEM
+    if isinstance(fault, RuntimeError) and NO_THREAD in str(fault):
+        return errno.EAGAIN
+    code = fault.errno if isinstance(fault, OSError) else None
+    return code if code in _SHORTAGES else 0
+
+
+def shortage_of(code: int, what: str = "") -> ShortageError:
+    """The shortage behind an errno; `what` says what could not be done, where that is known."""
+    reason, remedy = _SHORTAGES.get(code, (os.strerror(code).lower(), "try again"))
+    return ShortageError(f"{what}: {reason}" if what else reason, remedy=remedy)
 
 
 def unwritable(path: Path, fault: OSError, remedy: str | None = None) -> UsageError:

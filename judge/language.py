@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path, PurePath
+from pathlib import PurePath
 
 NAME = "Python"
 SUFFIX = ".py"
@@ -11,15 +11,11 @@ PATTERN = f"*{SUFFIX}"  # of such files, for a shell and for a person
 
 
 def is_program(name: str | os.PathLike[str]) -> bool:
-    """Whether a file of that name is a program."""
-    return PurePath(name).suffix == SUFFIX
+    """Whether a file of that name is a program, and not hidden."""
+    path = PurePath(name)
+    return path.suffix == SUFFIX and not path.name.startswith(".")
 
 
 def file_name(stem: str) -> str:
     """The name of a program's file."""
     return f"{stem}{SUFFIX}"
-
-
-def programs(folder: Path) -> list[Path]:
-    """The programs in a folder, in order; none where it cannot be read."""
-    return sorted(path for path in folder.glob(PATTERN) if path.is_file())

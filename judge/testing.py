@@ -2,11 +2,13 @@
 
     from judge.testing import judge_problem
 
-    def test_intersection():
-        judge_problem("segment").check(my_intersection)
+    def test_count():
+        judge_problem("count").check(my_count)
 
-The routine is called in this process, so it is trusted; `judge run` contains what is not. With the pytest
-plug-in of this distribution each test group becomes a test of its own; see `judge.pytest_plugin`.
+The routine is called in this process, so it is trusted; `judge run` contains what is not. What it does to
+Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
+for a test group and is undone then. With the pytest plug-in of this distribution each test group becomes a
+test of its own; see `judge.pytest_plugin`.
 """
 
 from __future__ import annotations
@@ -20,12 +22,12 @@ from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.diagnose.mistakes import known_mistakes
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, held
 from judge.problem import Group, Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
@@ -68,7 +70,7 @@ class JudgeProblem:
 
         It takes the problem's parameters in their order, numbers as int or float and points as pairs of
         them, and returns what `judge show` says. Wrap another signature:
-        `check(lambda cx, cy, r, A, B: mine(Circle(cx, cy, r), Line(A, B)))`.
+        `check(lambda x, y, A, B: mine(Point(x, y), [A, B]))`.
 
         Raises:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first

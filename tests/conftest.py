@@ -1,25 +1,51 @@
-"""What all tests share: a history of their own, and Ctrl-C for the processes that they start."""
+"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once.
+
+Ctrl-C reaches the processes that tests start, however the tests themselves were started.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import os
+import re
 import shutil
 import signal
+import subprocess
+import sys
 import tempfile
+import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 _OWN = "JUDGE_DB"
+_LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
+_A_DAY = 24 * 3600  # longer than any run of the tests
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """What processes that tests start inherit is set for the whole session, before the first test."""
-    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # started by nohup or &: such a child is deaf too
+def pytest_configure() -> None:
+    """Let the processes that tests start hear Ctrl-C where we do not: started by nohup or in the background."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
-    folder = tempfile.mkdtemp(prefix="judge-tests-")
-    config.add_cleanup(lambda: shutil.rmtree(folder, ignore_errors=True))
-    os.environ[_OWN] = str(Path(folder) / "history.sqlite3")
+
+
+def pytest_sessionstart() -> None:
+    """Take away the folders of runs that were killed before they could; those of this user, and old ones."""
+    with contextlib.suppress(OSError), os.scandir(tempfile.gettempdir()) as entries:
+        for entry in entries:
+            if _LEFT.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
+                found = entry.stat(follow_symlinks=False)
+                if found.st_uid == os.geteuid() and time.time() - found.st_mtime > _A_DAY:
+                    shutil.rmtree(entry.path, ignore_errors=True)  # which follows no link
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _session_history(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Processes that tests start inherit it, so it is set before the first test. pytest clears it away."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(_OWN, str(tmp_path_factory.mktemp("history") / "history.sqlite3"))
+        yield
 
 
 @pytest.fixture(autouse=True)
@@ -28,3 +54,14 @@ def own_history(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Mo
     path = tmp_path_factory.getbasetemp() / "histories" / os.urandom(8).hex() / "history.sqlite3"
     monkeypatch.setenv(_OWN, str(path))
     return path
+
+
+@pytest.fixture(scope="session")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of this checkout."""
+    pytest.importorskip("hatchling")
+    target = tmp_path_factory.mktemp("dist")
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(target)]
+    subprocess.run(command, cwd=Path(__file__).parents[1], check=True, capture_output=True, timeout=120)
+    (built,) = target.glob("*.whl")
+    return built

@@ -14,7 +14,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.errors import ExitCode, JudgeError, UsageError, nearest
+from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -39,6 +39,7 @@ COMMANDS = {
     "due": "Say what to do again today.",
     "report": "Write the history as one HTML page.",
     "data": "Write a problem's test data and exact answers as files.",
+    "new": "Write a kata of your own to begin with.",
     "verify": "Check problems from the setter's side.",
     "doctor": "Say how well submissions are contained on this machine.",
     "schema": "Print the JSON Schema of what a command writes with --json.",
@@ -113,7 +114,10 @@ class Commands(click.Group):
         if os.environ.get(_COMPLETE):
             from judge.cli.complete import answer
 
-            sys.exit(answer(self, os.environ[_COMPLETE]))
+            status = answer(self, os.environ[_COMPLETE])
+            if status:
+                _hush()
+            sys.exit(status)
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False
@@ -147,6 +151,9 @@ def explain(fault: Exception) -> tuple[str, int]:
         return fault.format_message(), ExitCode.USAGE
     if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
         return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
+    short = None if isinstance(fault, BlockingIOError) else shortage(fault)  # that may be a pipe's
+    if short:
+        return str(short), short.exit_code
     what = " ".join(str(fault).split())
     kind = type(fault).__name__
     return (
@@ -181,24 +188,24 @@ def _complain(message: str) -> None:
     from judge.report.layout import Style
     from judge.report.screen import note
 
-    try:
-        note(message, Style.BAD)
-    except BrokenPipeError:
-        _hush()
+    note(message, Style.BAD)
 
 
 def _show_traceback(fault: Exception) -> None:
     import traceback  # only for --debug
 
-    traceback.print_exception(fault)
+    from judge.report.screen import hush
+
+    try:
+        traceback.print_exception(fault)
+    except OSError:  # standard error is full
+        hush(sys.stderr)
 
 
 def _hush() -> None:
-    """Point standard output where nobody minds, so that the interpreter's last flush cannot fail."""
-    try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
-        return
+    from judge.report.screen import hush
+
+    hush(sys.stdout)
 
 
 @click.group(

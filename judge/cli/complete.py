@@ -156,6 +156,7 @@ _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "SET"): _sets,
     ("argument", "COMMAND"): _schemas,
     ("argument", "FILE"): _kind(_KIND),
+    ("argument", "DIR"): _kind("dir"),
     ("option", "G"): _groups,
     ("option", "DIR"): _kind("dir"),
 }

@@ -31,18 +31,16 @@ def drawings(
         return judge_fault(problem.id, submission.name, why)
 
     said = Notes()
-    session = Session(
-        problem, wish.terms, containment, jobs=wish.jobs, expected=len(submissions), bars=progress
-    )
+    session = Session(problem, wish.terms, containment, expected=len(submissions), bars=progress)
     with Recording(wish.db, wanted=wish.kept) as recording:
+        recording.open()  # while the box boots
+        said.say(session.notes)
         session.prepare()
         said.say(session.data.notes)
-        results = executor(wish.jobs).results(judge, submissions, lost)
+        results = executor(session.jobs).results(judge, submissions, lost)
         for submission, result in zip(submissions, results, strict=True):
+            recording.add(submission, result)
             said.say(result.notes)
             if wish.regression is not None:
                 said.say(save_regression(wish.regression, session.data, result))
-            try:
-                yield Drawing(problem, session.data, result)
-            finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
-                recording.add(submission, result)
+            yield Drawing(problem, session.data, result)

@@ -18,12 +18,13 @@ if TYPE_CHECKING:
 
 
 def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
-    """Judge them; each result is kept in the history once the caller has done with it and asks for more.
+    """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
-    Close it, so that it is kept as well where the caller fails. Raises JudgeError.
+    Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    first = submissions[0]
-    with Containment(problem, wish.terms.isolation) as containment:
+    first, terms = submissions[0], wish.terms
+    jobs = min(wish.jobs, len(submissions) * len(terms.groups or problem.groups))
+    with Containment(problem, terms.isolation, jobs, wish.had) as containment:
         containment.boot(first.source, first.name)
         from judge.cli.drawings import drawings  # while it boots
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import new_file, replace_file
 from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.find import find_problem, shipped_problems
+from judge.report.layout import Style
+from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.kata.history import Current
@@ -107,14 +108,10 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
 
     text = make_stub(problem).encode()
     where = str(path)
-    if not path.name or path.is_dir():
-        raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
     try:
-        if force:
-            replace_file(path, text)
-            return
-        with path.open("xb") as file:  # at once: nobody else's file is lost in between
-            file.write(text)
+        if not path.name or path.is_dir():
+            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
+        (replace_file if force else new_file)(path, text)
     except FileExistsError as fault:
         remedy = f"'judge watch {problem.id} {path}' goes on with it, --force writes over it"
         raise UsageError("the file is there already", where=where, remedy=remedy) from fault
@@ -122,20 +119,17 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         remedy = f"make the folder {path.parent} first"
         raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
     except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
-        reason = (
-            os.strerror(fault.errno).lower() if isinstance(fault, OSError) and fault.errno else str(fault)
-        )
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
         raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 
-def next_problem(after: str, folders: Sequence[Path], db: Path | None) -> Problem | None:
-    """The problem of the path that comes after that one and is not passed; failing that, the first one.
+def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Problem | None:
+    """The problem that comes after that one and is not passed; failing that, the first one of all.
 
     None where all others are passed.
     """
     from judge.kata.standing import State
 
-    katas = the_path(folders, db)[1]
     names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
     for problem, standing in [*katas[at:], *katas[:at]]:
@@ -153,7 +147,13 @@ def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, lis
     path = find_set(USUAL, folders)
     with History.open(db, reading=True) as history:
         found = standings(history.runs())
-    return path, [(find_problem(name, folders), found.get(name, Standing())) for name in path.problems]
+    return path, [(problem, found.get(problem.id, Standing())) for problem in path.problems]
+
+
+def tell_faults(chosen: PracticeSet) -> None:
+    """Write a line for each problem that may be missing from the set."""
+    for fault in chosen.faults:
+        note(str(fault), Style.BAD)
 
 
 def shown(path: str | Path) -> str:

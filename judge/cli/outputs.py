@@ -84,7 +84,8 @@ class Outputs:
     def fail(self, problem: str, files: Sequence[str], fault: Exception) -> None:
         """The judge itself failed: a script misses no submission, each that is left has that for its result.
 
-        A wrong use of the command line, or an output that nobody takes, is no such fault.
+        A wrong use of the command line, or an output that nobody takes, is no such fault. What was not judged
+        is not kept in the history.
         """
         if isinstance(fault, UsageError | OSError) or self.on_screen:
             return

@@ -11,6 +11,7 @@ from judge.cli.target import svg_target
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Case, Problem
+from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
 from judge.run.result import Result
@@ -25,7 +26,7 @@ class Drawing(Struct, frozen=True):
 
     def picture(self) -> Any:
         """The `Picture` of the smallest case found that fails, or of the first; None if there is none."""
-        from judge.diagnose.picture import compose  # late: an accepted submission does without
+        from judge.compare.reread import reread  # late: an accepted submission does without
 
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
@@ -40,8 +41,12 @@ class Drawing(Struct, frozen=True):
         if not values:
             return None
         case: Case = tuple(tuple(v) if isinstance(v, list) else v for v in values.values())
+        draw = self.data.module.topic.picture
+        if draw is None:
+            return None
         exact, _ = self.data.exact(case, group)
-        return compose(self.problem, values, exact, wanted=wanted, got=got, heading=heading)
+        given = reread(self.problem.answer, got)
+        return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
 
     def lines(self, screen: Screen, *, beside: int) -> list[Line]:
         """The drawing for a terminal, low enough that so many other lines are seen with it.
@@ -64,11 +69,11 @@ class Drawing(Struct, frozen=True):
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
         if path is None:
             return
-        from judge.diagnose.picture.svg import to_svg
+        from judge.drawing.svg import to_svg
 
         picture = self.picture()
         if picture is None:
-            text = f"nothing to draw, {path} is not written: no case of a circle and a line failed"
+            text = f"nothing to draw, {path} is not written: no case failed that can be drawn"
             note(text)
             return
         svg_target(path).write(to_svg(picture).encode())

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from judge.cli.submissions import Submission
-from judge.errors import HistoryError
+from judge.errors import told
 from judge.report.screen import note
 from judge.run.result import Result
 
@@ -17,8 +19,11 @@ if TYPE_CHECKING:
 class Recording:
     """Adds results to the history; a context manager.
 
-    The history is opened with the first result, when it has been shown. A history that fails is told of once
-    and then left alone: exit status and verdicts are what they would be without it.
+    A result is added before it is shown: whoever has seen it finds it there, even if the judge is killed at
+    that moment. A commit hands it to the system, which outlives the judge (see `judge.kata.database`).
+
+    A history that fails is told of once and then left alone: exit status and verdicts are what they would be
+    without it.
     """
 
     def __init__(self, path: Path | None, *, wanted: bool = True) -> None:
@@ -33,19 +38,28 @@ class Recording:
         if self._history is not None:
             self._history.__exit__(*exc)
 
-    def add(self, submission: Submission, result: Result) -> None:
-        """Keep one result."""
-        if not self._wanted:
-            return
-        from judge.kata.history import History
+    def open(self) -> None:
+        """Open the history, which takes longer than all that is added to it."""
+        if self._wanted:
+            from judge.kata.history import History
 
-        try:
-            if self._history is None:
+            with self._spared():
                 self._history = History.open(self._path)
-            self._history.add(result, submission.source, _absolute(submission.name))
-        except HistoryError as fault:
+
+    def add(self, submission: Submission, result: Result) -> None:
+        """Keep one result; it is committed when this returns."""
+        if self._history is not None and self._wanted:
+            with self._spared():
+                self._history.add(result, submission.source, _absolute(submission.name))
+
+    @contextmanager
+    def _spared(self) -> Iterator[None]:
+        """Whatever goes wrong within: a result is still to be shown."""
+        try:
+            yield
+        except Exception as fault:
             self._wanted = False
-            note(f"not kept in the history: {fault}")
+            note(f"not kept in the history: {told(fault)}")
 
 
 def _absolute(name: str) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from judge.cli.target import check_place
+from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.run.function import FunctionRunner
@@ -32,7 +33,7 @@ def agree_on(path: Path) -> None:
         raise UsageError(what, where=where, remedy="name another one")
     if not click.confirm(f"{path}: {what}; write over it?", err=True):
         raise UsageError("left as it is", where=where, remedy="name another file")
-    path.write_text("", encoding="utf-8")
+    replace_file(path, b"")
 
 
 def save_regression(path: Path, data: ProblemData, result: Result) -> tuple[str, ...]:

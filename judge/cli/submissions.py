@@ -11,8 +11,11 @@ from msgspec import Struct
 
 from judge.errors import UsageError, nearest
 from judge.language import NAME, PATTERN, is_program
+from judge.reading import read_ordinary, read_pipe
 
-_LARGEST = 4 * 2**20  # bytes; no person writes more, and it keeps /dev/zero from filling memory
+_LARGEST = 4 * 2**20  # bytes; no person writes more
+_SILENCE = 30.0  # seconds without a byte after which a pipe is given up
+_OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
 
 class Submission(Struct, frozen=True):
@@ -55,17 +58,32 @@ def _files(name: str) -> list[str]:
 
 
 def _read(name: str) -> bytes:
+    path = Path(name)
     try:
-        with Path(name).open("rb") as file:
-            mode = os.fstat(file.fileno()).st_mode
-            if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode)):
-                raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
-            source = file.read(_LARGEST + 1)
+        mode = path.stat().st_mode
+        if stat.S_ISFIFO(mode):
+            source = _piped(name)
+        elif stat.S_ISREG(mode):
+            source = read_ordinary(path, _LARGEST + 1)
+        else:
+            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     if len(source) > _LARGEST:
         raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=name)
     return source
+
+
+def _piped(name: str) -> bytes:
+    """What comes through a pipe of our own. Raises UsageError for another one: there may be no writer."""
+    if not os.path.abspath(name).startswith(_OWN_PIPES):  # noqa: PTH100 - which leads nowhere a link does
+        remedy = "write the program to an ordinary file, or hand it over as <(command)"
+        raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
+    try:
+        return read_pipe(Path(name), _LARGEST + 1, _SILENCE)
+    except TimeoutError as fault:
+        what = f"nothing came through this pipe for {_SILENCE:g} seconds"
+        raise UsageError(what, where=name, remedy="write the program to a file, and name that") from fault
 
 
 def _unreadable(name: str, fault: OSError) -> UsageError:

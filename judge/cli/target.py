@@ -11,6 +11,7 @@ from msgspec import Struct
 
 from judge.data.atomic import replace_file
 from judge.errors import UsageError, unwritable
+from judge.reading import read_ordinary
 
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 
@@ -43,15 +44,14 @@ class Target(Struct, frozen=True):
         raise UsageError(what, where=str(self.path), remedy=remedy or _another(self.option))
 
     def write(self, content: bytes) -> None:
-        """Put `content` there at once; where a link leads, so that the link stays one. Raises UsageError."""
+        """Put `content` there at once. Raises UsageError."""
         try:
-            replace_file(self.path.resolve(), content)
+            replace_file(self.path, content)
         except OSError as fault:
             raise unwritable(self.path, fault, _another(self.option)) from fault
 
     def _is_ours(self) -> bool:
-        with self.path.open("rb") as file:
-            start = file.read(_LOOKED_AT)
+        start = read_ordinary(self.path, _LOOKED_AT)
         return not start.strip() or self.ours(start)
 
 

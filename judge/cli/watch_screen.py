@@ -16,11 +16,11 @@ from judge.cli.kata import Kata, next_problem, take_up, the_path, write_stub
 from judge.cli.picture import Drawing
 from judge.cli.watching import WatchedFile, await_event, handled
 from judge.cli.wish import Wish
-from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
 from judge.problem import Verdict
+from judge.problem.solutions import known_mistakes
 from judge.report.hint import hint_text
 from judge.report.layout import Style, line
 from judge.report.picture import has_room
@@ -160,7 +160,7 @@ class _WatchScreen:
             self._asked = "n"
             self._say(f"{problem.id} is not solved yet; n once more leaves it for now")
             return None
-        following = next_problem(problem.id, self._folders, self._wish.db)
+        following = next_problem(problem.id, the_path(self._folders, self._wish.db)[1])
         if following is None:
             self._say("every other kata of the path is passed", Style.GOOD)
             return None

@@ -9,11 +9,14 @@ from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
 from judge.cli.kata import Kata
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
 from judge.errors import JudgeError, UsageError
 from judge.kata.saves import Mark, mark, settled
+from judge.problem import Verdict
 
 if TYPE_CHECKING:
     from judge.cli.picture import Drawing
@@ -58,11 +61,14 @@ class WatchedFile:
             return f"{name} is empty; it is judged when there is something in it"
         try:
             with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
-                return next(drawings)
+                drawing = next(drawings)
         except UsageError:
             raise
         except JudgeError as fault:
             return str(fault)
+        if drawing.result.verdict is not Verdict.JE:  # that one was held nowhere
+            self._wish = replace(self._wish, had=drawing.result.isolation)
+        return drawing
 
 
 def await_event(events: SimpleQueue[str]) -> str | None:

@@ -19,6 +19,7 @@ class Wish(Struct, frozen=True):
 
     terms: Terms
     jobs: int = 1
+    had: str | None = None  # the level of isolation that the command has had before
     regression: Path | None = None
     kept: bool = True  # in the history
     db: Path | None = None

@@ -16,11 +16,12 @@ from pathlib import Path
 from judge.data.kept import VARIABLE, KeptFile
 from judge.errors import ProblemError
 from judge.problem import Problem
+from judge.reading import read_ordinary
 
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "problem")  # the packages that the data depend on
+_CODE = ("exact", "compare", "data", "problem", "topics")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 
@@ -79,7 +80,7 @@ def content_key(start: str, files: Iterable[Path]) -> str:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_ordinary(path)
     except OSError as error:
         raise ProblemError(
             f"cannot be read: {error.strerror}", where=str(path), remedy="make it readable"

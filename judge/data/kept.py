@@ -16,7 +16,8 @@ from typing import Any
 
 import msgspec
 
-from judge.data.atomic import replace_file
+from judge.data.atomic import replace_file, sweep
+from judge.reading import read_ordinary
 
 VARIABLE = "JUDGE_CACHE"
 
@@ -40,7 +41,8 @@ class KeptFile:
     def read(self) -> Any:
         """What was written, or None if there is no sound file."""
         try:
-            content = self._path().read_bytes()
+            sweep(self._path().parent)
+            content = read_ordinary(self._path())
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
         checksum, _, body = content.partition(b"\n")

@@ -46,17 +46,20 @@ class ProblemData:
         self._module = module
 
     def exact(self, case: Case, group: Group) -> tuple[Answer, Tolerance]:
-        """The exact answer to a case of that group, and its tolerance.
+        """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
 
-        Only a rejection's reason and an answer within a hair of the edge need it, so problem.py is loaded
-        here on the first use. Raises ProblemError.
+        Only a rejection's reason and an answer within a hair of the edge need it.
         """
-        from judge.data.module import blaming, load_module
+        return self.module.solve(*case).answer, group.tolerance
+
+    @property
+    def module(self) -> ProblemModule:
+        """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
+        from judge.data.module import load_module
 
         if self._module is None:
             self._module = load_module(self.problem)
-        with blaming(self.problem, "the reference fails"):
-            return self._module.reference(*case), group.tolerance
+        return self._module
 
 
 def reseeded(group: Group, seed: int | None) -> Group:

@@ -1,6 +1,6 @@
 """Pinned hashes: a problem's hashes.json holds one for each group, so that data cannot drift unseen.
 
-{"schema": 1, "groups": {"tangent": "<sha256 of the cases and their targets, as canonical JSON>"}}
+{"schema": 1, "groups": {"grid": "<sha256 of the cases and their targets, as canonical JSON>"}}
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
 from judge.problem import Problem
+from judge.reading import read_ordinary
 
 SCHEMA = 1
 _REMEDY = "write it with: judge verify {} --pin"
@@ -31,7 +32,7 @@ def read_pins(problem: Problem) -> dict[str, str] | None:
     where = f"{problem.id}/{_path(problem).name}"
     remedy = _REMEDY.format(problem.id)
     try:
-        content = json.loads(_path(problem).read_bytes())
+        content = json.loads(read_ordinary(_path(problem)))
     except FileNotFoundError:
         return None
     except OSError as error:

@@ -12,8 +12,7 @@ from hypothesis import reject
 from hypothesis import strategies as st
 from msgspec import Struct
 
-from judge.data.builders import BuilderError
-from judge.data.draw import ChosenDraw, Draw, Rejected
+from judge.data.draw import BuilderError, ChosenDraw, Draw, Rejected
 from judge.problem import Case
 
 

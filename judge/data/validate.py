@@ -5,22 +5,32 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from judge.errors import ProblemError
 from judge.problem import Case, Number, Parameter, ParameterType, Problem
+
+if TYPE_CHECKING:
+    from judge.data.module import Solved
 
 _POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
 _INTEGERS = (ParameterType.INTEGER, ParameterType.INTEGER_POINT)
 
 
-class Validator:
-    """What a problem's case must be. Each method says what is wrong, for a person, or None."""
+class Proof(NamedTuple):
+    """What proving a case came to: what is wrong with it, in words for a person, or else its exact answer."""
 
-    def __init__(self, problem: Problem, promise: Callable[..., str | None]) -> None:
+    fault: str | None
+    answer: Any = None
+
+
+class Validator:
+    """What a problem's case must be. A fault is said in words for a person."""
+
+    def __init__(self, problem: Problem, solve: Callable[..., Solved]) -> None:
         self._parameters = problem.parameters
         self._bounds = [(_simple(each.low), _simple(each.high)) for each in problem.parameters]
-        self._promise = promise
+        self._solve = solve
 
     def shape(self, case: Any) -> str | None:
         """Whether the case is a tuple of the parameters' types, its numbers finite ints and floats."""
@@ -56,19 +66,21 @@ class Validator:
                     return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
         raise AssertionError("some number is outside")
 
-    def promise(self, case: Case) -> str | None:
-        """Whether a well-shaped case keeps the statement's promise."""
-        return self._promise(*case)
+    def promise(self, case: Case) -> Proof:
+        """Whether a case within the bounds keeps the statement's promise; it is solved here, once."""
+        answer, broken = self._solve(*case)
+        return Proof(broken) if broken else Proof(None, answer)
 
-    def fault(self, case: Any) -> str | None:
-        """The first thing that is wrong with the case."""
-        return self.shape(case) or self.bounds(case) or self.promise(case)
+    def proof(self, case: Any) -> Proof:
+        """The first thing that is wrong with the case, or its exact answer."""
+        fault = self.shape(case) or self.bounds(case)
+        return Proof(fault) if fault else self.promise(case)
 
 
 def prove(validator: Validator, group: str, cases: Sequence[Case], where: str) -> None:
     """Prove every case of a group. Raises ProblemError with the first that fails."""
     for number, case in enumerate(cases, start=1):
-        if fault := validator.fault(case):
+        if fault := validator.proof(case).fault:
             raise ProblemError(
                 f"case {number} of group {group!r} is invalid: {fault}",
                 where=where,

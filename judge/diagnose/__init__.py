@@ -1,1 +1,1 @@
-"""Why a submission is wrong: the simplest case that breaks it, its picture, the name of the mistake."""
+"""Why a submission is wrong: the simplest case that breaks it, the name of the mistake."""

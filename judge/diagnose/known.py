@@ -15,7 +15,7 @@ from judge.data.cache import cache_folder, code_files, content_key, data_key, ke
 from judge.data.kept import KeptFile
 from judge.data.model import ProblemData
 from judge.diagnose.answers import Answers, Behaviour, behaviour
-from judge.diagnose.mistakes import Mistake
+from judge.problem.solutions import Solution
 from judge.run.parallel import in_order
 from judge.run.settings import Settings
 
@@ -29,7 +29,7 @@ _WHAT = "the known mistakes' answers"
 def known_behaviours(
     data: ProblemData,
     seed: int | None,
-    mistakes: Sequence[Mistake],
+    mistakes: Sequence[Solution],
     *,
     settings: Settings,
     workers: int = 1,
@@ -49,7 +49,7 @@ def known_behaviours(
 
     from judge.run.execute import run_submission
 
-    def judge(mistake: Mistake) -> Behaviour:
+    def judge(mistake: Solution) -> Behaviour:
         name = mistake.path.name
         return behaviour(run_submission(data.problem, data, mistake.source, name, settings=settings))
 

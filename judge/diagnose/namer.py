@@ -11,10 +11,10 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.diagnose.answers import Behaviour, behaviour
 from judge.diagnose.known import Progress, known_behaviours
-from judge.diagnose.mistakes import Mistake, known_mistakes
 from judge.diagnose.naming import Known, best_match
 from judge.diagnose.twins import as_match, twins, wrong_answers
 from judge.problem import Verdict
+from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Pitfall, Result
 from judge.run.settings import Settings
@@ -44,7 +44,7 @@ class Namer:
         self._workers = workers
         self._progress = progress
         self._lock = threading.Lock()
-        self._known: tuple[list[Mistake], list[Known]] | None = None
+        self._known: tuple[list[Solution], list[Known]] | None = None
 
     def named(self, result: Result) -> Result:
         """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
@@ -78,10 +78,12 @@ class Namer:
             ],
         )
 
-    def _programs(self) -> tuple[list[Mistake], list[Known]]:
+    def _programs(self) -> tuple[list[Solution], list[Known]]:
         with self._lock:
             if self._known is None:
-                mistakes = known_mistakes(self._data.problem)
+                programs, faults = read_solutions(self._data.problem, Kind.WRONG)
+                self.notes += [f"a known mistake is left out: {fault}" for fault in faults]
+                mistakes = usual_first(programs)
                 with self._progress() as advance:
                     behaviours, note = known_behaviours(
                         self._data,
@@ -97,7 +99,7 @@ class Namer:
             return self._known
 
 
-def _why_not(does: Behaviour, alike: Sequence[Mistake]) -> str:
+def _why_not(does: Behaviour, alike: Sequence[Solution]) -> str:
     """Why a submission that answers exactly as known-wrong programs do is given no name."""
     files = ", ".join(f"wrong/{mistake.path.name}" for mistake in alike)
     if len({mistake.name for mistake in alike}) > 1:

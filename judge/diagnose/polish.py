@@ -1,7 +1,8 @@
 """Making a failing case simpler, value by value: fewer digits, smaller numbers, equal ones kept equal.
 
-Each round offers all single steps from the best case so far, has them called in one batch, and goes on from
-the simplest that still fails, until none does.
+The problem's topic is asked first for cases that are simpler as a whole. Then each round offers all single
+steps from the best case so far, has them called in one batch, and goes on from the simplest that still fails,
+until none does.
 """
 
 from __future__ import annotations
@@ -11,8 +12,7 @@ from fractions import Fraction
 from itertools import combinations, islice
 from math import gcd
 
-from judge.diagnose.figures import levelled, moved
-from judge.diagnose.simplicity import measure, numbers_of
+from judge.diagnose.simplicity import numbers_of
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group
 from judge.problem.model import Number
@@ -22,11 +22,12 @@ _MOST = 600  # candidates of a round, the simplest first
 _HUGE = 400  # bits, beyond which numbers are only cut
 
 
-def polished(trial: Trial, start: Finding, group: Group, *, figures: bool = True) -> Finding:
+def polished(trial: Trial, start: Finding, group: Group) -> Finding:
     """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
+    simpler = trial.module.topic.simpler
     best = start
-    if figures:
-        best = _better(trial, best, group, [*moved(start.case), *levelled(start.case)])
+    if simpler is not None:
+        best = _better(trial, best, group, simpler(trial.problem, start.case))
     for _ in range(_ROUNDS):
         after = _better(trial, best, group, steps(best.case))
         if after is best or trial.budget.spent:
@@ -36,8 +37,8 @@ def polished(trial: Trial, start: Finding, group: Group, *, figures: bool = True
 
 
 def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
-    simpler = {repr(case): case for case in cases if measure(case) < best.measure}
-    chosen = sorted(simpler.values(), key=measure)
+    simpler = {repr(case): case for case in cases if trial.measure(case) < best.measure}
+    chosen = sorted(simpler.values(), key=trial.measure)
     for first in range(0, min(len(chosen), _MOST), 100):
         if trial.budget.spent:
             break

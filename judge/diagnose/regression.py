@@ -14,6 +14,7 @@ from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
+from judge.reading import read_ordinary_text
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
 _HEAD = f'''{_MARK}
@@ -44,7 +45,7 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
     Raises:
         UsageError: the file cannot be read or written, or was not written here.
-        ProblemError: the reference fails.
+        ProblemError: `solve` fails.
     """
     assert found.replay is not None
     content = _read(path) if path.exists() else ""
@@ -107,7 +108,7 @@ def _between(what: str, bounds: Target) -> str:
 
 def _read(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
+        return read_ordinary_text(path)
     except OSError as fault:
         reason = (fault.strerror or "unknown").lower()
         raise UsageError(f"cannot be read ({reason})", where=str(path)) from fault

@@ -15,6 +15,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 from judge.data.build import bound_builder
 from judge.data.draw import Rejected, ReplayedDraw
@@ -26,6 +27,9 @@ from judge.problem import Case, Group, Problem
 from judge.problem.model import Argument, Number, ParameterType
 from judge.problem.statement import EXAMPLES
 
+if TYPE_CHECKING:
+    from judge.compare.answers import Answer
+
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
 _INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
 _FLOAT = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,3})?", re.ASCII)
@@ -33,6 +37,14 @@ _CHOICE = re.compile(r"-?[0-9a-z]{1,400}", re.ASCII)
 _DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
 _LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
 _POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
+
+
+class Decoded(NamedTuple):
+    """What a replay id stands for."""
+
+    group: Group
+    case: Case
+    answer: Answer
 
 
 def encode(problem: Problem, group: Group, case: Case, choices: Sequence[int] | None = None) -> str:
@@ -48,11 +60,12 @@ def problem_name(replay: str) -> str:
     return _parts(replay)[0]
 
 
-def decode(replay: str, problem: Problem, module: ProblemModule) -> tuple[Group, Case]:
-    """The group and the case of an id, proved.
+def decode(replay: str, problem: Problem, module: ProblemModule) -> Decoded:
+    """The group and the case of an id, proved, and its exact answer.
 
     Raises:
         UsageError: it is no id of this version of the problem.
+        ProblemError: the problem's own code fails on the case.
     """
     _, name, form, payload, check = _parts(replay)
     group = problem.group(name)
@@ -61,10 +74,10 @@ def decode(replay: str, problem: Problem, module: ProblemModule) -> tuple[Group,
     case = _from_values(payload, problem) if form == "v" else _from_choices(payload, problem, module, group)
     if case is None or _check(case) != check:
         raise _fault("it does not fit its own check digits", "copy it whole; other versions have other ids")
-    fault = Validator(problem, module.promise).fault(case)
-    if fault:
-        raise _fault(f"its case is none of the problem's: {fault}", "other versions have other ids")
-    return group, case
+    proof = Validator(problem, module.solve).proof(case)
+    if proof.fault:
+        raise _fault(f"its case is none of the problem's: {proof.fault}", "other versions have other ids")
+    return Decoded(group, case, proof.answer)
 
 
 def _parts(replay: str) -> tuple[str, str, str, str, str]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import warnings
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
 from random import Random
 from typing import Any
 
 from hypothesis import Phase, Verbosity, find, settings
+from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
 from hypothesis.database import InMemoryExampleDatabase
 from hypothesis.errors import HypothesisException
 from msgspec import Struct
@@ -65,10 +68,21 @@ def shrunk(
         verbosity=Verbosity.quiet,
     )
     # Nothing found, or a submission that answers at random: `best` is what there is.
-    with warnings.catch_warnings(), suppress(HypothesisException, _Spent):
+    with _keeping_nothing(), warnings.catch_warnings(), suppress(HypothesisException, _Spent):
         warnings.simplefilter("ignore")  # what Hypothesis has to say of our settings is not for the person
         find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
     return best[0] if best else None
+
+
+@contextmanager
+def _keeping_nothing() -> Iterator[None]:
+    """Leave no folder `.hypothesis` wherever the person is: it would hold notes on the problem's module."""
+    before = storage_directory(intent_to_write=False)
+    set_hypothesis_home_dir(os.devnull)
+    try:
+        yield
+    finally:
+        set_hypothesis_home_dir(before if isinstance(before, Path) else before.path)  # by its version
 
 
 def _as_bytes(choices: Sequence[int]) -> bytes | None:

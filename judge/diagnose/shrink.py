@@ -20,12 +20,10 @@ from typing import Any
 from judge.data.build import bound_builder, choices_of
 from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.model import GroupData, ProblemData
-from judge.data.module import load_module
 from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
-from judge.diagnose.simplicity import measure
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
@@ -67,7 +65,7 @@ def shrink(
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
     budget = Budget(budget_seconds, clock)
-    trial = Trial(load_module(problem), box, runner, verdict, budget, reference)
+    trial = Trial(data.module, box, runner, verdict, budget, reference)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
@@ -135,7 +133,7 @@ class _Search:
                 for rung, count in step
                 for number in range(count)
             ]
-            simple = [case for case in cases if measure(case) < self._first.measure]
+            simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
             found = self._trial.simplest(simple, group)
             if found is not None:
                 return found

@@ -1,10 +1,10 @@
-"""Builders of simple cases for any problem: numbers of few digits, alike enough to touch, cross or miss.
+"""Builders of simple cases for any problem: numbers of few digits, many of them alike.
 
-A case's numbers come from a small pool, so that many of them are equal: two equal coordinates make a line
-level, a coordinate equal to the radius makes a tangent. The pool's numbers are small integers m, or m·10^k,
-or m·10^k + n, and all may be multiplied by 10^-u. Each rung of the ladder fixes k and u; the first steps
-are the simplest. On a lone rung one coordinate of one point is m·10^k and all other numbers are small: a line
-that only just misses a tangent to a small circle at the origin is found in no other way.
+A case's numbers come from a small pool, so that many of them are equal: what is special in a problem is
+most often that two of its numbers are the same. The pool's numbers are small integers m, or m·10^k, or
+m·10^k + n, and all may be multiplied by 10^-u. Each rung of the ladder fixes k and u; the first steps are
+the simplest. On a lone rung one coordinate of one point is m·10^k and all other numbers are small: what only
+just happens, far from all the rest, is found in no other way.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def ladder(problem: Problem) -> Iterator[Step]:
     yield [(Rung(3, floats=True), 150), (Rung(3, unit=1), 100)]
     for tens in (2, 4, 6, 8):
         yield [(Rung(3, tens), 150), (Rung(3, tens, floats=True), 150)]
-        if tens < 6:
+        if tens < 6 and any(parameter.type in _POINTS for parameter in problem.parameters):
             yield [(Rung(2, lone, lone=True), 150) for lone in (tens, tens + 1)]
     for unit in (9, 7, 11, 13, 5, 3):
         yield [(Rung(3, unit=unit), 150)]

@@ -9,7 +9,7 @@ from judge.problem.model import Case, Number
 Measure = tuple[int, int, tuple[float, ...]]
 
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
-_SPECIAL = 3  # and so does what is a case for itself: a length of 0, two equal points
+_SPECIAL = 3  # and so does what is special in itself
 
 
 def numbers_of(case: Case) -> Iterator[Number]:
@@ -35,17 +35,18 @@ def digits(number: Number) -> int:
     return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
-def measure(case: Case) -> Measure:
-    """What to compare two cases by; the smaller is the simpler one."""
-    total = negative = 0
+def measure(case: Case, special: int = 0) -> Measure:
+    """What to compare two cases by; the smaller is the simpler one.
+
+    `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).
+    """
+    total = _SPECIAL * special
+    negative = 0
     magnitudes = []
     for number in numbers_of(case):
         total += digits(number) + (_FLOAT if isinstance(number, float) else 0)
         negative += number < 0
         magnitudes.append(_magnitude(number))
-    points = [argument for argument in case if isinstance(argument, tuple)]
-    lone = [argument for argument in case if not isinstance(argument, tuple)]
-    total += _SPECIAL * (len(points) - len(set(points)) + (lone[-1:] == [0]))
     return total, negative, (sum(magnitudes), *magnitudes)
 
 

@@ -14,9 +14,10 @@ from msgspec.structs import astuple, replace
 
 from judge.compare.answers import Answer
 from judge.compare.check import Rejection
-from judge.compare.targets import AnyTarget, compile_answer
-from judge.data.module import ProblemModule, blaming
-from judge.data.validate import Validator
+from judge.compare.targets import AnyTarget
+from judge.data.build import target_of
+from judge.data.module import ProblemModule
+from judge.data.validate import Proof, Validator
 from judge.diagnose.simplicity import Measure, measure
 from judge.errors import ProblemError
 from judge.problem import AnswerKind, Case, Group, Tolerance, Verdict
@@ -84,9 +85,10 @@ class Trial:
         self.budget = budget
         self._box = box
         self._runner = runner
-        self._validator = Validator(runner.problem, module.promise)
+        self._validator = Validator(runner.problem, module.solve)
         self._judge_box = judge_box
         self._known: dict[tuple[str, str], Finding | None] = {}
+        self._proofs: dict[str, Proof] = {}
         self._targets: dict[tuple[str, str], AnyTarget] = {}
         self._kind: tuple[str, ...] | None = None
 
@@ -94,15 +96,19 @@ class Trial:
         """From now on only cases that fail in this way count: another mistake would explain nothing."""
         self._kind = finding.kind
 
+    def measure(self, case: Case) -> Measure:
+        """How simple the case is, to those who know the problem's topic."""
+        special = self.module.topic.special
+        return measure(case, special(case) if special is not None else 0)
+
     def valid(self, case: Case, group: Group) -> bool:
         """Whether the case keeps the bounds and the promise, and has an answer.
 
         One on which the problem's own code fails is passed over: no group would hold it.
         """
         try:
-            with blaming(self.problem, "the promise fails on a case"):
-                if self._validator.fault(case) is not None:
-                    return False
+            if self._proof(case).fault is not None:
+                return False
             self._target(case, group)
         except ProblemError:
             return False
@@ -129,7 +135,7 @@ class Trial:
         not built by a recipe that minds how well its answer is conditioned.
         """
         fresh = {repr(case): case for case in cases if self.valid(case, group)}
-        ordered = sorted(fresh.values(), key=measure)
+        ordered = sorted(fresh.values(), key=self.measure)
         found = sorted(self._try(ordered, group), key=lambda finding: finding.measure)
         for finding in found[:MOST_LOSSES]:
             if fair and not self._fair(finding):
@@ -172,11 +178,17 @@ class Trial:
     def _verdict_of_a_run(self) -> bool:
         return self.verdict is not Verdict.WA and not self._runner.tells_where
 
+    def _proof(self, case: Case) -> Proof:
+        """The case proved and solved; once, for the search comes back to it."""
+        key = repr(case)
+        if key not in self._proofs:
+            self._proofs[key] = self._validator.proof(case)
+        return self._proofs[key]
+
     def _target(self, case: Case, group: Group) -> AnyTarget:
         key = (group.name, repr(case))
         if key not in self._targets:
-            with blaming(self.problem, "the reference fails on a case"):
-                self._targets[key] = compile_answer(self.module.reference(*case), group.tolerance)
+            self._targets[key] = target_of(self.problem, self._proof(case).answer, group.tolerance)
         return self._targets[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
@@ -218,19 +230,19 @@ class Trial:
         return [replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found]
 
     def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Answer, Tolerance]]:
-        return lambda: (self.module.reference(*case), group.tolerance)
+        return lambda: (self._proof(case).answer, group.tolerance)
 
     def _rejected(self, case: Case, group: Group, outcome: Rejection) -> Finding:
         kind = self.problem.answer
         off = "off" if outcome.where else "other"
         wanted, got = _shape(kind, outcome.wanted), _shape(kind, outcome.got)
-        if got.isdecimal() and got != wanted:  # of a tangent both 0 and 2 are the same mistake
+        if got.isdecimal() and got != wanted:  # of 1 both 0 and 2 are the same mistake
             got = "another number"
         elif got == "zero":  # as wrong as any other
             got = "a number"
         way = (wanted, got, off)
         texts = outcome.wanted, outcome.got, outcome.message
-        return Finding(case, group, measure(case), Verdict.WA, *texts, way)
+        return Finding(case, group, self.measure(case), Verdict.WA, *texts, way)
 
     def _stopped(
         self,
@@ -243,7 +255,7 @@ class Trial:
     ) -> Finding:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
         wanted = self._runner.wanted(target)
-        return Finding(case, group, measure(case), verdict, wanted, got, detail, way)
+        return Finding(case, group, self.measure(case), verdict, wanted, got, detail, way)
 
 
 def _shape(kind: AnswerKind, text: str) -> str:

@@ -4,8 +4,10 @@ public.py       `judge(problem, source)` and `run(job)`, for other people's prog
 job.py          what is to be judged, and how
 session.py      judging many submissions to one problem, with all that they share
 executors.py    who does the work: here, or threads
-containment.py, diagnosis.py, naming.py
-                the boxes; the smallest case that breaks a submission; the mistake's name
+containment.py, isolation.py
+                the boxes; the level of isolation that this machine is known to have
+diagnosis.py, naming.py
+                the smallest case that breaks a submission; the mistake's name
 stressing.py, replaying.py, routine.py
                 fresh cases; one case by its id; a routine of this very process
 """

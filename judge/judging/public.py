@@ -14,6 +14,7 @@ from judge.problem import Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
+from judge.reading import read_ordinary
 from judge.run.result import Result
 
 _NAMELESS = file_name("submission")
@@ -91,7 +92,7 @@ def _read(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
             raise UsageError(f"{source!r} is a file's name, not a program", remedy=remedy)
         return source.encode(), _NAMELESS
     try:
-        return Path(source).read_bytes(), os.fspath(source)
+        return read_ordinary(Path(source)), os.fspath(source)
     except OSError as fault:
         reason = (fault.strerror or "cannot be read").lower()
         raise UsageError(f"cannot be read ({reason})", where=os.fspath(source)) from fault

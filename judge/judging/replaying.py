@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from judge.compare.targets import compile_answer
+from judge.data.build import target_of
 from judge.data.model import GroupData, ProblemData
-from judge.data.module import blaming, load_module
+from judge.data.module import load_module
 from judge.diagnose.replay import decode
 from judge.judging.session import Session
 from judge.problem import Problem
@@ -30,8 +30,7 @@ def replayed(session: Session, replay: str, source: bytes, name: str) -> Result:
 def _one_case(replay: str, problem: Problem) -> ProblemData:
     """The data of the id's case alone."""
     module = load_module(problem)
-    group, case = decode(replay, problem, module)
-    with blaming(problem, "the reference fails on the case"):
-        target = compile_answer(module.reference(*case), group.tolerance)
+    group, case, answer = decode(replay, problem, module)
+    target = target_of(problem, answer, group.tolerance)
     alone = replace(group, count=1, points=100)
     return ProblemData(problem, (GroupData(alone, [case], [target]),), module=module)

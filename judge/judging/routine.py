@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+import decimal
+import sys
+import warnings
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from types import TracebackType
 from typing import Any, NamedTuple
 
@@ -53,9 +57,31 @@ class _RoutineRunner(FunctionRunner, frozen=True):
 def _held(data: ProblemData, group: GroupData, routine: Routine) -> Held:
     runner = _RoutineRunner(data.problem, routine)
     run = GroupRun(data, group, runner)
-    replies, raised = runner.called(group.cases)
+    with _as_it_was():
+        replies, raised = runner.called(group.cases)
     run.take(replies)
     return Held(run.group, run.result(), run.failure, raised if run.verdict is Verdict.RTE else None)
+
+
+@contextmanager
+def _as_it_was() -> Iterator[None]:
+    """Undo at the end what was done to the state that the whole process shares.
+
+    So that no test group depends on the one before it, nor the caller's next test on any.
+    """
+    with ExitStack() as undone:
+        undone.enter_context(decimal.localcontext())
+        undone.enter_context(warnings.catch_warnings())
+        # Who imports these only now finds them new: there is nothing to undo.
+        if random := sys.modules.get("random"):
+            undone.callback(random.setstate, random.getstate())
+        if numpy := sys.modules.get("numpy"):
+            undone.enter_context(numpy.errstate())
+        if numpy_random := sys.modules.get("numpy.random"):
+            undone.callback(numpy_random.set_state, numpy_random.get_state())
+        undone.callback(sys.set_int_max_str_digits, sys.get_int_max_str_digits())
+        undone.callback(sys.setrecursionlimit, sys.getrecursionlimit())  # first: the others need room too
+        yield
 
 
 def _told(fault: Exception) -> str:

@@ -16,12 +16,12 @@ from threading import Lock
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.errors import JudgeError, UsageError, told
+from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
 from judge.judging.diagnosis import diagnosed
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
 from judge.run.execute import judge_fault, run_in
 from judge.run.parallel import Turnstile
 from judge.run.result import Result
@@ -38,10 +38,11 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
 class Session:
     """A context manager; `judge` may be called from several threads.
 
-    `containment` is one in which the first submission's box may have been started. `jobs` is how many things
-    may be done at once, `expected` how many submissions are to come: few of them use several boxes each.
-    `bars` opens what is told how far the work is, by its label. Nothing is printed: what a person should know
-    is in the results' notes.
+    `containment` is one in which the first submission's box may have been started; it says how many things
+    may be done at once. Without it `jobs` asks for so many. `expected` is how many submissions are to come:
+    few of them use several boxes each. `bars` opens what is told how far the work is, by its label. Nothing
+    is printed: what a person should know is in the results' notes, and in the session's own, where there is
+    no room for `jobs`.
     """
 
     def __init__(
@@ -56,15 +57,19 @@ class Session:
     ) -> None:
         self.problem = problem
         self.terms = terms
-        self.containment = containment or Containment(problem, terms.isolation)
+        if containment is None:
+            jobs = min(jobs, expected * len(terms.groups or problem.groups))
+            containment = Containment(problem, terms.isolation, jobs)
+        self.containment = containment
+        self.jobs = containment.jobs
+        self.notes = (containment.short,) if containment.short else ()
         self.settings = Settings(
             box_factory=self.containment.take,
-            workers=max(1, jobs // max(1, expected)),
+            workers=max(1, self.jobs // max(1, expected)),
             measured=terms.timed,
             turnstile=Turnstile(),
             reference=self.containment.reference,
         )
-        self._jobs = jobs
         self.bars = bars
         self._lock = Lock()
         self._data: ProblemData | None = None
@@ -90,7 +95,7 @@ class Session:
         """Read the problem's data, and start the reference, which is not wanted yet. Raises ProblemError."""
         _ = self.data
         if self.terms.timed:
-            self.containment.reference.warm_up()
+            self.containment.boot_reference()
 
     @property
     def data(self) -> ProblemData:
@@ -118,7 +123,10 @@ class Session:
         except JudgeError as fault:  # such as a reference that fails on a case
             result = judge_fault(self.problem.id, name, str(fault))
         except Exception as fault:
-            result = judge_fault(self.problem.id, name, f"{told(fault)}{_place(fault)}")
+            place = "" if shortage(fault) else _place(fault)  # of the machine, and not of the code there
+            result = judge_fault(self.problem.id, name, f"{told(fault)}{place}")
+        if result.verdict is Verdict.JE:  # it was not held at any level, perhaps
+            return result.noting(*data.notes)
         return result.noting(*data.notes, *self.containment.notes(result.isolation))
 
     def run(self, job: Job) -> Result:
@@ -131,7 +139,7 @@ class Session:
         data = self.data
         with self._lock:
             if self._naming is None:
-                self._naming = Naming(data, self.terms.seed, self.settings, self._jobs, self._quietly)
+                self._naming = Naming(data, self.terms.seed, self.settings, self.jobs, self._quietly)
             return self._naming
 
     def _judged(self, data: ProblemData, source: bytes, name: str) -> Result:
@@ -149,7 +157,7 @@ class Session:
     @contextmanager
     def _quietly(self, label: str) -> Iterator[Progress | None]:
         """A bar, unless several submissions are judged at once: results are written meanwhile."""
-        with self.bars(label) if self._jobs == 1 else nullcontext() as advance:
+        with self.bars(label) if self.jobs == 1 else nullcontext() as advance:
             yield advance
 
 

@@ -2,7 +2,7 @@
 
     with History.open() as history:
         history.add(result, source, path)
-        history.runs("segment")                      # oldest first
+        history.runs("count")                        # oldest first
 
 Importing this module imports no SQLite; opening a history does.
 """
@@ -23,6 +23,7 @@ from msgspec import Struct
 
 from judge.errors import HistoryError, UsageError
 from judge.problem import Verdict
+from judge.problem.solutions import is_solution
 from judge.run.result import Mode, Result
 
 if TYPE_CHECKING:
@@ -98,9 +99,7 @@ class Run(Struct, frozen=True):
 
     @property
     def _by_the_setter(self) -> bool:
-        return f"/solutions/{self.problem}/" in self.path and (
-            self.path.split("/")[-4:-2] == ["solutions", self.problem]
-        )
+        return is_solution(self.path, self.problem)
 
 
 class Current(Struct, frozen=True):
@@ -205,10 +204,10 @@ class History:
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", (digest,))
+        rows = self._rows("SELECT body FROM sources WHERE hash = ?", (digest,))
         try:
-            return zlib.decompress(body)
-        except zlib.error as fault:
+            return zlib.decompress(rows[0][0])
+        except (IndexError, TypeError, zlib.error) as fault:  # it is not there, or no judge wrote it
             raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
     def current(self) -> Current | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from pathlib import Path
 from typing import TypeVar
 
@@ -11,21 +10,27 @@ import msgspec
 
 from judge.errors import ProblemError, nearest
 from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
-from judge.problem.tomlfile import read_text
+from judge.problem.tomlfile import read_text, toml_of
 
 T = TypeVar("T")
 
 _UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 _MISSING = re.compile(r"Object missing required field `(.*)`")
 _WRONG = re.compile(r"Expected (`.*`), got (`.*`)")
-_KINDS = {"`str`": "text", "`array`": "a list", "`object`": "a table", "`int`": "a number"}
+_KINDS = {
+    "`str`": "text",
+    "`array`": "a list",
+    "`array | null`": "a list",
+    "`object`": "a table",
+    "`int`": "a number",
+}
 
 
 class Table:
     """One such file."""
 
     def __init__(self, path: Path) -> None:
-        self.path = path
+        self._name = f"{path.parent.name}/{path.name}"
         self._text = read_text(path)
 
     def fault(self, what: str, remedy: str, *path: str | int) -> ProblemError:
@@ -34,13 +39,7 @@ class Table:
 
     def read(self, shape: type[T]) -> T:
         """The file in its shape. Raises ProblemError."""
-        try:
-            raw = tomllib.loads(self._text)
-        except ValueError as error:
-            what, _, place = str(error).partition(" (at ")
-            found = re.match(r"line (\d+)", place)
-            line = int(found[1]) if found else self._text.count("\n") + 1
-            raise self._at(line, f"no TOML: {what[:1].lower()}{what[1:]}", "repair this line") from None
+        raw = toml_of(self._text, self._name)
         try:
             return msgspec.convert(raw, shape)
         except msgspec.ValidationError as error:
@@ -61,7 +60,7 @@ class Table:
         return self.fault(f"{name}: {what[:1].lower()}{what[1:]}", "correct its value", *path)
 
     def _at(self, line: int, what: str, remedy: str) -> ProblemError:
-        return ProblemError(what, where=f"{self.path.parent.name}/{self.path.name}:{line}", remedy=remedy)
+        return ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)
 
 
 def unlike_any(name: str, names: list[str]) -> str:

@@ -19,8 +19,9 @@ from pathlib import Path
 
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem.load import load_problem
-from judge.problem.model import Problem
+from judge.problem.model import Problem, Tier
 
+_TIERS = list(Tier)
 _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
@@ -45,8 +46,29 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
 
 
 def all_problems(extra: Sequence[Path] = ()) -> list[Problem]:
-    """Every problem that can be found, in order of name within each place. Raises as find_problem does."""
-    return [load_problem(folder) for folder in problem_folders(extra)]
+    """Every problem that can be found, easiest first. Raises as find_problem does."""
+    problems, faults = sound_problems(extra)
+    for fault in faults:
+        raise fault
+    return problems
+
+
+def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[ProblemError]]:
+    """Every problem that can be read, easiest first, and the fault of each that cannot.
+
+    The order is that of the tiers, in a tier that of the problems' places, and then of their names.
+    """
+    problems, faults = [], []
+    for folder in problem_folders(extra):
+        try:
+            problems.append(load_problem(folder))
+        except ProblemError as fault:
+            faults.append(fault)
+    return sorted(problems, key=_order), faults
+
+
+def _order(problem: Problem) -> tuple[int, bool, int, str]:
+    return _TIERS.index(problem.tier), problem.place is None, problem.place or 0, problem.id
 
 
 def problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
@@ -76,13 +98,20 @@ def _near_roots(extra: Sequence[Path]) -> list[Path]:
     named += [
         (Path(part), f"${_VARIABLE}") for part in os.environ.get(_VARIABLE, "").split(os.pathsep) if part
     ]
-    for folder, source in named:
-        if not folder.is_dir():
-            raise UsageError(
-                f"{folder} is not a folder", where=source, remedy="name a folder that holds problems' folders"
-            )
+    roots = [_root(folder, source) for folder, source in named]
     own = shipped_problems()
-    return [folder.resolve() for folder, _ in named] + ([own] if own is not None else [])
+    return roots + ([own] if own is not None else [])
+
+
+def _root(folder: Path, source: str) -> Path:
+    """The folder from the root. Raises UsageError if there is none of that name."""
+    try:
+        if folder.is_dir():
+            return folder.resolve()
+    except (OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
+        pass
+    remedy = "name a folder that holds problems' folders"
+    raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
 
 
 def shipped_problems() -> Path | None:

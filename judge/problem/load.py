@@ -19,13 +19,24 @@ from judge.errors import ProblemError
 from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import AnswerKind, Group, Limits, Parameter, Problem, TimeRule, Tolerance
+from judge.problem.model import (
+    AnswerKind,
+    Group,
+    Limits,
+    Parameter,
+    Problem,
+    ShownSkill,
+    TimeRule,
+    Tolerance,
+)
 from judge.problem.statement import EXAMPLES, read_statement
-from judge.problem.tomlfile import TomlFile
+from judge.problem.tomlfile import TomlFile, meant
 
 _POINTS = 100
 _MOST_CASES = 1_000_000
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
+_LEAST_LIMIT, _MOST_LIMIT = Fraction(1, 1000), 1_000_000  # of seconds, megabytes and multiples
+_DEEPEST = 10  # lists in lists of a builder's parameter
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _MEGABYTE = 2**20
 
@@ -35,7 +46,7 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
 
     By default that is `solutions/<id>` beside the folder of problems. Raises ProblemError.
     """
-    if not _NAME.fullmatch(folder.name):
+    if not is_name(folder.name):
         raise ProblemError(
             f"{folder.name!r} is no name for a problem",
             where=str(folder),
@@ -45,13 +56,9 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
     return reader.problem(solutions or folder.parent.parent / "solutions" / folder.name)
 
 
-def bands_beside(file: str | Path) -> MappingProxyType[str, Fraction]:
-    """The `[bands]` of the problem.toml beside `file`, for a problem.py: `bands_beside(__file__)`.
-
-    They are declared once, there; the reference and the statement both take them from it.
-    """
-    reader = _Reader(Path(file).parent)
-    return reader.bands(reader.file.table())
+def is_name(text: str) -> bool:
+    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
+    return _NAME.fullmatch(text) is not None
 
 
 def words_beside(folder: Path) -> dict[str, str]:
@@ -87,6 +94,9 @@ class _Reader:
             folder=self.folder,
             solutions=solutions,
             time=self._time(table.time),
+            sets=self._sets(table.sets),
+            place=table.place,
+            skills=self._skills(table),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -121,8 +131,10 @@ class _Reader:
 
     def _limits(self, table: schema.LimitsTable) -> Limits:
         for key in table.__struct_fields__:
-            if self._exact(getattr(table, key), ("limits", key)) <= 0:
+            limit = self._exact(getattr(table, key), ("limits", key))
+            if limit <= 0:
                 self.fault(("limits", key), f"{key} allows nothing", "give a number above 0")
+            self._sensible(limit, ("limits", key))
         return Limits(
             cpu_seconds=float(table.cpu_seconds),
             wall_seconds=float(table.wall_seconds),
@@ -133,13 +145,20 @@ class _Reader:
     def _time(self, table: schema.TimeTable | None) -> TimeRule | None:
         if table is None:
             return None
-        if self._exact(table.limit, ("time", "limit")) < 1:
+        limit = self._exact(table.limit, ("time", "limit"))
+        if limit < 1:
             self.fault(("time", "limit"), "the reference itself would be too slow", "give a multiple above 1")
+        self._sensible(limit, ("time", "limit"))
         for key, name in (("function", table.function), ("program", table.program)):
             if name is not None and not (is_program(name) and Path(name).name == name):
                 remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
                 self.fault(("time", key), f"{name!r} is no solution's file", remedy)
         return TimeRule(float(table.limit), table.function, table.program)
+
+    def _sensible(self, limit: Fraction, path: KeyPath) -> None:
+        if not _LEAST_LIMIT <= limit <= _MOST_LIMIT:
+            remedy = f"stay within {float(_LEAST_LIMIT):g} and {_MOST_LIMIT}"
+            self.fault(path, f"{path[-1]} is absurdly large or small", remedy)
 
     def _groups(self, table: schema.ProblemTable) -> tuple[Group, ...]:
         if not table.groups:
@@ -153,7 +172,7 @@ class _Reader:
         return tuple(self._group(each, table, ("groups", at)) for at, each in enumerate(table.groups))
 
     def _group(self, group: schema.GroupTable, table: schema.ProblemTable, path: KeyPath) -> Group:
-        if not _NAME.fullmatch(group.name):
+        if not is_name(group.name):
             self.fault(
                 (*path, "name"),
                 f"{group.name!r} is no name for a group",
@@ -215,17 +234,52 @@ class _Reader:
                 self.fault((*place, key), f"the tolerance {key} is negative", "give 0 or more")
         tolerance = Tolerance(**exact)
         if tolerance.extent and table.answer is AnswerKind.PARAMETER:
-            self.fault((*place, "extent"), "a parameter has no tolerance in extents", "use relative and zero")
+            self.fault(
+                (*place, "extent"), "a parameter has no tolerance in `extent`", "use relative and zero"
+            )
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
 
-    def _argument(self, value: Any, path: KeyPath) -> Any:
+    def _sets(self, names: list[str]) -> tuple[str, ...]:
+        for at, name in enumerate(names):
+            if not is_name(name):
+                remedy = "use small letters, digits and single hyphens"
+                self.fault(("sets", at), f"{name!r} is no name for a practice set", remedy)
+            if name in names[:at]:
+                self.fault(("sets", at), f"{name!r} is there twice in sets", "remove one")
+        return tuple(names)
+
+    def _skills(self, table: schema.ProblemTable) -> tuple[ShownSkill, ...]:
+        names = [group.name for group in table.groups]
+        return tuple(self._skill(skill, entry, names) for skill, entry in table.skills.items())
+
+    def _skill(self, skill: str, entry: Any, names: list[str]) -> ShownSkill:
+        path: KeyPath = ("skills", skill)
+        if isinstance(entry, dict):
+            own = self.file.shaped(entry, schema.SkillTable, path)
+            groups, about, path = own.groups, own.about, (*path, "groups")
+        else:
+            groups, about = self.file.shaped(entry, list[str], path), None
+        if not skill.strip():
+            self.fault(path, "a skill has no name", "write what the groups show in a few words")
+        if about is not None and not about.strip():
+            self.fault(("skills", skill, "about"), f"{skill!r} is not explained", "write one sentence")
+        if not groups:
+            self.fault(path, f"no group shows {skill!r}", "name at least one")
+        for at, group in enumerate(groups):
+            if group not in names:
+                self.fault(path, f"there is no group {group!r} to show {skill!r}", meant(group, names))
+            if group in groups[:at]:
+                self.fault(path, f"{skill!r} names the group {group!r} twice", "remove one")
+        return ShownSkill(skill, tuple(groups), about)
+
+    def _argument(self, value: Any, path: KeyPath, depth: int = 0) -> Any:
         """A builder's parameter: exact (a Fraction where the file has a decimal point) and unchangeable."""
         if isinstance(value, Decimal):
             return self._exact(value, path)
-        if isinstance(value, list):
-            return tuple(self._argument(each, path) for each in value)
+        if isinstance(value, list) and depth < _DEEPEST:
+            return tuple(self._argument(each, path, depth + 1) for each in value)
         if isinstance(value, bool | int | str):
             return value
         return self.fault(

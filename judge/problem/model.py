@@ -42,7 +42,7 @@ class ParameterType(Enum):
     INTEGER_POINT = "integer-point"  # a pair of ints
 
 
-class Parameter(Struct, frozen=True):
+class Parameter(Struct, frozen=True, cache_hash=True):
     """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
 
     name: str
@@ -55,8 +55,8 @@ class Parameter(Struct, frozen=True):
 class Tolerance(Struct, frozen=True):
     """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
 
-    `unit` belongs to the case and is given with its exact answer (the extent e for points, e/|D| for a ray's
-    parameter). Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
+    `unit` belongs to the case and is given with its exact answer, such as the size of what it is about.
+    Where x is exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
     """
 
     extent: Fraction = Fraction(0)
@@ -99,6 +99,17 @@ class Group(Struct, frozen=True):
     kills: tuple[str, ...]  # the mistakes it is there for
 
 
+class ShownSkill(Struct, frozen=True):
+    """What the problem teaches: a skill's name, and the groups that show it when one run passes them all.
+
+    `about` explains a skill that the problem itself brings; of others `skills.toml` says what they are.
+    """
+
+    name: str
+    groups: tuple[str, ...]
+    about: str | None = None
+
+
 class Example(Struct, frozen=True):
     """A worked example of the statement: the call and the answer it shows."""
 
@@ -117,7 +128,7 @@ class Problem(Struct, frozen=True):
     entry: str
     answer: AnswerKind
     parameters: tuple[Parameter, ...]
-    bands: MappingProxyType[str, Fraction]  # named widths the statement and the reference share; may be empty
+    bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
     limits: Limits
     groups: tuple[Group, ...]
     folder: Path
@@ -125,6 +136,9 @@ class Problem(Struct, frozen=True):
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
+    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    place: int | None = None  # in its tier's order; without one it comes last
+    skills: tuple[ShownSkill, ...] = ()
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""

@@ -63,6 +63,13 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     kills: list[str] = []
 
 
+class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One entry of `[skills]` written as a table, for a skill that this problem brings."""
+
+    groups: list[str]
+    about: str
+
+
 class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """The whole file."""
 
@@ -77,6 +84,9 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     tolerance: ToleranceTable | None = None
     bands: dict[str, Exact] = {}
     time: TimeTable | None = None
+    sets: list[str] = []
+    place: int | None = None
+    skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
 
 
 _TABLES: dict[str, type[msgspec.Struct]] = {
@@ -85,13 +95,15 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "time": TimeTable,
     "parameters": ParameterTable,
     "groups": GroupTable,
+    "skills": SkillTable,
 }
 
 
 def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
     """The keys that the table at `path` may have."""
     names = [part for part in path if isinstance(part, str)]
-    table = _TABLES[names[-1]] if names else ProblemTable
+    named = names[:1] == ["skills"]  # a table of tables with names of their own
+    table = _TABLES[names[0] if named else names[-1]] if names else ProblemTable
     return table.__struct_fields__
 
 

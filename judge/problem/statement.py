@@ -12,14 +12,23 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping
+from math import isfinite
 from typing import Any
 
 from judge.errors import ProblemError, nearest
-from judge.problem.model import Argument, Case, Example, Problem
+from judge.problem.model import AnswerKind, Argument, Case, Example, Problem
 from judge.problem.tomlfile import read_text
 
 EXAMPLES = "examples"  # the builder whose cases are the worked examples
 
+_BRIEF = 80  # characters of what is wrong
+_NO_ANSWER = {
+    AnswerKind.COUNT: "neither a whole number nor None",
+    AnswerKind.POINTS: "no list of points (x, y)",
+    AnswerKind.PARAMETER: "neither a number nor None",
+}
+# What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
+_UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -33,7 +42,7 @@ def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tup
     examples = tuple(
         Example(
             case=_call(call, problem, f"{name}:{number}"),
-            wanted=_wanted(wanted, f"{name}:{number}"),
+            wanted=_wanted(wanted, problem.answer, f"{name}:{number}"),
             line=number,
         )
         for number, call, wanted in _prompts(text)
@@ -84,10 +93,11 @@ def _call(text: str, problem: Problem, where: str) -> Case:
     remedy = f"write {problem.entry}({', '.join(each.name for each in problem.parameters)}) with plain values"
     try:
         call = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise ProblemError(f"the example {text!r} is no Python call", where=where, remedy=remedy) from None
+    except _UNREADABLE:
+        what = f"the example {_brief(text)!r} is no Python call"
+        raise ProblemError(what, where=where, remedy=remedy) from None
     if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
-        raise ProblemError(f"the example {text!r} is no plain call", where=where, remedy=remedy)
+        raise ProblemError(f"the example {_brief(text)!r} is no plain call", where=where, remedy=remedy)
     if call.func.id != problem.entry:
         raise ProblemError(f"the example calls {call.func.id!r}, not the entry", where=where, remedy=remedy)
     if len(call.args) != len(problem.parameters):
@@ -95,25 +105,61 @@ def _call(text: str, problem: Problem, where: str) -> Case:
         raise ProblemError(what, where=where, remedy=remedy)
     try:
         return tuple(_argument(ast.literal_eval(argument)) for argument in call.args)
-    except ValueError:
+    except _UNREADABLE:
         raise ProblemError(
             "the example's arguments are no plain numbers and points", where=where, remedy=remedy
         ) from None
 
 
 def _argument(value: Any) -> Argument:
-    """A point may be written as a list; the data's validator judges everything else."""
+    """A number or a point, which may be written as a list; the data's validator says which is meant.
+
+    Raises ValueError for anything else.
+    """
     plain: Argument = tuple(value) if isinstance(value, list) else value
+    numbers = plain if isinstance(plain, tuple) and len(plain) == 2 else (plain,)
+    if not all(type(each) is int or _is_real(each) for each in numbers):
+        raise ValueError
     return plain
 
 
-def _wanted(text: str, where: str) -> Any:
+def _wanted(text: str, kind: AnswerKind, where: str) -> Any:
     if not text:
         raise ProblemError(
             "the example shows no answer", where=where, remedy="write it on the next line (None as None)"
         )
     try:
-        return ast.literal_eval(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        what = f"the example's answer {text!r} is no plain value"
+        answer = ast.literal_eval(text)
+    except _UNREADABLE:
+        what = f"the example's answer {_brief(text)!r} is no plain value"
         raise ProblemError(what, where=where, remedy="write numbers, points (x, y), lists or None") from None
+    if not _is_answer(kind, answer):
+        what = f"the example's answer {_brief(text)!r} is {_NO_ANSWER[kind]}"
+        raise ProblemError(what, where=where, remedy="correct it, or the answer that problem.toml declares")
+    return answer
+
+
+def _is_answer(kind: AnswerKind, value: Any) -> bool:
+    """Whether that is an answer of its kind, right or wrong."""
+    if kind is AnswerKind.POINTS:
+        return isinstance(value, list | tuple) and all(map(_is_point, value))
+    if kind is AnswerKind.COUNT:
+        return value is None or type(value) is int
+    return value is None or _is_real(value)
+
+
+def _is_point(value: Any) -> bool:
+    return isinstance(value, list | tuple) and len(value) == 2 and all(map(_is_real, value))
+
+
+def _is_real(value: Any) -> bool:
+    """An int or a float that a finite double can stand for; a bool is none."""
+    try:
+        return type(value) in (int, float) and isfinite(value)
+    except OverflowError:
+        return False
+
+
+def _brief(text: str) -> str:
+    """A message is one line, whatever stands in the file."""
+    return text if len(text) <= _BRIEF else f"{text[:_BRIEF]}…"

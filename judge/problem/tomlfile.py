@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TypeVar
 
 import msgspec
 
@@ -14,6 +15,9 @@ from judge.errors import ProblemError, nearest
 from judge.problem import schema
 from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
 from judge.problem.model import Problem
+from judge.reading import read_ordinary_text
+
+T = TypeVar("T")
 
 _KINDS = {
     "`int | decimal`": "a number",
@@ -24,6 +28,7 @@ _KINDS = {
     "`str`": "text",
     "`bool`": "true or false",
     "`array`": "a list",
+    "`object | array`": "a list",
     "`object`": "a table",
     "`object | null`": "a table",
 }
@@ -43,33 +48,30 @@ class TomlFile:
 
     def table(self) -> schema.ProblemTable:
         """The file in its shape; its values are not yet checked."""
+        raw = toml_of(self._text, self._name, parse_float=Decimal)
+        return self.shaped(raw, schema.ProblemTable, ())
+
+    def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
+        """What stands at `path`, in that shape."""
         try:
-            raw = tomllib.loads(self._text, parse_float=Decimal)
-        except ValueError as error:  # TOMLDecodeError, or an integer too long for Python to read
-            self._no_toml(str(error))
-        try:
-            return msgspec.convert(raw, schema.ProblemTable)
+            return msgspec.convert(raw, shape)
         except msgspec.ValidationError as error:
             what, _, place = str(error).partition(" - at `")
-            self._misshapen(what, parse_path(place.rstrip("`")), raw)
+            within = parse_path(place.rstrip("`"))
+            if missing := re.fullmatch(r"Object missing required field `(.*)`", what):
+                for part in within:
+                    raw = raw[part]
+                self._missing_key(missing[1], (*path, *within), raw)
+            self._misshapen(what, (*path, *within))
 
-    def _no_toml(self, message: str) -> NoReturn:
-        what, _, place = message.partition(" (at ")
-        found = re.match(r"line (\d+)", place)
-        line = int(found[1]) if found else self._text.count("\n") + 1
-        what = what[:1].lower() + what[1:]
-        raise ProblemError(f"no TOML: {what}", where=f"{self._name}:{line}", remedy="repair this line")
-
-    def _misshapen(self, what: str, path: KeyPath, raw: dict[str, Any]) -> NoReturn:
+    def _misshapen(self, what: str, path: KeyPath) -> NoReturn:
         """Raise msgspec's fault in words for a person, with the name that was meant."""
         if unknown := re.fullmatch(r"Object contains unknown field `(.*)`", what):
             self._unknown_key(unknown[1], path)
-        if missing := re.fullmatch(r"Object missing required field `(.*)`", what):
-            self._missing_key(missing[1], path, raw)
         if invalid := re.fullmatch(r"Invalid enum value '(.*)'", what, re.DOTALL):
             values = schema.enum_values(path)
             self.fault(
-                path, f"{path[-1]} = {invalid[1]!r} is unknown", _meant(invalid[1], values, "use one of")
+                path, f"{path[-1]} = {invalid[1]!r} is unknown", meant(invalid[1], values, "use one of")
             )
         if kinds := re.fullmatch(r"Expected (`.*`), got (`.*`)", what):
             wanted, got = (_KINDS.get(kind, kind) for kind in kinds.groups())
@@ -78,13 +80,10 @@ class TomlFile:
 
     def _unknown_key(self, key: str, path: KeyPath) -> NoReturn:
         known = schema.fields_at(path)
-        self.fault((*path, key), f"unknown key {key!r}", _meant(key, known, "the keys are"))
+        self.fault((*path, key), f"unknown key {key!r}", meant(key, known, "the keys are"))
 
-    def _missing_key(self, key: str, path: KeyPath, raw: dict[str, Any]) -> NoReturn:
+    def _missing_key(self, key: str, path: KeyPath, table: dict[str, Any]) -> NoReturn:
         """A key that is missing is most often there, misspelt."""
-        table: Any = raw
-        for part in path:
-            table = table[part]
         stray = nearest(key, set(table) - set(schema.fields_at(path)))
         if stray is not None:
             self.fault((*path, stray), f"unknown key {stray!r}", f"did you mean {key!r}?")
@@ -94,15 +93,38 @@ class TomlFile:
 def group_place(problem: Problem, group: str, key: str) -> str:
     """Where a group's key stands, as `id/problem.toml:12`, for faults that only building shows."""
     index = next(at for at, each in enumerate(problem.groups) if each.name == group)
+    return key_place(problem, ("groups", index, key))
+
+
+def key_place(problem: Problem, path: KeyPath) -> str:
+    """Where a key stands, as `id/problem.toml:12`, for faults that the file alone does not show."""
     lines = key_lines(read_text(problem.folder / "problem.toml"))
-    return f"{problem.id}/problem.toml:{line_of(('groups', index, key), lines)}"
+    return f"{problem.id}/problem.toml:{line_of(path, lines)}"
+
+
+def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> dict[str, Any]:
+    """The tables of a TOML text; `name` is its file's. Raises ProblemError, with the line if it is known."""
+    try:
+        return tomllib.loads(text, parse_float=parse_float)
+    except tomllib.TOMLDecodeError as error:
+        what, _, place = str(error).partition(" (at ")
+        found = re.match(r"line (\d+)", place)
+        line = int(found[1]) if found else text.count("\n") + 1
+        what, where = f"{what[:1].lower()}{what[1:]}", f"{name}:{line}"
+    except ValueError:  # longer than Python reads
+        what, where = "an integer has too many digits", name
+    except RecursionError:
+        what, where = "its lists or tables are nested too deeply", name
+    raise ProblemError(
+        f"no TOML: {what}", where=where, remedy="repair this line" if ":" in where else "repair it"
+    )
 
 
 def read_text(path: Path) -> str:
     """The text of one of a problem's files. Raises ProblemError."""
     where = f"{path.parent.name}/{path.name}"
     try:
-        return path.read_text(encoding="utf-8")
+        return read_ordinary_text(path)
     except FileNotFoundError:
         raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
     except UnicodeDecodeError as error:
@@ -113,9 +135,10 @@ def read_text(path: Path) -> str:
         raise ProblemError(what, where=where, remedy=f"make {path} a readable file") from None
 
 
-def _meant(name: str, names: tuple[str, ...], introduction: str) -> str:
-    meant = nearest(name, names)
-    return f"did you mean {meant!r}?" if meant else f"{introduction} {', '.join(names)}"
+def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:
+    """What to do about a name that is none of `names`."""
+    near = nearest(name, names)
+    return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"
 
 
 def _dotted(path: KeyPath) -> str:

@@ -21,10 +21,18 @@ def doctor_lines(facts: Mapping[str, str], levels: Sequence[Level], width: int |
     for level in levels:
         style = Style.GOOD if level.available else Style.WARNING
         yield from hanging(Span(level.name, style), Span(level.meaning), width, indent=0, column=_LABELS)
-        for label, text in (("missing", level.why_not), ("remedy", level.remedy)):
+        for label, text in (*_looked(level), ("missing", level.why_not), ("remedy", level.remedy)):
             if text:
                 yield from hanging(Span(label, Style.FAINT), Span(text), width, indent=_LABELS, column=20)
     yield line()
     best = next((level for level in levels if level.available), None)
     used = Span(f"isolation is {best.name}", Style.STRONG) if best else Span("nothing can be run", Style.BAD)
     yield line(used)
+
+
+def _looked(level: Level) -> Iterator[tuple[str, str]]:
+    """What the submission that tried the level could read of what none may see."""
+    if level.visible == "":
+        yield "tried", "a submission cannot read the judge, its problems or its solutions"
+    elif level.visible:
+        yield "tried", f"a submission can read {level.visible}"

@@ -7,7 +7,8 @@ from datetime import date, datetime
 
 from judge.kata.changes import Change
 from judge.kata.history import Run
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line, printable
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
+from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import counted, times
 
@@ -52,7 +53,7 @@ def _row(run: Run) -> list[Cell]:
         Span(str(run.id), Style.STRONG),
         Span(moment(run.when), Style.FAINT),
         run.problem,
-        printable(run.submission),  # a line break in it is no line break here
+        shown_name(run.submission),
         verdict_span(run.verdict),
         Span(str(run.score), Style.FAINT),
         Span(_times(run.ratio), Style.FAINT),
@@ -81,7 +82,7 @@ def _short(run: Run) -> list[Cell]:
         Span(f"run {run.id}", Style.STRONG),
         Span(moment(run.when), Style.FAINT),
         run.problem,
-        printable(run.submission),
+        shown_name(run.submission),
         verdict_span(run.verdict),
         Span(counted(run.score, "point"), Style.FAINT),
     ]

@@ -9,6 +9,7 @@ from judge.kata.standing import Standing, State
 from judge.problem import Problem
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.names import shown_name
 
 _STYLES = {State.NEW: Style.FAINT, State.TRIED: Style.WARNING, State.PASSED: Style.GOOD}
 
@@ -51,7 +52,7 @@ def _row(problem: Problem, standing: Standing, in_hand: bool) -> list[Cell]:
 
 def next_lines(problem: str, file: str, command: str, *, made: bool, width: int | None) -> Iterator[Line]:
     """Which file the kata in hand is, and the command that judges it."""
-    text = f"{problem} is in hand; {'begin with' if made else 'its file is'} {file}."
+    text = f"{problem} is in hand; {'begin with' if made else 'its file is'} {shown_name(file)}."
     yield from hanging(Span(""), Span(text), width, indent=0, column=0)
     yield line("  next  ", Span(command, Style.STRONG))
 

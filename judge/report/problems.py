@@ -63,15 +63,15 @@ def cases(problem: Problem) -> int:
 
 
 def tolerance(value: Tolerance) -> str:
-    """A tolerance in words, such as `1e-9 of the extent + 4 ulp`."""
-    wide = [f"{bound(value.extent)} of the extent"] if value.extent else []
+    """A tolerance in words, such as `1e-9 of the case's own size + 4 ulp`."""
+    wide = [f"{bound(value.extent)} of the case's own size"] if value.extent else []
     wide += [f"{bound(value.relative)} relative"] if value.relative else []
     parts = [" or ".join(wide)] if wide else []
     parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
     said = " + ".join(parts) or "none: the exact answer"
     if not value.zero:
         return said
-    return f"{said}; where the exact number is 0, {bound(value.zero)} of the extent as a length"
+    return f"{said}; where the exact number is 0, {bound(value.zero)} of the case's unit"
 
 
 def _parameter_table(parameters: Sequence[Parameter]) -> Table:

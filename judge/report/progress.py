@@ -19,6 +19,7 @@ Advance = Callable[[int, int], None]
 Stage = Callable[[str, int, int], None]
 
 _PATIENCE = 0.5  # seconds before a bar appears
+_EACH = 0.1  # seconds between two drawings of it
 
 
 class _Bar:
@@ -27,6 +28,7 @@ class _Bar:
     def __init__(self, label: str) -> None:
         self._label = label
         self._begun = time.monotonic()
+        self._drawn = 0.0
         self._progress: Progress | None = None
         self._task: TaskID | None = None
 
@@ -43,7 +45,11 @@ class _Bar:
             self._progress = _rich_progress()
             self._task = self._progress.add_task(label, total=total)
             self._progress.start()
-        self._progress.update(self._task, description=label, completed=done, total=total)
+        now = time.monotonic()
+        drawn = now - self._drawn >= _EACH
+        self._progress.update(self._task, description=label, completed=done, total=total, refresh=drawn)
+        if drawn:
+            self._drawn = now
 
     def close(self) -> None:
         """Take the bar off the screen."""
@@ -84,4 +90,11 @@ def _rich_progress() -> Progress:
 
     columns = (TextColumn("{task.description}", markup=False), BarColumn(bar_width=24), MofNCompleteColumn())
     console = Console(stderr=True)
-    return Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False)
+    return Progress(
+        *columns,
+        console=console,
+        auto_refresh=False,  # in a thread of its own, which the machine may not have left
+        transient=True,
+        redirect_stdout=False,
+        redirect_stderr=False,
+    )

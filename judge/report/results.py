@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -22,6 +21,7 @@ from judge.report.layout import (
     pad,
     printable,
 )
+from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result
@@ -54,7 +54,9 @@ def result_lines(
     """
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {HOW_RUN[result.mode.value]}"
     link = Link(result.submission)
-    yield from beside(Span(result.submission, Style.STRONG, link), f"{result.problem}{mode}", width)
+    yield from beside(
+        Span(shown_name(result.submission), Style.STRONG, link), f"{result.problem}{mode}", width
+    )
     yield line()
     if result.groups:
         yield from _brief_groups(result.groups, width) if brief else group_table(result.groups).lines(width)
@@ -146,7 +148,7 @@ def place_lines(result: Result, width: int | None) -> Iterator[Line]:
     """The line at fault of a file that does not compile or raised, as terminals and editors open it."""
     place = fault_place(result)
     if place is not None:
-        text = f"{result.submission}:{place.line}" + (f":{place.column}" if place.column else "")
+        text = f"{shown_name(result.submission)}:{place.line}" + (f":{place.column}" if place.column else "")
         shown = Span(text, link=Link(result.submission, place.line))
         yield from hanging(Span("at", Style.FAINT), shown, width, indent=4, column=_LABELS)
 
@@ -165,8 +167,8 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
         )
         yield from failure_lines(smallest, width)
     label = pad("again", _LABELS - 4)
-    words = ["judge", "replay", found["replay"], result.submission]
-    yield line("    ", Span(label, Style.FAINT), shlex.join(words))
+    command = shown_command("judge", "replay", found["replay"], file=result.submission)
+    yield line("    ", Span(label, Style.FAINT), command)
 
 
 def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
@@ -243,7 +245,7 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
 
 def _summary_row(result: Result) -> list[Cell]:
     return [
-        Span(result.submission, link=Link(result.submission)),
+        Span(shown_name(result.submission), link=Link(result.submission)),
         verdict_span(result.verdict),
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -23,7 +24,9 @@ _CODES = {
 }
 _RESET = "\x1b[0m"
 _LINK = "\x1b]8;;{}\x1b\\"  # OSC 8: what follows is a link to this address, up to one without an address
+_COMMAND = re.compile(r"^([^\S\n]*)::", re.MULTILINE)
 _LEAST_WIDTH = 20
+_SENTENCE = 1200  # characters of the judge's own sentences that are shown
 _USUAL_WIDTH = 80  # of a terminal that does not tell
 
 
@@ -57,9 +60,11 @@ class Screen(Struct, frozen=True):
         return "".join(f"{self._render(spans)}\n" for spans in lines)
 
     def write(self, text: str) -> None:
-        """Write text that is laid out already; what the stream cannot encode is written out."""
+        """Write text that is laid out already; what the stream cannot encode is written out, and so is what
+        would be a command to a CI server that reads it.
+        """
         encoding = getattr(self.stream, "encoding", None) or "utf-8"
-        self.stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
+        self.stream.write(_no_command(text).encode(encoding, "backslashreplace").decode(encoding))
         self.stream.flush()
 
     def _render(self, spans: Line) -> str:
@@ -93,8 +98,32 @@ def err() -> Screen:
 
 
 def note(text: str, style: Style = Style.WARNING) -> None:
-    """Say a sentence of the judge's own on standard error, beside what the command writes."""
-    err().show([line(Span("judge:", style), f" {text}")])
+    """Say a sentence of the judge's own on standard error, beside what the command writes.
+
+    What it quotes may be of any length: of a sentence that is too long the middle is left out. Where that
+    stream is full or nobody reads it, nothing is said: what the command does is worth more.
+    """
+    if len(text) > _SENTENCE:
+        text = f"{text[: _SENTENCE * 2 // 3]} … {text[-_SENTENCE // 3 :]}"
+    try:
+        err().show([line(Span("judge:", style), f" {text}")])
+    except OSError:
+        hush(sys.stderr)
+
+
+def hush(stream: IO[str]) -> None:
+    """Point a standard stream where nobody minds, so that the interpreter's last flush cannot fail."""
+    try:
+        descriptor = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(descriptor, stream.fileno())
+        os.close(descriptor)
+    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
+        return
+
+
+def _no_command(text: str) -> str:
+    """`text` without GitHub's workflow commands: `::` at a line's start, and `##[` anywhere."""
+    return _COMMAND.sub(r"\1\\x3a:", text).replace("##[", r"#\x23[")
 
 
 class Notes:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from judge.problem import Verdict
 from judge.report.layout import Line, Span, Style, beside, hanging, line
+from judge.report.names import shown_name
 from judge.report.results import (
     HOW_RUN,
     counterexample_lines,
@@ -22,7 +23,7 @@ def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] 
     """The report: what broke it with its smallest case, and last how many cases it came to."""
     result = stressed.result
     mode = "" if result.verdict is Verdict.CE else f", {HOW_RUN[result.mode.value]}"
-    yield from beside(Span(result.submission, Style.STRONG), f"{result.problem}{mode}", width)
+    yield from beside(Span(shown_name(result.submission), Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
     if result.failure:
         yield from (*failure_lines(result.failure, width), *place_lines(result, width), line())

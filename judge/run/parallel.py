@@ -72,6 +72,7 @@ class _Queue(Generic[T]):
 def share(items: Sequence[T], workers: int, work: Callable[[Iterable[tuple[int, T]]], None]) -> None:
     """Call `work` in as many threads as `workers`, this one included; together they see each item once.
 
+    Where the machine has fewer threads left, fewer do it.
     The first exception of any of them is raised here once all have ended.
     """
     queue: _Queue[T] = _Queue(items)
@@ -83,9 +84,7 @@ def share(items: Sequence[T], workers: int, work: Callable[[Iterable[tuple[int, 
         except BaseException as fault:
             faults.append(fault)
 
-    threads = [threading.Thread(target=guarded, daemon=True) for _ in range(min(workers, len(items)) - 1)]
-    for thread in threads:
-        thread.start()
+    threads = _started(guarded, min(workers, len(items)) - 1)
     work(queue)
     for thread in threads:
         thread.join()
@@ -95,6 +94,8 @@ def share(items: Sequence[T], workers: int, work: Callable[[Iterable[tuple[int, 
 
 def in_order(items: Sequence[T], workers: int, work: Callable[[T], R]) -> Iterator[R]:
     """`work` of each item, several at once; the results come in the order of the items.
+
+    Where the machine has fewer threads left, fewer do it, at the worst this one alone.
 
     An exception is raised in place of its item's result.
     """
@@ -116,8 +117,9 @@ def in_order(items: Sequence[T], workers: int, work: Callable[[T], R]) -> Iterat
                 done[place] = outcome
                 changed.notify_all()
 
-    for _ in range(min(workers, len(items))):
-        threading.Thread(target=serve, daemon=True).start()
+    if not _started(serve, min(workers, len(items))):
+        yield from map(work, items)
+        return
     for place in range(len(items)):
         with changed:
             changed.wait_for(lambda place=place: place in done)  # type: ignore[misc]
@@ -125,3 +127,16 @@ def in_order(items: Sequence[T], workers: int, work: Callable[[T], R]) -> Iterat
         if isinstance(outcome, BaseException):
             raise outcome
         yield outcome
+
+
+def _started(serve: Callable[[], None], count: int) -> list[threading.Thread]:
+    """So many threads that do this, or as many of them as the machine lets start."""
+    threads: list[threading.Thread] = []
+    for _ in range(count):
+        thread = threading.Thread(target=serve, daemon=True)
+        try:
+            thread.start()
+        except (RuntimeError, MemoryError):  # RuntimeError is all that Python says of it
+            break
+        threads.append(thread)
+    return threads

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from judge.problem import Case, Problem
+from judge.problem.solutions import accepted_source
 from judge.run.timing import Pace
 from judge.sandbox.boundary import Box, BoxFactory
 
@@ -64,10 +65,7 @@ class Reference:
 
     def _box(self, name: str) -> Box | None:
         if name not in self._boxes:
-            try:
-                source = (self._problem.solutions / "accepted" / name).read_bytes()
-            except OSError:  # an installed pack may come without; `judge verify` tells of a wrong name
-                self._boxes[name] = None
-            else:
-                self._boxes[name] = self._box_factory(source, name)  # entered by its first use
+            source = accepted_source(self._problem, name)
+            # A box is entered by its first use.
+            self._boxes[name] = None if source is None else self._box_factory(source, name)
         return self._boxes[name]

@@ -57,8 +57,8 @@ def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterab
     return Boxes(level, hide)(source, name)
 
 
-def levels() -> tuple[Level, ...]:
-    """What this machine gives, the best level first, by trying each."""
+def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+    """What this machine gives, the best level first, by trying each; `hide` as of `open_box`."""
     from judge.sandbox import probe
 
-    return probe.levels()
+    return probe.levels(hide)

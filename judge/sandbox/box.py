@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import marshal
+import os
+import signal
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
-from judge.errors import JudgeError
-from judge.sandbox import imports, outcome, packing, shared
+from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
+from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
     Inspection,
@@ -21,7 +24,8 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Container, Done, Lost, NotStarted, OnSeries
+from judge.sandbox.container import Container, Done, Lost, OnSeries
+from judge.sandbox.holder import Holder, Ladder
 from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
 from judge.sandbox.roots import Roots
@@ -29,10 +33,9 @@ from judge.sandbox.roots import Roots
 STDERR_BYTES = 4096
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
-OnLevel = Callable[[str, bool], None]  # a level, and whether it was refused for good
-Refuse = Callable[[NotStarted], JudgeError]
-
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
+_TRUSTED_TRIES = 2
+_BUSY = "judge it again, with a smaller -j if the machine is busy"
 _LOST = "it stopped the process that watches it"
 
 
@@ -40,62 +43,48 @@ class ForkServerBox:
     """A submission behind a fork server; a context manager that ends it all.
 
     The container is started at once and awaited on entering, so that a judge may do other things while it
-    boots. Where the first of `levels` cannot be had the next is tried; where none can, entering raises what
-    `refuse` makes of the reason.
+    boots. Where `level` cannot be had `ladder` says what to do.
 
     One thread at a time may use it, whichever opened it.
     """
 
     def __init__(
-        self,
-        source: bytes,
-        name: str,
-        levels: Sequence[str],
-        roots: Roots,
-        refuse: Refuse,
-        on_level: OnLevel,
+        self, source: bytes, name: str, level: str, ladder: Ladder, roots: Roots, share: room.Share
     ) -> None:
-        """Start the container at the first of the levels; `on_level` is told what comes of each."""
-        self._source = source
-        self._name = name
-        self._levels = list(levels)
-        self._refuse = refuse
-        self._on_level = on_level
-        self._roots = roots
+        """Start the container; `share` bounds its threads."""
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
-        self._prepared: set[bytes] = set()
-        self._container: Container | None = None
+        self._share = share
         self._warm_up: threading.Thread | None = None
-        self._closed = False
-        self._launch()
+        self._oom_kills = room.oom_kills()
+        self._holder = Holder(level, ladder, lambda level: Container(level, name, source, roots, share))
 
     @property
     def isolation(self) -> str:
         """The level that holds it: "full", "strong" or "limits"."""
-        return self._levels[0]
+        return self._holder.level
 
     def __enter__(self) -> ForkServerBox:
         self._warmed_up()
-        self._here()
+        self._holder.here()
         return self
 
     def __exit__(self, *exc: object) -> None:
-        self._closed = True  # a warm-up still under way must not start another container
-        if self._warm_up is not None and self._container is not None:
-            self._container.kill()  # and need not be waited for: nothing will answer it any more
+        self._holder.close(at_once=self._warm_up is not None)  # then the warm-up need not be waited for
         self._warmed_up()
-        self._drop()
+        self._holder.drop()
 
     def warm_up(self) -> None:
         """Get ready for calls in the background: they wait for it, whatever fails shows when they come."""
 
         def prepare() -> None:
-            with contextlib.suppress(JudgeError, Lost, OSError):
+            with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
                 self._prepare(wire.CALLS)
 
-        self._warm_up = threading.Thread(target=prepare, daemon=True)
-        self._warm_up.start()
+        thread = threading.Thread(target=prepare, daemon=True)
+        with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
+            thread.start()
+            self._warm_up = thread
 
     def _warmed_up(self) -> None:
         if self._warm_up is not None:
@@ -113,13 +102,11 @@ class ForkServerBox:
         return self._inspection
 
     def _inspect(self) -> Inspection:
-        try:
-            with shared.stdio(b"") as stdio:
-                done = self._ask(wire.INSPECT, stdio, b"", _INSPECTION)
-        except Lost:
-            return Inspection(SourceFault("the compiler did not survive it"))
-        replies = self._here().replies(b"", _INSPECTION.output_bytes, 1)
+        done = self._ask_trusted(wire.INSPECT, b"")
+        replies = self._holder.here().replies(b"", _INSPECTION.output_bytes, 1)
         over = outcome.overrun(done, _INSPECTION, 0, self._note())
+        if done.reason == wire.FOR_WALL:  # no compiler waits
+            raise ShortageError("the machine is too busy to compile it", remedy=_BUSY)
         if over or done.status or not replies.endswith(b",\n"):
             text = over[1] if over else outcome.end_of(done, self._note())[1]
             return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
@@ -127,6 +114,18 @@ class ForkServerBox:
         self._modules = imports.to_import(found["modules"])
         fault = SourceFault(*found["fault"]) if found["fault"] else None
         return Inspection(fault, tuple((name, line) for name, line in found["names"]))
+
+    def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
+        """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""
+        for _ in range(_TRUSTED_TRIES):
+            try:
+                with shared.stdio(b"") as stdio:
+                    done = self._ask(kind, stdio, payload, _INSPECTION)
+            except Lost:
+                continue
+            if done.reason or not _killed(done):
+                return done
+        raise ShortageError("the container ended before the submission was run", remedy=_BUSY)
 
     def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """Make one series of calls; see `Box.call_many`."""
@@ -162,6 +161,7 @@ class ForkServerBox:
             replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
             return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
         replies = self._ended(done, payload, limits, printed, counts)
+        self._check_threads(reply.detail for reply in replies)
         return outcome.by_series(replies, series, outcome.usages_of(done))
 
     def _ended(
@@ -170,7 +170,7 @@ class ForkServerBox:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
         count = sum(counts)
-        data = self._here().replies(payload, limits.output_bytes, len(counts))
+        data = self._holder.here().replies(payload, limits.output_bytes, len(counts))
         replies, kept_form = outcome.parse_series(data, done.marks, counts)
         over = outcome.overrun(done, limits, printed, note)
         if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
@@ -185,7 +185,7 @@ class ForkServerBox:
         else:
             detail = outcome.end_of(done, note)[1]
             stop = Stop.EXITED  # in mid-call, whatever its status
-            if not self._here().region.words[wire.IMPORTED]:
+            if not self._holder.here().region.words[wire.IMPORTED]:
                 detail += ", while the module was imported"
         # of a limit that the calls of a series passed together, its last call hears
         return [*replies[: max(0, count - 1)], Reply(stop, detail=detail)]
@@ -226,6 +226,7 @@ class ForkServerBox:
         note = self._note()
         stop, detail = outcome.overrun(done, limits, printed, note) or outcome.end_of(done, note)
         detail = "" if stop is Stop.ANSWERED else detail
+        self._check_threads([detail])
         return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
 
     def _prepare(self, kind: bytes) -> str:
@@ -233,14 +234,9 @@ class ForkServerBox:
         found = self._inspected()
         if found.fault:
             return found.fault.message
-        if self._container and kind in self._prepared:
-            return ""
-        try:
-            with shared.stdio(b"") as stdio:
-                self._ask(wire.PREPARE, stdio, marshal.dumps((self._modules, kind)), _INSPECTION)
-        except Lost:  # nothing foreign runs while it prepares: memory, a full machine
-            raise JudgeError("the container ended while it was made ready") from None
-        self._prepared.add(kind)
+        if kind not in self._holder.prepared:
+            self._ask_trusted(wire.PREPARE, marshal.dumps((self._modules, kind)))
+            self._holder.prepared.add(kind)
         return ""
 
     def _ask(
@@ -253,71 +249,55 @@ class ForkServerBox:
         on_series: OnSeries | None = None,
     ) -> Done:
         """One request; whatever goes wrong on this side of it, Ctrl-C included, ends the container."""
+        memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
+        if kind in (wire.CALLS, wire.PROGRAM):
+            room.check_memory(memory)
         try:
-            done = self._here().ask(
+            done = self._holder.here().ask(
                 kind,
                 stdio,
                 payload,
                 cpu_ns=round(limits.cpu_seconds * 1e9),
                 wall_ns=round(limits.wall_seconds * 1e9),
                 waiting_ns=round(limits.waiting_seconds * 1e9),
-                memory=2 * limits.memory_bytes + _ADDRESS_SPACE,
+                memory=memory,
                 output=limits.output_bytes,
                 series=series,
                 on_series=on_series,
             )
-        except BaseException:
-            self._drop()
+        except BaseException as fault:
+            self._holder.drop()
+            if isinstance(fault, Lost):
+                self._check_kills()
+                beyond_reach = not fault.asked or self.isolation != "limits"
+                if beyond_reach and kind in (wire.CALLS, wire.PROGRAM):
+                    raise ShortageError("the process that watches it has ended", remedy=_BUSY) from None
             raise
         note, text = self._note()
         if note == wire.BROKEN_BOX and not done.started:  # once foreign code runs, notes are its own
-            self._drop()
-            raise JudgeError(f"the container failed: {text}")
+            self._holder.drop()
+            raise ShortageError(f"the container failed: {text}", remedy=_BUSY)
+        if not done.reason and _killed(done) and done.peak_bytes <= limits.memory_bytes:
+            self._check_kills()
         return done
 
-    def _launch(self) -> None:
-        """Start a container at the best level that is left; whether it gets ready shows later."""
-        while True:
-            try:
-                self._container = Container(self._levels[0], self._name, self._source, self._roots)
-            except NotStarted as refusal:
-                self._give_up(refusal)
-            else:
-                self._prepared.clear()
-                return
+    def _check_kills(self) -> None:
+        """Raise ShortageError if the kernel has killed anything for want of memory since this was opened."""
+        if room.oom_kills() != self._oom_kills:
+            raise shortage_of(errno.ENOMEM, "the kernel has killed the submission's process")
 
-    def _give_up(self, refusal: NotStarted) -> None:
-        """Leave a level that cannot be had for the next one."""
-        if len(self._levels) == 1:
-            raise self._refuse(refusal) from refusal
-        if refusal.lasting:
-            self._on_level(self._levels[0], True)
-        del self._levels[0]
-
-    def _here(self) -> Container:
-        """The running container, ready for a request."""
-        while True:
-            if self._closed:
-                raise Lost
-            if self._container is None:
-                self._launch()
-            assert self._container is not None
-            try:
-                self._container.await_ready()
-            except NotStarted as refusal:
-                self._container = None
-                self._give_up(refusal)
-            else:
-                self._on_level(self._levels[0], False)
-                return self._container
+    def _check_threads(self, details: Iterable[str]) -> None:
+        """Raise ShortageError if a submission that may have fewer threads than elsewhere wanted more."""
+        if self._share.short and any(NO_THREAD in detail for detail in details):
+            what = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
+            raise ShortageError(what, remedy=LIMIT_ON_TASKS)
 
     def _note(self) -> tuple[int, str]:
-        return self._here().region.note()
+        return self._holder.here().region.note()
 
-    def _drop(self) -> None:
-        container, self._container = self._container, None
-        if container is not None:
-            container.close()
+
+def _killed(done: Done) -> bool:
+    return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL
 
 
 def _printed(*descriptors: int) -> int:

@@ -17,11 +17,13 @@ from typing import Any
 
 _ALWAYS = (
     "judge.sandbox.encode",
+    "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
     "judge.sandbox.inside.series",
     "judge.sandbox.inside.source",
     "judge.sandbox.inside.child",
     "judge.sandbox.inside.confine",
+    "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
 )
 _ON_LINUX = (

@@ -19,9 +19,10 @@ from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
-from judge.errors import JudgeError
-from judge.sandbox import bundle, launch, shared
+from judge.errors import JudgeError, shortage_of
+from judge.sandbox import bundle, launch, refusal, shared
 from judge.sandbox.inside import wire
+from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
@@ -30,16 +31,6 @@ END_SECONDS = 1.0
 REASON_BYTES = 2000
 
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
-
-
-class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
-    """A level cannot be had here; the text is the reason.
-
-    `lasting` says that bubblewrap itself refuses it: it would again. Anything else may pass, such as a full
-    machine, or be the fault of one source.
-    """
-
-    lasting = False
 
 
 class Mark(NamedTuple):
@@ -53,10 +44,16 @@ class Mark(NamedTuple):
 
 
 class Lost(Exception):  # noqa: N818 - it never reaches a person
-    """The fork server died or did not answer, the container is gone; `replies` is what its child left."""
+    """The fork server died or did not answer, the container is gone; `replies` is what its child left.
 
-    def __init__(self, replies: bytes = b"", marks: Sequence[Mark] = (), wall_ns: int = 0) -> None:
+    `asked` says whether it came as far as running anything.
+    """
+
+    def __init__(
+        self, replies: bytes = b"", marks: Sequence[Mark] = (), wall_ns: int = 0, *, asked: bool = True
+    ) -> None:
         super().__init__()
+        self.asked = asked
         self.replies = replies
         self.marks = marks
         self.wall_ns = wall_ns  # since the last mark
@@ -108,7 +105,7 @@ class _Starter:
         self._orders: SimpleQueue[_Order] = SimpleQueue()
 
     def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
-        """As `subprocess.Popen`."""
+        """As `subprocess.Popen`. Raises OSError, and RuntimeError where there is no thread left for it."""
         order = _Order(command, settings)
         with self._lock:
             if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
@@ -140,32 +137,40 @@ _STARTER = _Starter()
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(self, level: str, name: str, source: bytes, roots: Roots) -> None:
-        """Start it. Raises NotStarted where the command itself is missing."""
+    def __init__(self, level: str, name: str, source: bytes, roots: Roots, share: Share) -> None:
+        """Start it. Raises NotStarted where there is no room for it or the command itself is missing."""
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
         self._ready = False
+        self._level = level
+        self._exposed = ""  # a path
         try:
-            self._start(level, name, source, roots)
+            self._start(level, name, source, roots, share)
+        except (OSError, MemoryError, RuntimeError) as fault:
+            self.close()
+            not_started = refusal.of_fault(fault)
+            if not_started is None:
+                raise
+            raise not_started from fault
         except BaseException:
             self.close()
             raise
 
-    def _start(self, level: str, name: str, source: bytes, roots: Roots) -> None:
+    def _start(self, level: str, name: str, source: bytes, roots: Roots, share: Share) -> None:
         ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
-        descriptor, self.region = shared.region()
-        self._closing.callback(self.region.close)
-        self._complaints = shared.nameless()
-        self._closing.callback(os.close, self._complaints)
         with contextlib.ExitStack() as passed:
             passed.callback(theirs.close)
+            descriptor, self.region = shared.region()
+            self._closing.callback(self.region.close)
             passed.callback(os.close, descriptor)
+            self._complaints = shared.nameless()
+            self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor))
+            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             try:
@@ -179,23 +184,39 @@ class Container:
                     pass_fds=(code, theirs.fileno(), descriptor),
                     start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
                 )
-            except OSError as error:
-                raise NotStarted(f"{plan.command[0]} cannot be started: {error.strerror}") from error
+            except OSError as fault:
+                not_started = refusal.of_fault(fault, plan.command[0])
+                assert not_started is not None
+                raise not_started from fault
 
     def await_ready(self) -> None:
-        """Wait until it has confined itself. Raises NotStarted, the container then being closed."""
+        """Wait until it has confined itself. Raises NotStarted, the container then being closed.
+
+        Raises JudgeError where a submission in it could read what none may see: a lower level is no way out.
+        """
         if self._ready:
             return
+        if self._exposed:
+            raise self._refusal()
+        began = time.monotonic()
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
-            written = shared.head(self._complaints, REASON_BYTES)
-            said = written.decode(errors="replace").strip().splitlines()
-            reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
+            silent = time.monotonic() - began >= START_SECONDS
+            kind, note = self.region.note()
+            process = self._process
+            self._hang_up()  # ends it, so that it has said all
+            said = note or shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
             self.close()
-            refusal = NotStarted(reason)
-            refusal.lasting = reason.startswith("bwrap: ")
-            raise refusal
+            if kind == wire.EXPOSED:
+                self._exposed = note
+                raise self._refusal()
+            status = process.returncode if process is not None else 0
+            raise refusal.of_silence(START_SECONDS) if silent else refusal.of_end(said, status)
         self._ready = True
+
+    def _refusal(self) -> JudgeError:
+        what = f"isolation {self._level} would let a submission read {self._exposed}"
+        return JudgeError(what, remedy="install the judge in a virtual environment of its own")
 
     def _receive(self, seconds: float) -> bytes:
         self._line.patience(seconds)
@@ -218,7 +239,7 @@ class Container:
         series: int = 1,
         on_series: OnSeries | None = None,
     ) -> Done:
-        """One request and its answer. Raises Lost, NotStarted.
+        """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
 
         `cpu_ns`, `wall_ns` and `output` are each series' own, `waiting_ns` and `memory` the process's.
         """
@@ -238,11 +259,13 @@ class Container:
             self._line.send(frame, stdio)
         except OSError:
             self.close()
-            raise Lost from None
+            raise Lost(asked=False) from None
         marks: list[Mark] = []
         began = time.monotonic_ns()
         while True:
             answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
+            if answer.startswith(wire.LACKING):
+                raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
             if answer.startswith(wire.ENDED):
                 _, status, reason, cpu, wall, peak, started = wire.DONE.unpack_from(answer)
                 return Done(status, reason, cpu, wall, peak, started, tuple(marks))
@@ -268,15 +291,20 @@ class Container:
 
     def close(self) -> None:
         """Hang up, which ends the server; kill it if that takes too long. Safe to call twice."""
-        process, self._process = self._process, None
         try:
-            if process is not None:
-                self._line.close()
-                _await_end(process)
+            self._hang_up()
         finally:
-            if process is not None:
-                _kill(process)
             self._closing.close()
+
+    def _hang_up(self) -> None:
+        process, self._process = self._process, None
+        if process is None:
+            return
+        try:
+            self._line.close()
+            _await_end(process)
+        finally:
+            _kill(process)
 
 
 def _await_end(process: subprocess.Popen[bytes]) -> None:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from judge.sandbox.bundle import BOOTSTRAP
+from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots
 
 _ENVIRONMENT = {
@@ -29,7 +30,6 @@ _ENVIRONMENT = {
     "VECLIB_MAXIMUM_THREADS": "1",
     "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
 }
-_THREADS = 128  # that one submission may have at once
 _UIDS = 0x7000_0000  # where no real user lives
 _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
 
@@ -42,7 +42,7 @@ class Plan(NamedTuple):
     config: dict[str, Any]
 
 
-def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int]) -> Plan:
+def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int], share: Share) -> Plan:
     """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's."""
     uid = _spare_uid()
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
@@ -55,13 +55,19 @@ def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int])
         "path": list(roots.imports),
         "readable": [*roots.folders, *roots.files, "/dev/urandom"] if level == "full" else roots.readable(),
         "writable": ["/dev/null"],
-        "threads": _threads(level, uid),
+        "threads": _threads(level, uid, share),
         "cores": os.cpu_count() or 1,
+        "unseen": to_look_for(level, roots),
     }
     if level != "full":
         return Plan(tuple(python), dict(_ENVIRONMENT), config)
     command = [*_bubblewrap(roots, uid, config["reads_all"]), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+
+
+def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What must not be visible inside, and where nothing of ours may be; nothing is hidden at `limits`."""
+    return ((), ()) if level == "limits" else (roots.unseen, roots.searched)
 
 
 def bubblewrap_path() -> str | None:
@@ -92,11 +98,9 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):
-        arguments += _parents(path, made)
-        if Path(path).is_symlink() and Path(path).parent == Path("/"):
-            arguments += ["--symlink", str(Path(path).readlink()), path]
-        else:
-            arguments += ["--ro-bind", path, path]
+        arguments += [*_parents(path, made), "--ro-bind", path, path]
+    for path, target in roots.links:
+        arguments += [*_parents(path, made), "--symlink", target, path]
     for path in roots.hidden:
         arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
     arguments += _parents("/dev/null", made)
@@ -136,22 +140,10 @@ def _may_change_user() -> bool:
     return int(effective, 16) >> 6 & 0b11 == 0b11
 
 
-def _threads(level: str, uid: int | None) -> int:
+def _threads(level: str, uid: int | None, share: Share) -> int:
     """RLIMIT_NPROC that leaves a submission its threads; the kernel counts those of the whole user."""
     if sys.platform != "linux":
         return 0
     if uid is not None or level == "full":
-        return _THREADS + 2
-    return _THREADS + 128 + _tasks_of_mine()
-
-
-def _tasks_of_mine() -> int:
-    count, me = 0, os.geteuid()
-    for entry in os.scandir("/proc"):
-        if entry.name.isdecimal():
-            try:
-                if entry.stat().st_uid == me:
-                    count += max(1, os.stat(f"/proc/{entry.name}/task").st_nlink - 2)  # noqa: PTH116 - hot
-            except OSError:
-                continue  # it has just ended
-    return count
+        return share.each + 2
+    return max(1, min(tasks_of_mine() + share.together, share.ceiling))

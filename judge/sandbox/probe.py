@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import platform
 import sys
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.errors import JudgeError, UsageError, nearest
-from judge.sandbox import launch
-from judge.sandbox.boundary import LEVELS
-from judge.sandbox.box import ForkServerBox, OnLevel
-from judge.sandbox.roots import find_roots
+from judge.errors import JudgeError, ShortageError
+from judge.sandbox import concealed, launch, roots
+from judge.sandbox.boundary import LEVELS, Limits, Stop
+from judge.sandbox.factory import Boxes
 
 MEANING = {
     "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",
@@ -35,68 +34,61 @@ _INSTALL = {
     "pacman": "pacman -S bubblewrap",
     "zypper": "zypper install bubblewrap",
 }
+_LOOK = b"""
+import os, sys
+for path in sys.stdin.buffer.read().split(b"\\0"):
+    try:
+        found = os.listdir(path) if os.path.isdir(path) else [open(path)]
+    except OSError:
+        continue
+    if found:
+        sys.stdout.buffer.write(path + b"\\n")
+"""
+_LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
 
 
 class Level(NamedTuple):
-    """What is known of one level on this machine."""
+    """What is known of one level on this machine.
+
+    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where
+    it was not tried.
+    """
 
     name: str
     available: bool
     meaning: str
     why_not: str = ""
     remedy: str = ""  # a command, or what else would have to change
+    lasting: bool = True  # False where it is a passing shortage that denies it
+    visible: str | None = None
 
 
-def open_box(
-    source: bytes,
-    name: str,
-    *,
-    level: str | None = None,
-    hide: Iterable[Path] = (),
-    without: Collection[str] = (),
-    on_level: OnLevel = lambda _level, _refused: None,
-) -> ForkServerBox:
-    """A box for this source at the best level there is, or at the one demanded; use it in a `with`.
+def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+    """Try each level, the best first, with a submission that looks for the judge, its problems and solutions.
 
-    `name` is the submission's file name in tracebacks. `hide` are folders that must not be seen inside even
-    if they lie among the interpreter's own (problems of a pack, a cache). Raises UsageError for a level that
-    cannot be had, at once or on entering the box. Levels of `without` are not even tried where none is
-    demanded; `on_level` is told of those that were.
+    `hide` are more folders that it looks for.
     """
-    if level is not None and level not in LEVELS:
-        near = nearest(level, LEVELS)
-        remedy = f"did you mean {near}?" if near else f"levels are {', '.join(LEVELS)}"
-        raise UsageError(f"there is no isolation level {level}", remedy=remedy)
-
-    def refuse(reason: object) -> JudgeError:
-        if level is None:
-            return JudgeError(f"no container can be started: {reason}")
-        remedy = _remedy(level, str(reason))
-        return UsageError(f"isolation {level} cannot be had here: {reason}", remedy=remedy)
-
-    wanted = [level] if level else [candidate for candidate in LEVELS if candidate not in without]
-    possible = [candidate for candidate in wanted if not _missing(candidate)]
-    if not possible:
-        raise refuse(_missing(wanted[0]))
-    return ForkServerBox(source, name, possible, find_roots(hide), refuse, on_level)
+    hide = tuple(hide)
+    found = roots.find_roots(hide)
+    others = concealed.ours(found.searched, (*found.folders, *found.files))
+    wanted = "\0".join([*found.unseen, *others])
+    return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 
-def levels() -> tuple[Level, ...]:
-    """Try each level with an empty submission, the best first."""
-    return tuple(_try(name) for name in LEVELS)
-
-
-def _try(name: str) -> Level:
+def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
     try:
-        with open_box(b"", "empty.py", level=name) as box:
-            box.inspect()
+        with Boxes(name, hide)(_LOOK, "look.py") as box:
+            looked = box.run_program(wanted, _LOOKING)
     except JudgeError as error:
-        return Level(name, False, MEANING[name], error.what, error.remedy or "")
-    return Level(name, True, MEANING[name])
+        lasting = not isinstance(error, ShortageError)
+        return Level(name, False, MEANING[name], error.what, error.remedy or "", lasting)
+    if looked.stop is not Stop.ANSWERED:
+        return Level(name, False, MEANING[name], f"a program that looks around failed: {looked.detail}")
+    return Level(name, True, MEANING[name], visible=looked.stdout.decode(errors="replace").partition("\n")[0])
 
 
 @cache
-def _missing(level: str) -> str:
+def missing(level: str) -> str:
     """What this machine lacks for a level, as far as that can be told without trying; "" if nothing."""
     if level == "limits":
         return ""
@@ -115,7 +107,7 @@ def _missing(level: str) -> str:
     return "" if landlock.abi() else "the kernel has no landlock (Linux 5.13 or newer with lsm=landlock)"
 
 
-def _remedy(level: str, refusal: str) -> str:
+def remedy(level: str, refusal: str) -> str:
     """The command that would raise the level, as well as it can be told."""
     if sys.platform != "linux":
         return "run the judge on Linux"

@@ -1,6 +1,8 @@
 """What a container may see of this machine: the interpreter, its libraries, the modules installed for it.
 
-The judge itself may be installed among those modules; it is left out.
+The judge and packs of problems may be installed among those modules; they are left out. Everything is
+decided on real paths: inside, each folder lies at its own, once, and the symlinks that lead to it are made
+again. So what is covered at its real path is covered by every name.
 """
 
 from __future__ import annotations
@@ -11,15 +13,17 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from judge.sandbox import concealed, places
+from judge.sandbox.concealed import SITE_NAMES
+
 _LIBRARY_FOLDERS = ("/usr/lib", "/usr/lib64", "/usr/lib32", "/usr/libx32", "/usr/local/lib", "/lib", "/lib64")
 _LOADER_CACHE = "/etc/ld.so.cache"
 _DEVICES = ("/dev/null", "/dev/urandom")
 _STORES = ("/nix/store", "/gnu/store")
-_SITE_NAMES = ("site-packages", "dist-packages")
 
 
 class Roots(NamedTuple):
-    """Absolute paths as the interpreter knows them.
+    """Absolute paths: `unseen` and `searched` by every name, `links` by where they lie, the others real.
 
     `folders` are readable whole but for `hidden`; `files` one by one; `imports` is sys.path inside.
     """
@@ -27,73 +31,85 @@ class Roots(NamedTuple):
     executable: str
     folders: tuple[str, ...]
     files: tuple[str, ...]
+    links: tuple[tuple[str, str], ...]  # symlinks outside the folders that lead to them, each with its text
     hidden: tuple[str, ...]
     imports: tuple[str, ...]
+    unseen: tuple[str, ...]  # files and folders that must show nothing inside
+    searched: tuple[str, ...]  # where modules come from here: no folder of ours may show among them
 
     def readable(self) -> list[str]:
         """The paths that are allowed one by one, for a sandbox that cannot cover a folder inside another."""
-        allowed: list[str] = []
-        for folder in self.folders:
-            allowed += _around(Path(folder), [Path(path) for path in self.hidden])
+        hidden = [Path(path) for path in self.hidden]
+        allowed = [path for folder in self.folders for path in _around(Path(folder), hidden)]
         return [*allowed, *self.files, *_DEVICES]
 
     def outsiders_may_read(self, *, below: bool) -> bool:
         """Whether somebody who owns nothing can read the interpreter; `below` looks at the folders only."""
-        places = [Path(path) for path in (self.executable, *self.imports) if Path(path).exists()]
+        found = [Path(path) for path in (self.executable, *self.imports) if Path(path).exists()]
         if below:
-            places += [Path(path) for path in self.folders]
-            return all(_open_to_all(place) for place in places)
-        return all(_open_to_all(part) for place in places for part in (place, *place.parents))
+            found += [Path(path) for path in self.folders]
+            return all(_open_to_all(place) for place in found)
+        return all(_open_to_all(part) for place in found for part in (place, *place.parents))
 
 
 def find_roots(hide: Iterable[Path] = ()) -> Roots:
     """The roots of the interpreter that runs the judge; `hide` are more folders that must not be seen."""
-    executable = str(Path(sys.executable).resolve())
-    prefixes = dict.fromkeys((sys.base_prefix, sys.base_exec_prefix))
-    libraries = [
-        str(Path(prefix, part)) for prefix in prefixes for part in dict.fromkeys(("lib", sys.platlibdir))
-    ]
-    sites = [path for path in sys.path if Path(path).name in _SITE_NAMES]
+    executable = places.real(sys.executable)
+    libraries = _libraries()
+    path = [places.absolute(entry) for entry in sys.path]
+    sites = [entry for entry in path if Path(entry).name in SITE_NAMES]
     stores = [store for store in _STORES if executable.startswith(store)]
-    wanted = [*_LIBRARY_FOLDERS, *libraries, *stores, *sites]
-    folders = _outermost(path for path in wanted if Path(path).is_dir())
-    package = Path(__file__).resolve().parent.parent
-    hidden = [
-        str(path)
-        for path in dict.fromkeys([package, *(Path(path).resolve() for path in hide)])
-        if path.is_dir()
-    ]
-    own = [path for path in sys.path if path and _within(path, libraries) and path not in sites]
-    files = [path for path in (executable, _LOADER_CACHE) if Path(path).exists()]
+    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites))
+    wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
+    folders = places.outermost(wanted.values())
+    files = {name: places.real(name) for name in (executable, _LOADER_CACHE) if Path(name).exists()}
+    links = dict(link for name, real in (wanted | files).items() for link in places.links_on(name, real))
+    shown = [*wanted.values(), *files.values(), *_DEVICES, *links]
+    searched = concealed.searched(path, (*_LIBRARY_FOLDERS, *libraries))
+    secret = concealed.folders(hide, searched, shown)
     return Roots(
         executable=executable,
         folders=tuple(folders),
-        files=tuple(files),
+        files=tuple(files.values()),
+        links=tuple(link for link in links.items() if not places.within(link[0], folders)),
         # What lies in a hidden folder is hidden with it; an empty one could not be laid over it once more.
-        hidden=tuple(_outermost(path for path in hidden if _within(path, folders))),
-        imports=tuple(dict.fromkeys([*own, *sites])),
+        hidden=tuple(places.outermost(path for path in secret if _coverable(path, folders))),
+        imports=_imports(path, sites, libraries),
+        unseen=concealed.by_every_name(secret, wanted, shown),
+        searched=tuple(searched),
     )
 
 
-def _within(path: str, folders: Iterable[str]) -> bool:
-    return any(path == folder or path.startswith(folder + os.sep) for folder in folders)
+def _libraries() -> list[str]:
+    prefixes = dict.fromkeys((sys.base_prefix, sys.base_exec_prefix))
+    parts = dict.fromkeys(("lib", sys.platlibdir))
+    return [str(Path(prefix, part)) for prefix in prefixes for part in parts]
 
 
-def _outermost(paths: Iterable[str]) -> list[str]:
-    """The paths without those that lie below another; symlinks such as /lib stay, by their own name."""
-    chosen = list(dict.fromkeys(paths))
-    return [path for path in chosen if not _within(path, [other for other in chosen if other != path])]
+def _imports(path: list[str], sites: list[str], libraries: list[str]) -> tuple[str, ...]:
+    """The entries of sys.path that belong to the interpreter, then those of installed modules, all real."""
+    own = [places.real(entry) for entry in path if entry not in sites]
+    among = [places.real(library) for library in libraries]
+    own = [entry for entry in own if places.within(entry, among)]
+    return tuple(dict.fromkeys([*own, *map(places.real, sites)]))
+
+
+def _coverable(path: str, folders: Iterable[str]) -> bool:
+    return places.within(path, folders) and Path(path).is_dir()
 
 
 def _around(folder: Path, hidden: list[Path]) -> list[str]:
-    """The folder, or where something hidden lies below it, its entries around that."""
-    real = folder.resolve()
-    inside = [path for path in hidden if path == real or real in path.parents]
+    """The folder, or where something hidden lies below it, its entries around that, but no symlink.
+
+    A rule holds for what a symlink leads to; where that is shown, it has a rule of its own.
+    """
+    inside = [path for path in hidden if path == folder or folder in path.parents]
     if not inside:
         return [str(folder)]
-    if real in inside:
+    if folder in inside:
         return []
-    return [path for entry in sorted(real.iterdir()) for path in _around(entry, inside)]
+    entries = [entry for entry in sorted(folder.iterdir()) if not entry.is_symlink()]
+    return [path for entry in entries for path in _around(entry, inside)]
 
 
 def _open_to_all(path: Path) -> bool:

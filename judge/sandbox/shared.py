@@ -9,26 +9,35 @@ import sys
 from collections.abc import Iterator
 
 from judge.sandbox.inside import wire
+from judge.sandbox.inside.again import again
 
 
 def nameless(data: bytes = b"") -> int:
     """A descriptor of a new nameless file holding `data`, positioned at its start."""
     descriptor = _create(0)
-    write_whole(descriptor, data)
-    if data:
-        os.lseek(descriptor, 0, os.SEEK_SET)
+    try:
+        write_whole(descriptor, data)
+        if data:
+            os.lseek(descriptor, 0, os.SEEK_SET)
+    except BaseException:
+        os.close(descriptor)
+        raise
     return descriptor
 
 
 def region() -> tuple[int, wire.Region]:
     """A new region and its descriptor; on Linux its size is sealed, so that no user can pull it away."""
     descriptor = _create(os.MFD_ALLOW_SEALING if sys.platform == "linux" else 0)
-    os.ftruncate(descriptor, wire.REGION_BYTES)
-    if sys.platform == "linux":
-        fcntl.fcntl(
-            descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
-        )
-    return descriptor, wire.Region(descriptor)
+    try:
+        os.ftruncate(descriptor, wire.REGION_BYTES)
+        if sys.platform == "linux":
+            fcntl.fcntl(
+                descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
+            )
+        return descriptor, wire.Region(descriptor)
+    except BaseException:
+        os.close(descriptor)
+        raise
 
 
 @contextlib.contextmanager
@@ -85,12 +94,12 @@ def tail(descriptor: int, most: int) -> bytes:
 def _create(flags: int) -> int:
     if sys.platform != "linux":
         return _unlinked()
-    return os.memfd_create("judge", os.MFD_CLOEXEC | flags)
+    return again(lambda: os.memfd_create("judge", os.MFD_CLOEXEC | flags))
 
 
 def _unlinked() -> int:
     import tempfile  # slow to import, and Linux does without
 
-    descriptor, path = tempfile.mkstemp(prefix="judge-")
+    descriptor, path = again(lambda: tempfile.mkstemp(prefix="judge-"))
     os.unlink(path)  # noqa: PTH108 - nothing to see before it is gone
     return descriptor

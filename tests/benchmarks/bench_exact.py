@@ -17,8 +17,10 @@ from typing import Any
 
 from judge.compare import check, check_line, compile_answer, from_json, render, to_json
 from judge.compare.answers import Count, Points
-from judge.exact import Bands, CircleLine, Surd
+from judge.exact import Surd
 from judge.problem import AnswerKind, Tolerance
+from judge.topics.circles.bands import Bands
+from judge.topics.circles.line import CircleLine
 
 ROUNDS = 7
 CASES = 400

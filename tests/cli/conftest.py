@@ -7,12 +7,15 @@ import sys
 from collections.abc import Callable
 
 import pytest
-from cli_support import PACK, ROOT, Outcome
+from broken_problems import FAULTS, broken
+from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
 from judge.data import load_data
 from judge.data.pins import write_pins
+from judge.judging.isolation import keep_level
 from judge.problem.find import find_problem
+from judge.sandbox import levels
 
 
 @pytest.fixture(scope="session")
@@ -26,8 +29,22 @@ def pack(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def broken_pack(tmp_path_factory):
+    """A folder of problems, every one of them broken."""
+    folder = tmp_path_factory.mktemp("broken")
+    for name in FAULTS:
+        broken(name, folder)
+    return folder
+
+
+@pytest.fixture(scope="session")
 def cache(tmp_path_factory):
-    return tmp_path_factory.mktemp("cache")
+    """A cache like that of somebody who has run `judge doctor`: no command has a note on isolation then."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(folder))
+        keep_level(next(level.name for level in levels() if level.available))
+    return folder
 
 
 @pytest.fixture(autouse=True)
@@ -42,11 +59,12 @@ def _own_settings(pack, cache, tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def judge(capsys, monkeypatch) -> Callable[..., Outcome]:
-    """Run the command line in this process."""
+def judge(capsys, monkeypatch, broken_pack) -> Callable[..., Outcome]:
+    """Run the command line in this process; the word BROKEN is the folder of broken problems."""
 
     def run(*words: object) -> Outcome:
-        monkeypatch.setattr(sys, "argv", ["judge", *map(str, words)])
+        told = [str(broken_pack if word == BROKEN else word) for word in words]
+        monkeypatch.setattr(sys, "argv", ["judge", *told])
         with pytest.raises(SystemExit) as left:
             main()
         written = capsys.readouterr()

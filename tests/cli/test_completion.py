@@ -76,10 +76,10 @@ def test_groups_of_the_problem_before(words):
     assert offered(*words, "h") == ["half"]
 
 
-def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch):
+def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch, broken_pack):
     assert offered("run", "--group", "") == []
     assert offered("why", "middel", "") == []
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(ROOT / "tests" / "fixtures" / "broken_problems"))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(broken_pack))
     assert offered("why", "bad-toml", "") == []
 
 
@@ -92,6 +92,7 @@ def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch)
         (("run", "middle", "--junit", ""), "<file>"),
         (("run", "middle", "--svg", ""), "<file>"),
         (("run", "--problems", ""), "<dir>"),
+        (("new", ""), "<dir>"),
         (("data", "middle", "--out", ""), "<dir>"),
     ],
 )
@@ -153,6 +154,18 @@ def test_the_three_answers():
 )
 def test_errors_are_silent(instruction, settings, status):
     assert asked(instruction, expect=status, **settings).strip() == ""
+
+
+@pytest.mark.parametrize("closed", [">&-", "</dev/null >/dev/full", ">&- 2>&-"])
+def test_an_answer_that_nobody_takes_is_silent(closed):
+    ended = subprocess.run(
+        ["sh", "-c", f'"{sys.executable}" -m judge {closed}'],
+        env={**os.environ, "PYTHONPATH": str(ROOT), complete.VARIABLE: "bash_source"},
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (1, b"", b"")
 
 
 def test_nothing_heavy_is_imported(tmp_path):

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import json
+import shutil
 
 import pytest
 from cli_support import ROOT
 
-from judge.sandbox import LEVELS, levels
+from judge.judging.containment import Containment
+from judge.problem.load import load_problem
+from judge.sandbox import LEVELS, Limits, levels
+from judge.sandbox.roots import find_roots
 
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
 OFFERED = [level.name for level in levels() if level.available]
@@ -26,6 +30,54 @@ def test_doctor_in_json(judge):
     assert [level["name"] for level in found["levels"]] == list(LEVELS)
     for level in found["levels"]:
         assert level["available"] == (level["why_not"] is None)
+        assert level["hides"] == (level["name"] != "limits" if level["available"] else None)
+        assert (level["visible"] is None) == (level["hides"] is not False)
+
+
+def test_doctor_says_what_a_submission_can_read(judge):
+    shown = judge("doctor").out
+    assert (
+        shown.count("a submission cannot read the judge, its problems or its solutions") == len(OFFERED) - 1
+    )
+    assert f"a submission can read {ROOT / 'judge'}" in " ".join(shown.split())
+
+
+@pytest.fixture
+def pack_among_modules(tmp_path, monkeypatch):
+    """A pack of problems where modules are installed, which every container shows."""
+    site = tmp_path / "site-packages"
+    (site / "problems" / "one").mkdir(parents=True)
+    (site / "problems" / "one" / "problem.toml").touch()
+    monkeypatch.syspath_prepend(str(site))
+    return site / "problems"
+
+
+def test_doctor_looks_for_packs_that_are_installed(judge, pack_among_modules):
+    for level in json.loads(judge("doctor", "--json").out)["levels"]:
+        if level["available"]:
+            assert level["hides"] == (level["name"] != "limits")
+
+
+def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
+    found = find_roots()._replace(hidden=())
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
+    weak = [
+        level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
+    ]
+    for level in weak[:-1]:
+        assert (level["available"], level["hides"]) == (False, None)
+        assert f"would let a submission read {pack_among_modules}" in level["why_not"]
+        assert "virtual environment of its own" in level["remedy"]
+
+
+def test_doctor_believes_the_submission_not_the_plan(judge, pack_among_modules, monkeypatch):
+    """Where the container's own look around fails too."""
+    found = find_roots()._replace(hidden=(), unseen=(str(pack_among_modules),))
+    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.launch.to_look_for", lambda _level, _roots: ((), ()))
+    for level in json.loads(judge("doctor", "--json").out)["levels"]:
+        if level["available"]:
+            assert (level["hides"], level["visible"]) == (False, str(pack_among_modules))
 
 
 @pytest.mark.parametrize("level", OFFERED)
@@ -43,14 +95,15 @@ def test_a_level_that_does_not_exist_is_refused(judge):
 
 
 def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda _: "bubblewrap is not installed")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda _: "bubblewrap is not installed")
     ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")
     assert (ended.status, ended.out) == (2, "")
     assert "isolation full cannot be had here: bubblewrap is not installed" in ended.err
 
 
-def test_weak_containment_is_warned_of_once(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda level: "" if level == "limits" else "no")
+def test_weak_containment_is_warned_of_once(judge, monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
     ended = judge("run", "count", str(ACCEPTED), "-q")
     assert ended.status == 0
     assert ended.err.count("isolation is 'limits'") == 1
@@ -95,3 +148,26 @@ def test_an_accepted_submission_has_a_ratio(judge):
 def test_a_rejected_submission_has_none(judge):
     file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
     assert json.loads(judge("run", "count", str(file), "--json").out)["time"]["ratio"] is None
+
+
+def test_a_pack_of_links_and_a_cache_that_is_yet_to_be_made_are_hidden(tmp_path, monkeypatch):
+    """All of it lies among modules, which every container shows."""
+    site = tmp_path / "site-packages"
+    shutil.copytree(ROOT / "tests" / "fixtures" / "pack", site / "kata")
+    for kind in ("problems", "solutions"):
+        (site / "kata" / kind / "middle").rename(site / kind[:4])
+        (site / "kata" / kind / "middle").symlink_to(f"../../{kind[:4]}")
+    monkeypatch.syspath_prepend(str(site))
+    monkeypatch.setenv("JUDGE_CACHE", str(site / "built"))
+    source = (
+        "import os\nfor name in ('prob', 'solu', 'built', 'kata/problems', 'kata/solutions'):\n"
+        f"    try:\n        print(os.listdir({str(site)!r} + '/' + name))\n"
+        "    except OSError:\n        print([])\n"
+    )
+    for level in OFFERED:
+        held = Containment(load_problem(site / "kata" / "problems" / "middle"), level)
+        with held as containment, containment.open_box(source.encode(), "look.py") as box:
+            (site / "built").mkdir(exist_ok=True)  # as whoever builds the data meanwhile
+            (site / "built" / "answers").touch()
+            seen = box.run_program(b"", Limits(2.0, 6.0, 256 << 20, 1 << 20)).stdout.decode().split("\n")
+        assert [line == "[]" for line in seen[:-1]] == [level != "limits"] * 5

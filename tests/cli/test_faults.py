@@ -16,7 +16,15 @@ from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
 from judge.judging import session as judging
 
-FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
+FAULTY = [
+    "example-answer-text",
+    "missing-key",
+    "misspelt-key",
+    "bad-bound",
+    "bad-toml",
+    "example-contradicts",
+    "module-raises",
+]
 
 
 @pytest.mark.parametrize("name", FAULTY)
@@ -84,7 +92,7 @@ def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch)
         raise ArithmeticError("too many digits")
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
-    monkeypatch.setattr("judge.diagnose.picture.compose", faulty)
+    monkeypatch.setattr("judge.cli.picture.Drawing.picture", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")
@@ -102,7 +110,7 @@ def test_an_internal_fault_is_one_line(judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err == (
@@ -115,7 +123,7 @@ def test_debug_shows_the_traceback(words, judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge(*words)
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith("Traceback (most recent call last)")
@@ -130,7 +138,7 @@ def test_an_interrupt(judge, monkeypatch):
     def interrupt(_folders):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(list_module, "problem_folders", interrupt)
+    monkeypatch.setattr(list_module, "sound_problems", interrupt)
     ended = judge("list")
     assert ended.status == 130
     assert "Traceback" not in ended.err
@@ -197,6 +205,38 @@ def test_standard_output_that_is_closed_or_full(process):
         assert ended.returncode == 3, target
         assert ended.stderr.startswith("judge: cannot write (")
         assert ended.stderr.count("\n") == 1
+
+
+FULL = [  # where standard error is full: the status is that of the command
+    ("nothing", 2),
+    ("run middle mine.py --nothing", 2),
+    ("run middle gone.py", 2),
+    ("--nothing", 2),
+    (f"list --problems {BROKEN}", 3),
+    (f"show bad-toml --debug --problems {BROKEN}", 3),
+    ("run middle mine.py -q --db diary", 0),
+    ("run middle floor.py -q --db diary", 1),
+    ("list > /dev/full", 3),
+]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@pytest.mark.parametrize(("words", "status"), FULL)
+def test_a_full_standard_error_changes_no_status(words, status, submit, broken_pack):
+    words = words.replace(BROKEN, str(broken_pack))
+    for name, content in (("mine.py", MEAN), ("floor.py", FLOOR), ("diary", "Dear diary,")):
+        submit(content, name)
+    ended = subprocess.run(
+        ["sh", "-c", f'"{sys.executable}" -m judge {words} 2> /dev/full'],
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert ended.returncode == status
+    if " -q " in words:
+        assert ended.stdout.startswith(("AC  ", "WA  "))
 
 
 CLOSED = ["<&-", "2>&-", "<&- 2>&-"]

@@ -7,7 +7,6 @@ import io
 import json
 import os
 import re
-import threading
 from pathlib import Path
 
 import pytest
@@ -62,13 +61,13 @@ def test_a_history_that_fails_never_loses_the_verdict(source, status, words, jud
     assert (tmp_path / "diary").read_text() == "Dear diary,\n"
 
 
-def test_what_was_read_from_a_pipe_has_no_path(judge, submit, tmp_path):
+def test_what_was_read_from_a_pipe_has_no_path(judge, submit):
     submit(MEAN)
-    os.mkfifo(tmp_path / "pipe.py")
-    writer = threading.Thread(target=(tmp_path / "pipe.py").write_text, args=(MEAN,))
-    writer.start()
-    judge("run", "-q", "middle", "pipe.py")
-    writer.join()
+    reading, writing = os.pipe()
+    with os.fdopen(writing, "w") as pipe:
+        pipe.write(MEAN)
+    assert judge("run", "-q", "middle", f"/dev/fd/{reading}").status == 0
+    os.close(reading)
     with History.open() as history:
         assert history.run(1).path == ""
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
-from cli_support import FLOOR, MEAN
+from cli_support import FLOOR, MEAN, ROOT
 from test_run_screen import on_a_terminal
 
 from judge.kata.history import History
@@ -66,10 +68,29 @@ def test_init_says_where_nothing_can_be_written(force, judge, tmp_path):
     refused(judge("init", "middle", str(tmp_path), *force), "this is a folder; name a file in it")
     refused(judge("init", "middle", "", *force), "this is a folder")
     refused(judge("init", "middle", "a\0b", *force), "cannot be written")
+    refused(judge("init", "middle", "x" * 3000, *force), "cannot be written (file name too long)")
     refused(judge("init", "midle", *force), "did you mean 'middle'?")
     (tmp_path / "link.py").symlink_to("elsewhere.py")
     if not force:
         refused(judge("init", "middle", "link.py"), "there already")
+
+
+FULL = """
+import resource, sys
+resource.setrlimit(resource.RLIMIT_FSIZE, (200, resource.RLIM_INFINITY))
+sys.argv = ["judge", "init", "middle"]
+from judge.cli import main
+main()
+"""
+
+
+def test_init_that_runs_out_of_room_leaves_no_half_of_a_file(tmp_path):
+    command = [sys.executable, "-c", FULL]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    ended = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
+    assert ended.returncode == 2
+    assert ended.stderr == "judge: middle.py: cannot be written (file too large); name another file\n"
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_run_without_arguments_wants_a_kata_in_hand(judge, tmp_path):

@@ -58,6 +58,7 @@ SAMPLES: dict[str, list[str]] = {
     "show": ["show middle", "show count", "show segment", "show ray-nearest", "show exact-count"],
     "why": ["why middle", "why segment", "why count grid"],
     "data": ["data middle --out data"],
+    "new": ["new pack", "new pack another"],
     "verify": [
         f"verify root-count --matrix --problems {FIXTURES}",
         "verify middle",

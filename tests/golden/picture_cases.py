@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from judge.compare.answers import Count, Points
+from judge.compare.reread import reread
 from judge.data.module import load_module
-from judge.diagnose.picture import compose
-from judge.diagnose.picture.svg import to_svg
+from judge.drawing.svg import to_svg
 from judge.problem.load import load_problem
+from judge.problem.topic import Shown
 
 ROOT = Path(__file__).parent.parent.parent
 FOLDER = Path(__file__).parent / "pictures"
@@ -42,9 +43,11 @@ def wanted_words(answer):
 
 
 def picture_of(problem, case, got, module=None, heading="a case"):
-    exact = (module or load_module(problem)).reference(*case)
+    module = module or load_module(problem)
+    exact = module.solve(*case).answer
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
-    return compose(problem, values, exact, wanted=wanted_words(exact), got=got, heading=heading)
+    given = reread(problem.answer, got)
+    return module.topic.picture(Shown(problem, values, exact, wanted_words(exact), got, given, heading))
 
 
 def drawn(name):

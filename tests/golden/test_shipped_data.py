@@ -33,7 +33,7 @@ def test_every_group_is_as_it_was_pinned(problem, data):
 
 
 def test_every_case_is_proved(problem, data):
-    validator = Validator(problem, load_module(problem).promise)
+    validator = Validator(problem, load_module(problem).solve)
     for group in data.groups:
         prove(validator, group.group.name, group.cases, problem.id)
         assert len(group.cases) == len(group.targets) == group.group.count

@@ -17,7 +17,15 @@ from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.find import all_problems
 
-PAGES = ("README.md", ".github/CONTRIBUTING.md", ".github/CHANGELOG.md", "tests/README.md")
+PAGES = (
+    "README.md",
+    ".github/CONTRIBUTING.md",
+    ".github/CHANGELOG.md",
+    "tests/README.md",
+    "judge/manual/problem-toml.md",
+    "judge/manual/new-kata.md",
+    "judge/manual/problem-py.md",
+)
 TOUR = WALKS[0][1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -124,7 +132,12 @@ def test_no_line_stands_twice_and_none_is_long(page):
         pytest.skip("not part of a source distribution")
     lines = prose((ROOT / page).read_text(encoding="utf-8"))
     assert [line for line in lines if len(line) > 120 and not line.startswith("|")] == []
-    told = [line for line in lines if len(line) > 30]
+    below = [*lines[1:], ""]
+    told = [
+        line
+        for line, after in zip(lines, below, strict=True)
+        if len(line) > 30 and not after.startswith("|--")  # tables may have the same head
+    ]
     assert [line for line in told if told.count(line) > 1] == []
     firsts = re.findall(r"^\| (`judge [^|]*) \|", "\n".join(lines), re.MULTILINE)
     assert len(firsts) == len(set(firsts))

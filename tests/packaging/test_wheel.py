@@ -19,15 +19,6 @@ PROBLEMS = {"count", "exact-count", "ray-nearest", "segment"}
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
-    target = tmp_path_factory.mktemp("dist")
-    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(target)]
-    subprocess.run(command, cwd=ROOT, check=True, capture_output=True, timeout=120)
-    (built,) = target.glob("*.whl")
-    return built
-
-
-@pytest.fixture(scope="module")
 def installed(wheel, tmp_path_factory):
     """A pure wheel is installed by unpacking it."""
     place = tmp_path_factory.mktemp("site")
@@ -55,6 +46,7 @@ def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/run.json"}
     wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
+    wanted |= {f"judge/manual/{path.name}" for path in (ROOT / "judge" / "manual").iterdir()}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
             if path.is_file() and "__pycache__" not in path.parts:

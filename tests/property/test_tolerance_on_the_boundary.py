@@ -15,8 +15,9 @@ from judge.compare.answers import Count, Parameter, Points
 from judge.compare.check import Accepted, Rejection
 from judge.compare.tolerance import acceptance, exact_ends, measure, widths
 from judge.errors import ProblemError
-from judge.exact import CircleLine, Surd, rounding
+from judge.exact import Surd, rounding
 from judge.problem import AnswerKind, Tolerance
+from judge.topics.circles.line import CircleLine
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))

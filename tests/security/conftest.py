@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 from attackers import HERE, Attacker
+from residents import Resident
 
 from judge.sandbox import levels
 
@@ -55,6 +56,12 @@ def attacker(request: pytest.FixtureRequest) -> Iterator[Attacker]:
             yield Attacker("plain", sys.executable, home, None)
         else:
             yield from _plain(home)
+
+
+@pytest.fixture(scope="session")
+def resident(attacker: Attacker) -> Resident:
+    """The attacker as somebody who has the judge installed."""
+    return Resident(attacker)
 
 
 def _plain(home: Path) -> Iterator[Attacker]:

@@ -8,10 +8,10 @@ from html.parser import HTMLParser
 
 from past_runs import StoppedClock
 
-from judge.diagnose.mistakes import known_mistakes
 from judge.kata.history import History
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.page.compose import compose_page
 from judge.report.page.known import KnownProblem
 from judge.report.page.render import render

@@ -8,8 +8,9 @@ import pytest
 
 from judge.compare import Accepted, Rejection, check_line, compile_answer, render
 from judge.compare.answers import Count, Parameter, Points
-from judge.exact import CircleLine, Surd
+from judge.exact import Surd
 from judge.problem import AnswerKind, Tolerance
+from judge.topics.circles.line import CircleLine
 
 TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12), ulps=Fraction(1))
 LINE = CircleLine.through(2, 1, 1, (0, 1), (4, 1))

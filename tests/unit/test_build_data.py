@@ -11,7 +11,7 @@ import pytest
 
 from judge.data import load_data
 from judge.data.model import reseeded
-from judge.data.module import load_module
+from judge.data.module import Solved, load_module
 from judge.data.pins import differences, hash_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
@@ -125,8 +125,8 @@ class Problem:
 
 
 def test_a_valid_case_has_no_fault():
-    validator = Validator(Problem, lambda *case: None)
-    assert validator.fault((5.5, -5, (0, -0.0), (1, 2))) is None
+    validator = Validator(Problem, lambda *case: Solved(7, None))
+    assert validator.proof((5.5, -5, (0, -0.0), (1, 2))) == (None, 7)
 
 
 @pytest.mark.parametrize(
@@ -148,13 +148,13 @@ def test_a_valid_case_has_no_fault():
     ],
 )
 def test_an_invalid_case_is_named(case, fault):
-    validator = Validator(Problem, lambda *case: "three" if case[1] == 3 else None)
-    assert validator.fault(case) == fault
+    validator = Validator(Problem, lambda *case: Solved(7, "three" if case[1] == 3 else None))
+    assert validator.proof(case) == (fault, None)
 
 
 def test_proving_stops_at_the_first_bad_case():
     problem = load_problem(SOUND)
-    validator = Validator(problem, load_module(problem).promise)
+    validator = Validator(problem, load_module(problem).solve)
     prove(validator, "small", [(1,), (9,)], "root-count/problem.py")
     with pytest.raises(ProblemError, match="case 2 of group 'small' is invalid: c has 10, outside -9 to 9"):
         prove(validator, "small", [(1,), (10,), (11,)], "root-count/problem.py")
@@ -164,6 +164,6 @@ def test_two_problems_of_one_name_keep_their_own_code(copy):
     text = (copy / "problem.py").read_text()
     (copy / "problem.py").write_text(text.replace("Count((c > 0) - (c < 0) + 1)", "Count(1)"))
     other, own = load_module(load_problem(copy)), load_module(load_problem(SOUND))
-    assert other.reference(4).value == 1
-    assert own.reference(4).value == 2
+    assert other.solve(4).answer.value == 1
+    assert own.solve(4).answer.value == 2
     assert not (copy / "__pycache__").exists()

@@ -9,8 +9,9 @@ import pytest
 
 from judge.compare import Accepted, Rejection, check, compile_answer, wanted_text
 from judge.compare.answers import Count, Parameter, Points
-from judge.exact import CircleLine, Surd
+from judge.exact import Surd
 from judge.problem import AnswerKind, Tolerance
+from judge.topics.circles.line import CircleLine
 
 POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))

@@ -91,10 +91,10 @@ def test_the_published_cases_are_worked_examples(problem):
 
 def test_the_promise_names_a_line_between_the_bands():
     module = load_module(load_problem(PROBLEMS / "count"))
-    assert module.promise(0, 0, 1, (0, 1 + 1e-9), (1, 1 + 1e-9)) is not None
-    assert module.promise(0, 0, 1, (0, 1 + 5e-13), (1, 1 + 5e-13)) is None
-    assert module.promise(0, 0, 1, (0, 1 + 2e-7), (1, 1 + 2e-7)) is None
-    assert module.promise(0, 0, 1, (0, 1), (0, 1)) is None
+    assert module.solve(0, 0, 1, (0, 1 + 1e-9), (1, 1 + 1e-9)).broken is not None
+    assert module.solve(0, 0, 1, (0, 1 + 5e-13), (1, 1 + 5e-13)).broken is None
+    assert module.solve(0, 0, 1, (0, 1 + 2e-7), (1, 1 + 2e-7)).broken is None
+    assert module.solve(0, 0, 1, (0, 1), (0, 1)).broken is None
 
 
 def test_everything_the_setters_gate_asks(problem):

@@ -56,6 +56,26 @@ def test_folders_that_hold_no_problem_are_passed_over(pack):
     assert [folder.name for folder in problem_folders([named]) if folder.parent == named] == ["roots"]
 
 
+@pytest.mark.parametrize("name", ["gone", "x" * 5000, "a\0b", ""])
+def test_a_name_that_is_no_folders_is_refused(name, monkeypatch):
+    with pytest.raises(UsageError, match=r"(?s)^--problems: .* is not a folder"):
+        find_problem("segment", [Path(name or "no\nfolder")])
+    monkeypatch.setenv("JUDGE_PROBLEMS", name.replace("\0", "\udcff"))
+    if name:
+        with pytest.raises(UsageError, match="is not a folder"):
+            find_problem("segment")
+
+
+def test_a_folder_cannot_be_found_from_one_that_is_gone(pack, tmp_path, monkeypatch):
+    pack("a", "roots")
+    here = tmp_path / "here"
+    here.mkdir()
+    monkeypatch.chdir(here)
+    here.rmdir()
+    with pytest.raises(UsageError, match="is not a folder"):
+        find_problem("roots", [Path("../a/problems")])
+
+
 def test_a_problem_without_its_toml_is_broken_rather_than_unknown(pack):
     named = pack("a", "roots")
     (named / "roots" / "problem.toml").unlink()

@@ -55,15 +55,19 @@ def test_the_inputs_are_of_all_sizes_and_of_both_types(data):
 
 def test_the_points_are_in_order_along_the_segment():
     module = load_module(load_problem(PROBLEMS / "segment"))
-    answer = module.reference(0, 0, 5, (0, 9), (0, -9))
+    answer = module.solve(0, 0, 5, (0, 9), (0, -9)).answer
     assert [(float(x), float(y)) for x, y in answer.points] == [(0, 5), (0, -5)]
     assert float(answer.unit) == 9
-    assert module.reference(0, 0, 5, (3, 4), (3, 4)).points == ((3, 4),)
-    assert module.reference(0, 0, 0, (0, 0), (0, 0)).points == ((0, 0),)
+    assert module.solve(0, 0, 5, (3, 4), (3, 4)).answer.points == ((3, 4),)
+    assert module.solve(0, 0, 0, (0, 0), (0, 0)).answer.points == ((0, 0),)
 
 
 def test_the_promise_of_a_segment():
-    promise = load_module(load_problem(PROBLEMS / "segment")).promise
+    module = load_module(load_problem(PROBLEMS / "segment"))
+
+    def promise(*case):
+        return module.solve(*case).broken
+
     assert "the line's distance" in promise(0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9))
     assert "the segment's end" in promise(0, 0, 1, (0, 0), (1 + 1e-9, 0))
     assert "the segment's start" in promise(0, 0, 1, (-1 - 1e-9, 0), (0.5, 0))
@@ -73,11 +77,11 @@ def test_the_promise_of_a_segment():
 
 def test_the_promise_and_the_null_direction_of_a_ray():
     module = load_module(load_problem(PROBLEMS / "ray-nearest"))
-    assert "the ray's origin" in module.promise(0, 0, 1, (1 + 1e-9, 0), (1, 0))
-    assert module.promise(0, 0, 1, (1 + 1e-9, 0), (0, 0)) is None
-    assert module.reference(0, 0, 1, (1, 0), (0, 0)).t is None
-    assert module.reference(0, 0, 5, (3, 4), (0, 1)).t == 0
-    assert module.reference(0, 0, 1, (-3, 0), (2, 0)).t == 1
+    assert "the ray's origin" in module.solve(0, 0, 1, (1 + 1e-9, 0), (1, 0)).broken
+    assert module.solve(0, 0, 1, (1 + 1e-9, 0), (0, 0)).broken is None
+    assert module.solve(0, 0, 1, (1, 0), (0, 0)).answer.t is None
+    assert module.solve(0, 0, 5, (3, 4), (0, 1)).answer.t == 0
+    assert module.solve(0, 0, 1, (-3, 0), (2, 0)).answer.t == 1
 
 
 def test_the_published_cases_are_worked_examples(problem):

@@ -11,7 +11,6 @@ import pytest
 from judge.compare.targets import PointsTarget, compile_answer, to_json
 from judge.data.draw import QuickDraw, Rejected, ReplayedDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
-from judge.data.images import SYMMETRIES, mirror_images
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
@@ -19,6 +18,7 @@ from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.statement import EXAMPLES
+from judge.topics.circles.images import SYMMETRIES, images_under
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 PROBLEMS = ("count", "segment", "ray-nearest", "exact-count")
@@ -92,20 +92,21 @@ def test_the_examples_have_no_fresh_ones():
 def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
     source = fresh(name)
     problem, module = find_problem(name), load_module(find_problem(name))
-    validator = Validator(problem, module.promise)
+    validator = Validator(problem, module.solve)
     for series in islice(source.series(), len(source.groups)):
         group, pairs = series.data.group, list(zip(series.data.cases, series.data.targets, strict=True))
         assert len(series.starts) == BUILT
         assert BUILT < len(pairs) <= BUILT * (1 + IMAGES_EACH)
         for case, target in pairs:
-            assert validator.fault(case) is None
-            assert_same(compile_answer(module.reference(*case), group.tolerance), target)
+            proof = validator.proof(case)
+            assert proof.fault is None
+            assert_same(compile_answer(proof.answer, group.tolerance), target)
             assert all(math.copysign(1, number) > 0 for number in numbers_of(case) if number == 0)
 
 
 def test_the_seven_images_of_a_case_differ_and_keep_its_types():
     case = (1, 2.5, 3, (4, -5.5), (0.0, 7))
-    images = [image for image, _ in mirror_images(case, None, SYMMETRIES)]
+    images = [image for image, _ in images_under(find_problem("count"), case, None, SYMMETRIES)]
     assert len({case, *images}) == 8
     assert (5.5, 0.0) not in images
     assert (-1, 2.5, 3, (-4, -5.5), (0.0, 7)) in images
@@ -114,7 +115,7 @@ def test_the_seven_images_of_a_case_differ_and_keep_its_types():
 
 
 def test_an_image_that_is_the_case_itself_is_none():
-    assert mirror_images((0, 0, 1, (0, 0), (0, 0)), None, SYMMETRIES) == []
+    assert images_under(find_problem("count"), (0, 0, 1, (0, 0), (0, 0)), None, SYMMETRIES) == []
 
 
 @pytest.mark.parametrize(
@@ -148,7 +149,7 @@ def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
     def never(draw, odd):
         draw.reject()
 
-    stubborn = type(module)(module.reference, module.promise, {"pairs": never})
+    stubborn = type(module)(module.solve, {"pairs": never})
     source = Fresh(problem, stubborn, problem.groups, 1)
     with pytest.raises(ProblemError, match="'whole': the builder 'pairs' gives no case 1"):
         next(source.series())

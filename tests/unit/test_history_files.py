@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import random
 import shutil
 import sqlite3
 import subprocess
@@ -59,6 +60,50 @@ def test_what_is_no_database_is_left_as_it_is(content, reading, tmp_path):
     assert refusal(path, reading=reading)
     assert path.read_bytes() == content
     assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("reading", [False, True])
+@pytest.mark.parametrize("start", [b"", b"SQLite format 3\0"])
+def test_random_bytes_are_no_history(start, reading, tmp_path):
+    for seed in range(40):
+        path = tmp_path / f"{seed}"
+        content = start + random.Random(seed).randbytes(3000)
+        path.write_bytes(content)
+        assert "this is no history of the judge; name another file with --db" in refusal(
+            path, reading=reading
+        )
+        assert path.read_bytes() == content
+    assert len(list(tmp_path.iterdir())) == 40
+
+
+def test_a_version_that_no_judge_can_have_is_damage(own_history):
+    filled(own_history)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection:
+        connection.execute("PRAGMA user_version = 1094795585")
+        connection.commit()
+    assert "the history is damaged; move it away" in refusal(own_history)
+
+
+def test_bytes_changed_at_random_are_told_as_damage(own_history):
+    """Or not noticed, where nothing is kept there; never as a fault of ours, nor as anything but damage."""
+    whole = filled(own_history, runs=30)
+    told = []
+    for seed in range(60):
+        draw = random.Random(seed)
+        damaged = bytearray(whole)
+        for _ in range(draw.choice([1, 20, 400])):
+            damaged[draw.randrange(100, len(damaged))] = draw.randrange(256)
+        path = own_history.with_name(f"{seed}.sqlite3")
+        path.write_bytes(damaged)
+        try:
+            with History.open(path, reading=True) as history:
+                for run in history.runs():
+                    history.source(run.id)
+                    run.result  # noqa: B018
+        except HistoryError as fault:
+            told.append(str(fault))
+    assert len(told) > 10
+    assert [text for text in told if "damaged" not in text] == []
 
 
 def test_another_programs_database_is_left_as_it_is(tmp_path):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from judge.errors import UsageError
-from judge.sandbox import Boxes, launch, levels, open_box, roots
+from judge.sandbox import launch, levels, open_box, roots
 from judge.sandbox import probe as probing
 from judge.sandbox.boundary import Limits
 
@@ -40,7 +40,7 @@ def test_an_unknown_level_is_a_usage_error() -> None:
 
 def test_a_demanded_level_is_not_lowered(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(launch, "bubblewrap_path", lambda: None)
-    probing._missing.cache_clear()
+    probing.missing.cache_clear()
     try:
         with pytest.raises(UsageError, match="bubblewrap is not installed") as caught:
             open_box(b"", "f.py", level="full")
@@ -48,7 +48,7 @@ def test_a_demanded_level_is_not_lowered(monkeypatch: pytest.MonkeyPatch) -> Non
         with open_box(b"", "f.py") as box:
             assert box.isolation in ("strong", "limits")
     finally:
-        probing._missing.cache_clear()
+        probing.missing.cache_clear()
 
 
 def test_a_bubblewrap_that_fails_says_why(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -63,55 +63,6 @@ def test_a_bubblewrap_that_fails_says_why(monkeypatch: pytest.MonkeyPatch, tmp_p
         pass
     with open_box(b"", "f.py") as box:
         assert box.isolation != "full"
-
-
-def _counting_bubblewrap(folder: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> Path:
-    """A bubblewrap that notes each of its starts in a file, whose lines are to be counted."""
-    starts, broken = folder / "starts", folder / "bwrap"
-    starts.touch()
-    broken.write_text(f"#!/bin/sh\necho start >> {starts}\n{script}\n")
-    broken.chmod(0o755)
-    monkeypatch.setattr(launch, "bubblewrap_path", lambda: str(broken))
-    return starts
-
-
-def test_a_factory_tries_a_refused_bubblewrap_only_once(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    starts = _counting_bubblewrap(tmp_path, monkeypatch, "echo 'bwrap: no' >&2; exit 1")
-    factory = Boxes()
-    for _ in range(3):
-        with factory(b"", "f.py") as box:
-            assert box.isolation != "full"
-    assert len(starts.read_text().splitlines()) == 1
-    with pytest.raises(UsageError, match="bwrap: no"), Boxes("full")(b"", "f.py"):
-        pass
-
-
-@pytest.mark.parametrize("script", ["exit 1", "echo 'MemoryError' >&2; exit 1", "kill -9 $$"])
-def test_what_may_be_a_passing_fault_is_tried_again(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, script: str
-) -> None:
-    starts = _counting_bubblewrap(tmp_path, monkeypatch, script)
-    factory = Boxes()
-    for _ in range(2):
-        with factory(b"", "f.py") as box:
-            assert box.isolation != "full"
-    assert len(starts.read_text().splitlines()) == 2
-
-
-def test_a_level_that_was_had_is_not_given_up_for_one_refusal(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    if not next(found for found in levels() if found.name == "full").available:
-        pytest.skip("full cannot be had here")
-    factory = Boxes()
-    for broken in (False, True, False):
-        with monkeypatch.context() as patch:
-            if broken:
-                _counting_bubblewrap(tmp_path, patch, "echo 'bwrap: no' >&2; exit 1")
-            with factory(b"", "f.py") as box:
-                assert (box.isolation == "full") is not broken
 
 
 def test_a_level_that_fails_in_the_background_leaves_the_next_one_whole(

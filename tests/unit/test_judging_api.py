@@ -15,12 +15,13 @@ import pytest
 
 import judge
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging import Job, Session, Terms, run
+from judge.judging import Job, Session, Terms, containment, run
 from judge.judging import session as session_module
 from judge.judging.executors import ATTEMPTS, Here, Threads, WorkerDied, executor
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import judge_fault
+from judge.sandbox import levels, room
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
 ROOMS = Path(judge.__file__).parent
@@ -88,9 +89,31 @@ def test_a_group_and_a_level_that_are_none(problem):
 
 
 def test_a_weak_containment_that_nobody_asked_for_is_a_note(monkeypatch, problem):
-    monkeypatch.setattr("judge.sandbox.probe._missing", lambda level: "" if level == "limits" else "no")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
     assert judge.judge(problem, GOOD).notes == (session_module.Session(problem).containment.notes("limits"))
     assert judge.judge(problem, GOOD, isolation="limits").notes == ()
+
+
+def test_the_level_that_the_doctor_found_is_demanded_from_python_too(monkeypatch, problem):
+    if "full" not in [level.name for level in levels() if level.available]:
+        pytest.skip("full cannot be had here")
+    monkeypatch.setattr(containment, "kept_level", lambda: "full")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "gone" if level == "full" else "")
+    with pytest.raises(UsageError, match="isolation full, which 'judge doctor' found here, cannot be had"):
+        judge.judge(problem, GOOD)
+    assert judge.judge(problem, GOOD, isolation="strong", timed=False).isolation == "strong"
+
+
+def test_what_the_machine_has_no_room_for_is_not_tried(monkeypatch, problem):
+    little = room.Room(
+        tasks=200, tasks_limit="pids.max is 300", ceiling=1 << 20, files=1 << 20, files_limit=""
+    )
+    monkeypatch.setattr(room, "measure", lambda: little)
+    with Session(problem, Terms(), jobs=4, expected=4) as session:
+        assert session.jobs == session.settings.workers == 1
+        assert session.notes == ("1 at once, not 4: there is no room for more (pids.max is 300)",)
+    with Session(problem, Terms(), jobs=1, expected=4) as session:
+        assert session.notes == ()
 
 
 def test_importing_judge_imports_nothing_more():
@@ -163,6 +186,7 @@ def test_a_job_is_not_done_on_another_version_of_its_problem(problem, tmp_path):
     ("fault", "told"),
     [
         (ProblemError("the reference fails", where="middle/problem.py:9"), "middle/problem.py:9: the ref"),
+        (MemoryError(), "there is no memory left; use a smaller -j"),
         (ArithmeticError("too many"), "internal fault: ArithmeticError('too many') (judge/judging/"),
     ],
 )

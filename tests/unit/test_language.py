@@ -14,7 +14,8 @@ PACKAGE = Path(judge.__file__).parent
 OWN = {  # the judge's own code and the problems' are Python whatever submissions are
     "data/cache.py": {"*.py"},
     "sandbox/bundle.py": {".py"},
-    "sandbox/probe.py": {"empty.py"},
+    "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
+    "sandbox/probe.py": {"look.py"},
 }
 
 
@@ -40,16 +41,20 @@ def test_no_other_file_knows_the_suffix():
 
 
 @pytest.mark.parametrize(
-    ("name", "wanted"), [("a.py", True), ("a.pyc", False), ("a.PY", False), (".py", False), ("py", False)]
+    ("name", "wanted"),
+    [
+        ("a.py", True),
+        ("../a.py", True),
+        ("a.pyc", False),
+        ("a.PY", False),
+        (".py", False),
+        (".#a.py", False),
+        ("py", False),
+    ],
 )
 def test_which_files_are_programs(name, wanted):
     assert language.is_program(name) is wanted
 
 
-def test_the_programs_of_a_folder_come_in_order_without_what_is_no_file(tmp_path):
-    for name in ("b.py", "a.py", "c.txt"):
-        (tmp_path / name).touch()
-    (tmp_path / "folder.py").mkdir()
-    assert [path.name for path in language.programs(tmp_path)] == ["a.py", "b.py"]
-    assert language.programs(tmp_path / "missing") == []
+def test_the_name_of_a_program_is_made_of_a_stem():
     assert language.file_name("mine") == "mine.py"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from fractions import Fraction
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.problem import AnswerKind, ParameterType, Tier, Tolerance
-from judge.problem.load import bands_beside, load_problem
+from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -44,6 +45,7 @@ def floating(tmp_path):
     text = (folder / "problem.toml").read_text()
     text = text.replace('answer = "count"', 'answer = "points"').replace("[limits]", NUMBERS + "\n[limits]")
     (folder / "problem.toml").write_text(text + GROUP)
+    (folder / "statement.md").write_text(">>> root_count(4)\n[(-2, 0), (2, 0)]\n")
     return folder
 
 
@@ -90,13 +92,6 @@ def test_a_groups_own_tolerance_replaces_the_common_one_whole(floating):
     assert load_problem(floating).group("strict").tolerance == Tolerance(ulps=Fraction(2))
 
 
-def test_bands_for_a_problem_py(floating):
-    assert bands_beside(str(floating / "problem.py")) == {
-        "snap": Fraction(1, 10**12),
-        "clear": Fraction(1, 10**7),
-    }
-
-
 def test_what_was_read_cannot_change():
     problem = load_problem(SOUND)
     with pytest.raises(TypeError):
@@ -127,5 +122,45 @@ def test_an_integer_too_long_to_read_is_a_fault_of_the_file(tmp_path):
     shutil.copytree(SOUND, folder)
     text = (folder / "problem.toml").read_text()
     (folder / "problem.toml").write_text(text.replace("high = 9", "high = " + "9" * 5000))
-    with pytest.raises(ProblemError, match="no TOML"):
+    with pytest.raises(
+        ProblemError, match=r"^long/problem.toml: no TOML: an integer has too many digits; rep"
+    ):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize("number", ["1e400", "1" + "0" * 400, "1e-400", "1000001", "0.0009"])
+@pytest.mark.parametrize("key", ["cpu_seconds", "wall_seconds", "memory_mb", "output_mb"])
+def test_a_limit_that_no_machine_could_keep_is_a_fault(key, number, tmp_path):
+    folder = tmp_path / "problems" / "limits"
+    shutil.copytree(SOUND, folder)
+    text = (folder / "problem.toml").read_text()
+    (folder / "problem.toml").write_text(re.sub(f"{key} = .*", f"{key} = {number}", text))
+    with pytest.raises(
+        ProblemError,
+        match=rf"limits/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and",
+    ):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize("number", ["1e400", "9" * 400])
+def test_a_multiple_of_the_references_time_that_is_absurd_is_a_fault(number, tmp_path):
+    folder = tmp_path / "problems" / "time"
+    shutil.copytree(SOUND, folder)
+    with (folder / "problem.toml").open("a") as file:
+        file.write(f'[time]\nlimit = {number}\nfunction = "signs.py"\n')
+    with pytest.raises(ProblemError, match="limit is absurdly large"):
+        load_problem(folder)
+
+
+@pytest.mark.parametrize(
+    ("depth", "said"),
+    [(3000, "problem.toml: no TOML: its lists or tables are nested"), (12, r"a builder cannot take \(?\[\[")],
+)
+def test_lists_in_lists_in_lists_are_a_fault_of_the_file(depth, said, tmp_path):
+    folder = tmp_path / "problems" / "deep"
+    shutil.copytree(SOUND, folder)
+    text = (folder / "problem.toml").read_text()
+    nested = "reach = " + "[" * depth + "]" * depth
+    (folder / "problem.toml").write_text(text.replace("reach = 9", nested))
+    with pytest.raises(ProblemError, match=said):
         load_problem(folder)

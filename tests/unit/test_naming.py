@@ -13,10 +13,10 @@ from judge.compare.targets import CountTarget, ParameterTarget, PointsTarget
 from judge.data import load_data
 from judge.diagnose.agreement import Alike, WrongAnswer
 from judge.diagnose.known import Answers, known_behaviours
-from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.naming import LEAST, Known, best_match
 from judge.problem import AnswerKind
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.run import Settings
 
 # Programs of one mistake in two hands; the first is recognised by the second alone.

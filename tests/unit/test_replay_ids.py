@@ -29,8 +29,9 @@ def test_every_group_comes_back_from_values_and_from_choices(problem):
                 assert choices is not None
             for replay in {encode(problem, data.group, case), encode(problem, data.group, case, choices)}:
                 assert problem_name(replay) == problem.id
-                group, again = decode(replay, problem, module)
+                group, again, answer = decode(replay, problem, module)
                 assert (group, repr(again)) == (data.group, repr(case))
+                assert answer == module.solve(*case).answer
 
 
 @pytest.mark.parametrize(

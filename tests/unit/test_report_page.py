@@ -12,7 +12,7 @@ import pytest
 from msgspec.structs import replace
 from page_support import Outline, check_html, html_of, kept, known, outcome, page_of
 
-from judge.diagnose.picture.svg import style
+from judge.drawing.svg import style
 from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
 from judge.problem import Verdict
 from judge.report.page.compose import MOST_RUNS

@@ -5,7 +5,7 @@ import io
 import pytest
 
 from judge.report.layout import Column, Link, Span, Style, Table, line
-from judge.report.screen import Screen, is_terminal
+from judge.report.screen import Screen, is_terminal, note
 
 
 class Terminal(io.StringIO):
@@ -13,6 +13,16 @@ class Terminal(io.StringIO):
 
     def isatty(self):
         return True
+
+
+@pytest.mark.parametrize("length", [100, 1200, 1201, 100_000])
+def test_the_middle_of_a_sentence_without_end_is_left_out(length, capsys):
+    note("what " + "x" * (length - 12) + " remedy")
+    said = capsys.readouterr().err
+    assert said.startswith("judge: what xxx")
+    assert said.endswith("xxx remedy\n")
+    assert len(said) == len("judge: \n") + (length if length <= 1200 else 1203)
+    assert (" … " in said) is (length > 1200)
 
 
 LINES = [line("a ", Span("b", Style.GOOD), Span(" ", Style.BAD))]

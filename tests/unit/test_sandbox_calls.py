@@ -11,7 +11,7 @@ import pytest
 from sandboxed import LIMITS, call, children, limits, lost_at_3
 
 from judge.compare.decode import number
-from judge.errors import JudgeError
+from judge.errors import ShortageError
 from judge.sandbox import Stop, open_box
 
 NUMBERS = [(n,) for n in range(5)]
@@ -277,11 +277,18 @@ def test_an_interrupt_leaves_nothing_behind():
 @on_linux
 def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
     before = children()
-    with open_box(b"def f(n): return n", "my.py", level="limits") as box:
-        box.inspect()
+
+    def kill_it():
         for pid in children() - before:
             os.kill(int(pid), signal.SIGKILL)
-        with pytest.raises(JudgeError, match="ended while it was made ready"):
+            os.waitid(os.P_PID, int(pid), os.WEXITED | os.WNOWAIT)
+
+    with open_box(b"def f(n): return n", "my.py", level="limits") as box:
+        box.inspect()
+        kill_it()  # before it is made ready for calls
+        assert stops(box.call_many("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
+        kill_it()
+        with pytest.raises(ShortageError, match="the process that watches it has ended"):
             box.call_many("f", NUMBERS, LIMITS)
         assert stops(box.call_many("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
 

@@ -11,7 +11,7 @@ import pytest
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError
-from judge.sandbox import LEVELS, open_box
+from judge.sandbox import LEVELS, holder, open_box
 
 
 def inspect(source):
@@ -99,9 +99,12 @@ def test_an_interpreter_that_does_not_start_is_one_clear_error(python, level, mo
         require(level)
     before = children()
     monkeypatch.setattr(sys, "executable", python)
+    monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(holder.PAUSES))
     with pytest.raises(JudgeError) as caught, open_box(b"", "my.py", level=level):
         pass
     what = f"isolation {level} cannot be had here: " if level else "no container can be started: "
+    if python == "/bin/false":  # it says nothing, so that it may be a passing fault
+        what = "no container could be started: it ended without a word"
     assert caught.value.what.startswith(what)
     assert "\n" not in caught.value.what
     assert children() == before

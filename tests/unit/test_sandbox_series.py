@@ -55,10 +55,12 @@ import threading, time
 def spin():
     end = time.thread_time() + 0.15
     while time.thread_time() < end: pass
+later = threading.Thread(target=spin)
 def f(n):
     if n == 1:
-        threading.Thread(target=spin).start()
-    time.sleep(0.1)
+        later.start()
+    if n == 3:
+        later.join()
     return n
 """
     results = run(body, [[(1,)], [(2,)], [(3,)]])

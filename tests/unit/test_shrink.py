@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 import ast
+import json
+import os
+import subprocess
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
 
+from judge.data.draw import SeededDraw
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
-from judge.diagnose.figures import levelled
-from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
+from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.run import Reference, Settings, run_submission
 from judge.run.function import FunctionRunner
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
+from judge.topics.circles.simpler import levelled
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
@@ -172,8 +178,8 @@ def test_the_smallest_case_of_a_mistake(name, mistake):
     problem, result, found = shrunk(name, source)
     assert found is not None
     module = load_module(problem)
-    assert Validator(problem, module.promise).fault(found.case) is None
-    assert decode(found.replay, problem, module) == (problem.group(found.group), found.case)
+    assert Validator(problem, module.solve).proof(found.case).fault is None
+    assert decode(found.replay, problem, module)[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     assert found.expected != found.got
     assert found.message
@@ -208,6 +214,18 @@ def test_a_builder_is_shrunk_by_its_parameters():
     _, result, found = shrunk("ray-nearest", source)
     assert (result.failure.group, found.group) == ("cancellation", "cancellation")
     assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
+
+
+def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
+    """In a process of its own: Hypothesis takes its notes on modules once."""
+    source = SOLUTIONS / "ray-nearest" / "wrong" / "cancellation.py"
+    command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(SOLUTIONS.parent)}
+    judged = subprocess.run(
+        command, cwd=tmp_path, env=settings, capture_output=True, timeout=120, check=False
+    )
+    assert json.loads(judged.stdout)["counterexample"]["replay"].startswith("ray-nearest:cancellation:")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("looks", [0, 3, 10, 40])
@@ -292,6 +310,16 @@ def test_a_program_that_keeps_something_between_its_cases_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.as_json()["input"] == result.failure.input
+
+
+@pytest.mark.parametrize("name", ["root-count", "middle", "count", "exact-count"])
+def test_there_are_simple_cases_of_every_step_for_a_problem_with_and_without_points(name):
+    fixtures = SOLUTIONS.parent / "tests" / "fixtures"
+    problem = find_problem(name, [fixtures / "problems", fixtures / "pack" / "problems"])
+    for rung in (rung for step in ladder(problem) for rung, _ in step):
+        cases = [rung.case(SeededDraw(str(number)), problem) for number in range(20)]
+        assert {len(case) for case in cases} == {len(problem.parameters)}
+        assert len(set(cases)) > 1
 
 
 @pytest.mark.parametrize("name", ["count", "exact-count", "segment", "ray-nearest"])

@@ -17,10 +17,13 @@ SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 def stating(tmp_path):
     """Loads the sound problem with another statement."""
 
-    def load(text):
+    def load(text, kind="count"):
         folder = tmp_path / "problems" / "root-count"
         shutil.copytree(SOUND, folder, dirs_exist_ok=True)
         (folder / "statement.md").write_text(text, encoding="utf-8")
+        table = (SOUND / "problem.toml").read_text().replace('answer = "count"', f'answer = "{kind}"')
+        tolerance = "" if kind == "count" else "[tolerance]\nrelative = 1e-9\n"
+        (folder / "problem.toml").write_text(table.replace("[limits]", f"{tolerance}[limits]"))
         return load_problem(folder)
 
     return load
@@ -41,10 +44,9 @@ def test_placeholders_stand_for_what_the_file_says(stating):
 
 def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
     problem = stating(
-        "```\n>>> root_count(1)\n2\n>>> root_count(2)\n[(1, 2),\n (3.5, -4)]\n```\n"
-        ">>> root_count(0)\nNone\n\nMore text\n"
+        "```\n>>> root_count(1)\n2\n>>> root_count(2)\n(\n  1)\n```\n>>> root_count(0)\nNone\n\nMore text\n"
     )
-    assert wanted(problem) == [((1,), 2), ((2,), [(1, 2), (3.5, -4)]), ((0,), None)]
+    assert wanted(problem) == [((1,), 2), ((2,), 1), ((0,), None)]
     assert [example.line for example in problem.examples] == [2, 4, 8]
 
 
@@ -62,7 +64,91 @@ def test_an_example_is_never_run(stating, call):
         stating(f">>> {call}\n2\n")
 
 
+UNPLAIN = ["{[]}", "{[]: 1}", "-" * 600 + "1", "[" * 5000]
+
+
+@pytest.mark.parametrize("value", UNPLAIN)
+def test_an_argument_or_an_answer_that_is_no_value_is_a_fault(stating, value):
+    with pytest.raises(
+        ProblemError, match=r"^root-count/statement.md:1: the example .* is no Python|the example's arg"
+    ):
+        stating(f">>> root_count({value})\n2\n")
+    with pytest.raises(
+        ProblemError, match=r"^root-count/statement.md:1: the example's answer .* no plain value"
+    ):
+        stating(f">>> root_count(4)\n{value}\n")
+
+
 @pytest.mark.parametrize("call", ["(" * 400 + "4" + ")" * 400, "root_count(\x00)", "", "root_count(4) +"])
 def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
     with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: the example .* is no "):
         stating(f">>> {call}\n2\n")
+
+
+HUGE = "9" * 400  # no double
+NUMBERS = [
+    '"1"',
+    "True",
+    "1j",
+    "b'1'",
+    "{1: 2}",
+    "{1, 2}",
+    "[[1]]",
+    "[(1, 2, 3)]",
+    "[('1', 2)]",
+    "1e999",
+    "[1, 2]",
+]
+ANSWERS = {
+    "count": ("neither a whole number nor None", [*NUMBERS, "1.0", "[]", "(1, 2)"]),
+    "parameter": ("neither a number nor None", [*NUMBERS, "[]", "(1, 2)", HUGE]),
+    "points": (
+        "no list of points (x, y)",
+        [*NUMBERS, "1", "None", "(1, 2)", "[(1, 2), 3]", "[(1e999, 1)]", f"[(1, {HUGE})]", "'ab'"],
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("kind", "said", "answer"),
+    [(kind, said, answer) for kind, (said, answers) in ANSWERS.items() for answer in answers],
+)
+def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, said, answer, stating):
+    with pytest.raises(ProblemError, match=r"^root-count/statement.md:3: the example's answer ") as caught:
+        stating(f"A sentence.\n\n>>> root_count(4)\n{answer}\n", kind)
+    assert f" is {said}; correct it, or " in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("kind", "answer"),
+    [
+        ("count", "2"),
+        ("count", "None"),
+        ("parameter", "1.5"),
+        ("parameter", "None"),
+        ("points", "[]"),
+        ("points", "[[1, 2.5]]"),
+    ],
+)
+def test_an_answer_of_its_type(kind, answer, stating):
+    (example,) = stating(f">>> root_count(4)\n{answer}\n", kind).examples
+    assert repr(example.wanted) == answer
+
+
+@pytest.mark.parametrize(
+    "argument", ['"4"', "True", "None", "1e999", "1j", "b'4'", "{}", "{[]}", "[1]", "[1, '2']", "[[1], [2]]"]
+)
+def test_an_argument_that_is_no_number_and_no_point_is_a_fault_with_its_line(argument, stating):
+    with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .* no plain numbers and points"):
+        stating(f">>> root_count({argument})\n2\n")
+
+
+def test_a_fault_is_a_short_line_however_long_the_example(stating):
+    for text in (
+        f"root_count(4)\n{'9' * 5000}",
+        f"root_count(4)\n{'[' * 900}",
+        f"root_count({'9' * 5000})\n2",
+    ):
+        with pytest.raises(ProblemError) as caught:
+            stating(f">>> {text}\n")
+        assert len(str(caught.value)) < 300

@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from broken_problems import broken
 
 from judge.problem import Verdict
 from judge.problem.load import load_problem
@@ -82,11 +83,11 @@ def test_missing_or_broken_pins_are_a_fault(pack, content, what):
     assert (fault.where, "--pin" in fault.remedy) == ("root-count/hashes.json", True)
 
 
-def test_data_that_cannot_be_built_are_the_one_fault():
-    report = verify_problem(load_problem(FIXTURES / "broken_problems" / "example-contradicts"))
+def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
+    report = verify_problem(load_problem(broken("example-contradicts", tmp_path)))
     (fault,) = report.faults
     assert fault.where == "example-contradicts/statement.md:5"
-    assert "contradicts the reference" in fault.what
+    assert "contradicts solve" in fault.what
     assert (report.ok, report.solutions) == (False, ())
 
 
@@ -114,6 +115,11 @@ LOOP = "def root_count(c):\n    while True:\n        pass\n"
         ),
         ("accepted/broken.py", '"""broken"""\ndef', "accepted/broken.py: no Python: "),
         ("accepted/binary.py", '"""a\x00b"""', "accepted/binary.py: no Python: "),
+        (
+            "accepted/deep.py",
+            "-" * 20_000 + "1",
+            "accepted/deep.py: no Python: it is nested too deeply; repair it",
+        ),
         (
             "wrong/sign-forgotten-2.py",
             f'"""sign-forgotten"""\n{FINE}',

@@ -13,12 +13,14 @@ from judge.cli.options import (
     seed_option,
     write_json,
 )
+from judge.data.atomic import replace_file
 from judge.data.load import load_data
 from judge.errors import ExitCode, UsageError, unwritable
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
+from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.report.values import counted
@@ -73,7 +75,7 @@ def command(
         )
     else:
         what = f"{counted(cases, 'case')} in {counted(len(names), 'file')}"
-        out().show([line(Span(str(target), Style.STRONG), f"  {what}")])
+        out().show([line(Span(shown_name(str(target)), Style.STRONG), f"  {what}")])
     return ExitCode.ACCEPTED
 
 
@@ -97,6 +99,6 @@ def _make_room(target: Path, names: list[str], *, force: bool) -> None:
 
 def _write(path: Path, text: str) -> None:
     try:
-        path.write_text(text, encoding="utf-8", newline="\n")
+        replace_file(path, text.encode())
     except OSError as fault:
         raise unwritable(path, fault, _REMEDY) from fault

@@ -50,13 +50,15 @@ def command(
         chosen = [_numbered(problem, hints, step)]
     else:
         chosen = list(hints) if every else [next_hint(problem, hints, db)]
-    for hint in chosen:
-        if as_json:
-            write_json(as_object(problem, hint, len(hints)))
-        else:
-            screen = out()
-            screen.write(hint_text(problem, hint, len(hints), screen))
-    note_seen(problem, chosen[-1], db)
+    try:
+        note_seen(problem, chosen[-1], db)  # first: what was shown counts as seen, whatever happens then
+    finally:
+        for hint in chosen:
+            if as_json:
+                write_json(as_object(problem, hint, len(hints)))
+            else:
+                screen = out()
+                screen.write(hint_text(problem, hint, len(hints), screen))
     return ExitCode.ACCEPTED
 
 

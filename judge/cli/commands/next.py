@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from judge.cli.kata import Kata, next_problem, take_up, with_folder_of, write_stub
+from judge.cli.kata import Kata, next_problem, take_up, tell_faults, the_path, with_folder_of, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
@@ -33,8 +33,9 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     are about it. Its file is looked for in the current folder, under the problem's name.
     """
     current = _current(db)
-    folders = with_folder_of(current, folders)
-    problem = next_problem(current.problem if current else "", folders, db)
+    path, katas = the_path(with_folder_of(current, folders), db)
+    tell_faults(path)
+    problem = next_problem(current.problem if current else "", katas)
     screen = out()
     if problem is None:
         if as_json:

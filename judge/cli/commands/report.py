@@ -15,9 +15,9 @@ from judge.cli.target import Target
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.problem import Problem
-from judge.problem.find import problem_folders
-from judge.problem.load import load_problem
+from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
+from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 
@@ -80,7 +80,7 @@ def command(
     from judge.report.page.render import render
 
     known = _known(folders, last, matrix=matrix)
-    skills = _skills(folders, runs)
+    skills = _skills([each.problem for each in known], folders, runs)
     page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
     target.write(page)
     _tell(path, page, runs, last, as_json=as_json)
@@ -89,16 +89,14 @@ def command(
 
 def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[KnownProblem]:
     """Every sound problem, with the mistakes of those that were tried."""
-    from judge.diagnose.mistakes import known_mistakes
+    from judge.problem.solutions import known_mistakes
     from judge.report.page.known import KnownProblem
 
     found = []
-    for folder in problem_folders(folders):
-        try:
-            problem = load_problem(folder)
-        except ProblemError as fault:  # its runs are told of all the same
-            note(f"{folder.name} is left out: {fault}")
-            continue
+    problems, faults = sound_problems(folders)
+    for fault in faults:  # its runs are told of all the same
+        note(f"a problem is left out: {fault}")
+    for problem in problems:
         if problem.id not in tried:
             found.append(KnownProblem(problem))
             continue
@@ -109,12 +107,14 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
     return found
 
 
-def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
+def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
     """How every skill stands; a checklist that is broken is left out."""
-    from judge.kata.skills import assess, load_skills
+    from judge.kata.skills import assess, skills_of, unknown_skills
 
     try:
-        skills, problems = load_skills(folders)
+        for fault in unknown_skills(problems, folders):
+            note(str(fault))
+        skills = skills_of(problems, folders)
     except ProblemError as fault:
         note(f"the checklist is left out: {fault}")
         return []
@@ -163,4 +163,4 @@ def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *
             }
         )
         return
-    out().show([line(Span(str(path), link=Link(str(path))))])
+    out().show([line(Span(shown_name(str(path)), link=Link(str(path))))])

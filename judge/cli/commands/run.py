@@ -109,7 +109,7 @@ def command(
             diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
         )
-        wish = Wish(terms, jobs, regression, kept=not unrecorded, db=db)
+        wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db)
         with closing(judged(problem, submissions, wish)) as drawings:
             for drawing in drawings:
                 show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)

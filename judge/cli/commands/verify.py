@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
+from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
 from judge.problem.find import find_problem, problem_folders
 from judge.report.layout import line
@@ -19,6 +20,7 @@ from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
+from judge.sandbox import Boxes
 
 SCHEMA = 1
 
@@ -66,9 +68,10 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
     except ProblemError as error:
         fault = Fault(error.what, error.where or name, error.remedy or "")
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
+    boxes = Boxes(least=kept_level())
     with stages(name) as progress:
-        report = verify_problem(problem, update_pins=pin, progress=progress)
-    return replace(report, faults=(*report.faults, *kata_faults(problem)))
+        report = verify_problem(problem, update_pins=pin, progress=progress, box_factory=boxes)
+    return replace(report, faults=(*report.faults, *kata_faults(problem, folders)))
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import stat
 import sys
+from contextlib import suppress
 from pathlib import Path
 from queue import SimpleQueue
 from types import FrameType
@@ -100,8 +102,7 @@ def _kata(problem: Problem, file: str | None) -> Kata:
         remedy = f"write judge watch {problem.id} FILE, or judge watch alone for the kata in hand"
         raise UsageError("missing argument 'FILE'", remedy=remedy)
     path = Path(file)
-    if path.is_dir():
-        raise UsageError("this is a folder", where=file, remedy="name the file to watch")
+    _check_watchable(path, file)
     try:
         read_submissions([file])
     except UsageError as fault:
@@ -111,6 +112,15 @@ def _kata(problem: Problem, file: str | None) -> Kata:
             "no such file", where=file, remedy=f"'judge init {problem.id} {file}' begins it"
         ) from fault
     return Kata(problem, path.absolute())
+
+
+def _check_watchable(path: Path, name: str) -> None:
+    """Refuse what is never saved again: a folder, a pipe. Raises UsageError."""
+    with suppress(OSError, ValueError):  # reading it says why
+        mode = path.stat().st_mode
+        if not stat.S_ISREG(mode):
+            what = "this is a folder" if stat.S_ISDIR(mode) else "this is no ordinary file"
+            raise UsageError(what, where=name, remedy="name the file to watch")
 
 
 def _take_up(kata: Kata, db: Path | None) -> None:

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import shlex
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 
-from judge.data.model import ProblemData
+from judge.compare.reread import reread
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
-from judge.diagnose.picture import Picture, compose
-from judge.diagnose.picture.shapes import Role
-from judge.diagnose.picture.svg import panel_svg
+from judge.drawing import Picture
+from judge.drawing.shapes import Role
+from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
 from judge.problem import Case, Problem, Verdict
+from judge.problem.topic import Shown
+from judge.report.names import shown_command
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
 from judge.report.values import arguments
@@ -119,7 +120,7 @@ def _facts(
     if small is not None and small.replay is None:
         yield "note", _cut(small.message), ""
     if shown.replay:
-        yield "again", shlex.join(["judge", "replay", shown.replay, run.submission]), "code"
+        yield "again", shown_command("judge", "replay", shown.replay, file=run.submission), "code"
 
 
 def _cut(text: str) -> str:
@@ -154,10 +155,13 @@ class _Artist:
         try:
             if self._module is None:
                 self._module = load_module(self._problem)
-            if Validator(self._problem, self._module.promise).fault(values):
+            draw = self._module.topic.picture
+            if draw is None:
                 return None
-            data = ProblemData(self._problem, (), module=self._module)
-            exact, _ = data.exact(values, known)
+            proof = Validator(self._problem, self._module.solve).proof(values)
+            if proof.fault:
+                return None
         except JudgeError:  # a problem that is broken now: its runs are told of all the same
             return None
-        return compose(self._problem, case.input, exact, wanted=case.expected, got=case.got)
+        given = reread(self._problem.answer, case.got)
+        return draw(Shown(self._problem, case.input, proof.answer, case.expected, case.got, given))

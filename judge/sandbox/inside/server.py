@@ -15,6 +15,7 @@ import _signal as signal  # type: ignore[import-not-found]  # signal itself wrap
 import _sitebuiltins
 import _socket
 import builtins
+import errno
 import gc
 import marshal
 import os
@@ -23,7 +24,7 @@ import select
 import sys
 import time
 
-from judge.sandbox.inside import child, wire
+from judge.sandbox.inside import again, child, unseen, wire
 from judge.sandbox.inside.confine import Confinement
 from judge.sandbox.inside.series import Series
 
@@ -37,6 +38,14 @@ SWEEP_SECONDS = 5.0
 IDLE_RUNS = 3
 IDLE = "def nothing():\n    return 0"
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
+
+
+class Lacking(Exception):  # noqa: N818 - it never reaches a person
+    """The machine had no process left for a child, or no descriptors; `code` is the errno."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__()
+        self.code = code
 
 
 class Job:
@@ -74,6 +83,7 @@ def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> N
         sys.path[:] = config["path"]
         _fill_finders()
         confinement = Confinement(config)
+        _look_around(region, line, config)
         builtins.exit = _sitebuiltins.Quitter("exit", "Ctrl-D")  # -S leaves them out
         builtins.quit = _sitebuiltins.Quitter("quit", "Ctrl-D")
         for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
@@ -84,6 +94,15 @@ def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> N
         os._exit(1)
     line.send(wire.READY)
     Server(line, region, confinement, config, source).serve()
+
+
+def _look_around(region: wire.Region, line: wire.Channel, config: dict[str, Any]) -> None:
+    """End here, with the reason, if something can be read that no submission may see."""
+    visible = unseen.first_visible(*config["unseen"])
+    if visible:
+        region.write_note(wire.EXPOSED, visible)
+        line.send(wire.FAILED)
+        os._exit(1)
 
 
 def _fill_finders() -> None:
@@ -140,7 +159,10 @@ class Server:
                 if not frame:
                     os._exit(0)
                 job = Job(frame, descriptors)
-                answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                try:
+                    answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                except Lacking as lack:
+                    answer = wire.LACK.pack(wire.LACKING, lack.code)
                 for number in descriptors:
                     os.close(number)
                 self._line.send(answer)
@@ -169,8 +191,12 @@ class Server:
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 0)
 
     def _run(self, job: Job, code: CodeType | None) -> bytes:
-        began = time.perf_counter_ns()
-        pid = os.fork()
+        if len(job.descriptors) < (3 if job.series == 1 else 4):
+            raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
+        try:
+            began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
+        except OSError as fault:
+            raise Lacking(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
         watch = _Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)

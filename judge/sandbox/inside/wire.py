@@ -3,7 +3,8 @@
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
                      and, where there are several series of calls, that of series.py's file
     server → judge   a 64-byte frame MARK after each series of calls but the last,
-                     then one 64-byte frame DONE, after the child is dead and reaped
+                     then one 64-byte frame DONE, after the child is dead and reaped;
+                     or LACK alone, where the machine had no process or descriptor left for a child
 
 A child ends a series by stopping itself; the server seals its replies, reads its CPU clock and lets it go on.
 Whoever stops elsewhere is killed.
@@ -38,7 +39,8 @@ FRAME = 64
 REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
 MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
-MARKED, ENDED = b"mark", b"done"
+LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
+MARKED, ENDED, LACKING = b"mark", b"done", b"lack"
 READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
@@ -62,6 +64,7 @@ NOTE_BYTES = PAYLOAD_AT - WORDS
 REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
+EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
 
 
 class Channel:

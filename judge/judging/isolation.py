@@ -1,0 +1,35 @@
+"""The isolation level that `judge doctor` found on this machine, kept for the commands that come after it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+
+from judge import __version__
+from judge.data import cache_folder
+from judge.data.kept import KeptFile
+from judge.sandbox import LEVELS
+
+
+def keep_level(level: str) -> str | None:
+    """Keep it, in place of what was found before; a note for the person if that fails."""
+    return _file().write({"level": level})
+
+
+def kept_level() -> str | None:
+    """The level found by this version of the judge for this user, on this machine with this kernel."""
+    found = _file().read()
+    level = found.get("level") if isinstance(found, dict) else None
+    return level if level in LEVELS else None
+
+
+def _file() -> KeptFile:
+    """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
+    system = os.uname()
+    place = _digest(system.nodename, str(os.geteuid()))[:8]
+    key = _digest(__version__, system.sysname, system.release, system.version, system.machine)
+    return KeptFile(cache_folder, "isolation", f"level-{place}-", key, "levels of isolation")
+
+
+def _digest(*parts: str) -> str:
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]

@@ -1,0 +1,177 @@
+"""Which commands run the code of a pack of problems; the others only read it. README says the same."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from cli_support import FLOOR, MEAN, PACK, ROOT
+
+from judge.cli import complete
+from judge.cli.app import COMMANDS
+from judge.testing import judge_problem
+
+RUN_IT = {"run", "watch", "stress", "replay", "data", "verify", "report"}
+WORDS = {  # each command in the ways that could make a difference; `watch` never ends and has its own test
+    "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
+    "list": ["list", "list --json"],
+    "show": ["show middle", "show middle --json"],
+    "why": ["why middle", "why middle half"],
+    "init": ["init middle new.py", "init middle other.py --force"],
+    "hint": ["hint middle", "hint middle --all"],
+    "next": ["next", "next --init"],
+    "solution": ["solution middle --give-up"],
+    "stress": ["stress middle mine.py --for 0.1s"],
+    "replay": ["replay {id} mine.py"],
+    "history": ["history", "history middle", "history --json"],
+    "diff": ["diff 1 2"],
+    "practice": ["practice", "practice junior"],
+    "progress": ["progress", "progress junior"],
+    "due": ["due"],
+    "report": ["report --no-matrix"],
+    "data": ["data middle --out made"],
+    "new": ["new problems/fresh-kata"],
+    "verify": ["verify middle"],
+    "doctor": ["doctor"],
+    "schema": ["schema", "schema run"],
+    "completion": ["completion bash"],
+}
+MARKING = """
+import os
+with open(os.environ["MARK"], "a") as mark:
+    mark.write("{} ran\\n")
+"""
+META = "Metadata-Version: 2.1\nName: marking\nVersion: 1\n"
+
+
+@pytest.fixture
+def mark(tmp_path, monkeypatch):
+    """The file that the packs' code writes to."""
+    path = tmp_path / "mark"
+    monkeypatch.setenv("MARK", str(path))
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    return path
+
+
+@pytest.fixture
+def marking_pack(mark, submit, tmp_path, monkeypatch):
+    """`middle`, whose problem.py leaves a mark; two submissions of it, and a history of four runs."""
+    shutil.copytree(PACK, tmp_path / "pack")
+    module = tmp_path / "pack" / "problems" / "middle" / "problem.py"
+    module.write_text(module.read_text().replace("from __future__ import annotations\n", f"{MARKING}", 1))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
+    submit(MEAN)
+    submit(FLOOR, "floor.py")
+    return module
+
+
+@pytest.fixture
+def practised(marking_pack, judge, mark, tmp_path):
+    """A kata in hand, runs in the history, and nothing in the cache; the id of a case that fails."""
+    for words in ("init middle other.py", "run middle floor.py -q", "hint middle"):
+        judge(*words.split())
+    run = judge("run", "middle", "floor.py", "--json")
+    shutil.rmtree(tmp_path / "cache")
+    mark.unlink()
+    return json.loads(run.out)["counterexample"]["replay"]
+
+
+def test_every_command_is_looked_at():
+    assert {*WORDS, "watch"} == set(COMMANDS)
+
+
+@pytest.mark.parametrize(("command", "words"), [(name, words) for name in WORDS for words in WORDS[name]])
+def test_these_commands_run_a_problems_code_and_no_others(command, words, judge, practised, mark):
+    ended = judge(*words.format(id=practised).split())
+    assert ended.status in ((0, 1, 3) if command == "verify" else (0, 1)), ended
+    assert mark.exists() == (command in RUN_IT)
+
+
+def test_watch_runs_it(practised, mark):
+    words = [sys.executable, "-m", "judge", "watch", "middle", "mine.py", "--json"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as running:
+        assert running.stdout is not None
+        assert '"verdict": "AC"' in running.stdout.readline()
+        running.terminate()
+    assert mark.exists()
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["run mid", "run middle ", "run middle --group ", "why middle ", "practice ", "hint ", "verify middle "],
+)
+@pytest.mark.parametrize("shell", complete.SHELLS)
+def test_completion_only_reads(shell, line, practised, mark, judge, monkeypatch):
+    words = ["judge", *line.split(" ")]
+    monkeypatch.setenv("_JUDGE_COMPLETE", f"{shell}_complete")
+    monkeypatch.setenv("COMP_WORDS", ("\n" if shell == "bash" else " ").join(words))
+    monkeypatch.setenv("COMP_CWORD", words[-1] if shell == "fish" else str(len(words) - 1))
+    assert judge().status == 0
+    assert not mark.exists()
+
+
+def test_in_a_librarys_tests_the_first_check_runs_it(marking_pack, mark):
+    problem = judge_problem("middle")
+    group = problem.group("half")
+    assert (problem.groups, group.about) == (("examples", "whole", "half"), group.about)
+    assert not mark.exists()
+    group.check(lambda a, b: (a + b) / 2)
+    assert mark.exists()
+
+
+def test_warm_and_right_nothing_need_be_run(marking_pack, judge, mark):
+    """So a mark that is missing once says nothing: what is told of the commands is what they may do."""
+    judge("run", "middle", "mine.py", "-q")
+    mark.unlink()
+    assert judge("run", "middle", "mine.py", "-q").status == 0
+    assert not mark.exists()
+
+
+@pytest.fixture
+def installed_pack(mark, tmp_path, monkeypatch):
+    """An installed pack whose package leaves a mark when it is imported, on the import path."""
+    site = tmp_path / "site"
+    shutil.copytree(PACK / "problems" / "middle", site / "marking" / "mark-middle")
+    (site / "marking" / "__init__.py").write_text(MARKING)
+    (site / "marking-1.dist-info").mkdir()
+    (site / "marking-1.dist-info" / "METADATA").write_text(META)
+    (site / "marking-1.dist-info" / "entry_points.txt").write_text("[judge.problems]\nmarking = marking\n")
+    monkeypatch.syspath_prepend(str(site))
+    yield
+    sys.modules.pop("marking", None)
+
+
+@pytest.mark.parametrize(
+    ("words", "imported"),
+    [
+        ("list", True),
+        ("show mark-middle", True),
+        ("show nothing-like-it", True),
+        ("show middle", False),
+        ("init middle other.py", False),
+        ("run middle mine.py", False),
+        ("doctor", True),
+        ("schema", False),
+        ("--help", False),
+    ],
+)
+def test_an_installed_pack_is_imported_where_its_name_is_looked_up(
+    words, imported, judge, submit, installed_pack, mark
+):
+    submit(MEAN)
+    ended = judge(*words.split())
+    assert ended.status == (2 if "nothing" in words else 0), ended
+    assert mark.exists() == imported
+
+
+def test_readme_names_the_same_commands():
+    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    (told,) = re.findall(r"runs with your rights when you use ([^.]*)\.", readme)
+    assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == RUN_IT
+    assert "docker run --init" in readme

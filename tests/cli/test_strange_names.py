@@ -1,0 +1,165 @@
+"""Files whose names would be taken for something else: a command to CI, an option, the next line."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+from cli_support import FLOOR, MEAN, ROOT
+
+from judge.report.names import shown_command, shown_name
+from judge.report.screen import Screen
+
+STRANGE = [
+    "::error::x.py",
+    " ::warning::x.py",
+    "##[error]x.py",
+    "a##[error]x.py",
+    "-x.py",
+    "--help.py",
+    "a\n::error::b.py",
+    "a\n   ::error::b.py",
+    "\n::error::b.py",
+    "a\r::error::b.py",
+    "a\x1b[2Jb.py",
+    "a\u2028::error::b.py",
+    "#x.py",
+    "$(id).py",
+    "it's.py",
+    os.fsdecode(b"\xff::error.py"),
+]
+strange = pytest.mark.parametrize("name", STRANGE)
+
+
+def harmless(text: str) -> bool:
+    """Whether GitHub's runner reads no command in it: it trims a line, and finds the old form anywhere."""
+    return not any(row.strip().startswith("::") for row in re.split(r"[\r\n]", text)) and "##[" not in text
+
+
+@strange
+@pytest.mark.parametrize("columns", ["", "30"])
+def test_no_line_of_the_output_begins_with_a_name_that_is_a_command(
+    name, columns, judge, submit, monkeypatch
+):
+    monkeypatch.setenv("COLUMNS", columns)
+    submit(FLOOR, name)
+    for words in (
+        ("run", "middle", "--", name),
+        ("run", "middle", "."),
+        ("run", "-q", "middle", "."),
+        ("stress", "middle", "--for", "1s", "--no-name", "--", name),
+        ("history",),
+        ("diff", "1", "2"),
+    ):
+        ended = judge(*words)
+        assert ended.status in (0, 1), ended
+        assert ended.out
+        assert harmless(ended.out), words
+        assert harmless(ended.err), words
+
+
+@strange
+def test_a_table_of_several_is_harmless_too(name, judge, submit):
+    submit(MEAN, name)
+    submit(FLOOR, f"b{name}")
+    ended = judge("run", "middle", ".", "--no-shrink", "--no-name")
+    assert harmless(ended.out)
+    assert ended.lines[-1] == "1 of 2 accepted  middle"
+    rows = [row for row in ended.lines[-5:] if re.search(r" (AC|WA) ", row)]
+    assert len(rows) == 2, "a row each, whatever line breaks the names have"
+
+
+@strange
+def test_other_files_of_such_names(name, judge, submit):
+    submit(FLOOR)
+    judge("run", "-q", "middle", "mine.py")
+    for words in (
+        ("init", "middle", "--", name),
+        ("report", "--no-matrix", "--out", f"{name}.html"),
+        ("data", "middle", "--out", f"{name}.d"),
+        ("practice", "junior"),
+        ("run",),
+    ):
+        ended = judge(*words)
+        assert ended.status in (0, 1), ended
+        assert harmless(ended.out), words
+
+
+@strange
+def test_what_is_shown_to_be_copied_runs_as_it_stands(name, submit):
+    """The command below the smallest case, given to a shell."""
+    submit(FLOOR, name)
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    run = [sys.executable, "-m", "judge", "run", "middle", "--no-name", "--", name]
+    ended = subprocess.run(run, capture_output=True, env=environment, timeout=60, check=False)
+    (again,) = (row for row in ended.stdout.decode().splitlines() if row.startswith("    again"))
+    command = again.split(None, 1)[1]
+    script = f'judge() {{ "{sys.executable}" -m judge "$@"; }}; {command} --json'
+    replayed = subprocess.run(
+        ["bash", "-c", script], capture_output=True, env=environment, timeout=60, check=False
+    )
+    assert replayed.returncode == 1, replayed.stderr
+    assert json.loads(replayed.stdout)["submission"] in (name, f"./{name}")
+
+
+@strange
+def test_a_script_gets_the_name_as_it_was_given(name, judge, submit):
+    submit(MEAN, name)
+    assert json.loads(judge("run", "middle", "--json", "--", name).out)["submission"] == name
+    (row,) = judge("run", "middle", "--format", "github", "--", name).lines
+    assert row.startswith("::notice file=")
+    assert row.count("::") == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [
+        ("mine.py", "mine.py"),
+        ("_x.py", "_x.py"),
+        ("été.py", "été.py"),
+        ("./-x.py", "./-x.py"),
+        ("/tmp/x.py", "/tmp/x.py"),
+        ("", ""),
+        ("-x.py", "./-x.py"),
+        ("::error::x.py", "./::error::x.py"),
+        ("~x.py", "./~x.py"),
+        ("a\nb.py", r"a\nb.py"),
+        ("\nb.py", r"./\nb.py"),
+    ],
+)
+def test_names(name, shown):
+    assert shown_name(name) == shown
+
+
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [
+        ("mine.py", "judge replay x:y mine.py"),
+        ("my file.py", "judge replay x:y 'my file.py'"),
+        ("-x.py", "judge replay x:y ./-x.py"),
+        ("a\nb'\\.py", r"judge replay x:y $'a\x0ab\x27\x5c.py'"),
+        ("é\n.py", r"judge replay x:y $'\xc3\xa9\x0a.py'"),
+    ],
+)
+def test_commands(name, command):
+    assert shown_command("judge", "replay", "x:y", file=name) == command
+
+
+@pytest.mark.parametrize(
+    "text", ["::error::x", "a\n  ::stop-commands::x\nb", "\t::x", "a ##[error]b", "##[group]"]
+)
+def test_whatever_is_written_is_no_command(text, capsys):
+    Screen.of(sys.stdout).write(text)
+    written = capsys.readouterr().out
+    assert harmless(written)
+    assert written.replace(r"\x3a", ":").replace(r"\x23", "#") == text
+
+
+@pytest.mark.parametrize("text", ["a::b\n", "x ::error::\n", "#[x] ## [\n", "a[1::2]\n", ":\n:\n"])
+def test_everything_else_is_written_as_it_is(text, capsys):
+    Screen.of(sys.stdout).write(text)
+    assert capsys.readouterr().out == text

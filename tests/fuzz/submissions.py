@@ -1,0 +1,160 @@
+"""Folders of odd submissions, judged contained as any are: each has one result, and none costs another.
+
+Among them are one that is right and one that is wrong, whose verdicts are known.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+
+from programs import changed_program, odd_program
+from runs import ROOT, Ended, Run
+
+_BATCH = 10  # odd ones of a case
+_LONGEST = 100_000  # characters of a result
+_CASES = 2  # of a test group
+_PROBLEMS = ("middle", "count", "segment", "ray-nearest", "exact-count")
+_PACKS = {"middle": ROOT / "tests" / "fixtures" / "pack"}  # the others are shipped
+_NAMES = (
+    *(
+        "new\nline",
+        "\x1b[31mred",
+        "-dash",
+        "é",
+        "e\u0301",
+        "\u202eabc",
+        "a b",
+        "x" * 200,
+        ".hidden",
+        "..",
+        "a.b",
+        "%s",
+        "{0}",
+    ),
+    *(
+        "no\udcffutf8",
+        "'quoted'",
+        '"quoted"',
+        "$HOME",
+        "*",
+        "<b>",
+        "&amp;",
+        "COM1",
+        "__init__",
+        "__main__",
+        "json",
+        "sys",
+        "\U0001f600",
+    ),
+)
+_RIGHT, _WRONG = "0-right.py", "1-wrong.py"
+
+
+@cache
+def _files() -> dict[str, bytes]:
+    """The pack: every problem with few cases and short limits, its hints left out."""
+    files = {}
+    for problem in _PROBLEMS:
+        pack = _PACKS.get(problem, ROOT)
+        folder = pack / "problems" / problem
+        files |= {
+            f"problems/{problem}/{name}": (folder / name).read_bytes()
+            for name in ("problem.py", "statement.md")
+        }
+        files[f"problems/{problem}/problem.toml"] = _shortened(
+            (folder / "problem.toml").read_text(encoding="utf-8")
+        )
+        for path in [*(pack / "solutions" / problem).glob("*/*.py")]:
+            files[path.relative_to(pack).as_posix()] = path.read_bytes()
+    return files
+
+
+def _shortened(text: str) -> bytes:
+    """A problem.toml with few cases, no race against a reference and a tenth of a second a group."""
+    text = re.sub(r"(?m)^count = \d+", f"count = {_CASES}", text)
+    text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.1", text)
+    text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 30", text)
+    return re.sub(r"(?m)^\[time\].*\n([^\[\n].*\n|\n)*", "", text).encode()
+
+
+def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
+    """Write a folder of submissions; the command line that judges them."""
+    for name, content in _files().items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
+    problem = chance.choice(_PROBLEMS)
+    table = tomllib.loads(_files()[f"problems/{problem}/problem.toml"].decode())
+    entry = table["entry"]
+    parameters = ", ".join(parameter["name"] for parameter in table["parameters"])
+    batch = folder / "work" / "batch"
+    batch.mkdir(parents=True)
+    (batch / _RIGHT).write_bytes(_program(problem, "accepted", entry))
+    (batch / _WRONG).write_bytes(f"def {entry}({parameters}):\n    return 'wrong'\n".encode())
+    story = [f"{problem}"]
+    for number in range(_BATCH):
+        if chance.random() < 0.5:
+            what, source = odd_program(chance, entry, parameters)
+        else:
+            source = chance.choice(
+                [content for name, content in _files().items() if name.startswith(f"solutions/{problem}/")]
+            )
+            what, source = changed_program(chance, source)
+        name = f"odd{number}.py" if chance.random() < 0.7 else f"{chance.choice(_NAMES)}{number}.py"
+        (batch / name).write_bytes(source)
+        story.append(f"{name!r}: {what}")
+    return story, _runs(chance, problem, [group["name"] for group in table["groups"]])
+
+
+def _program(problem: str, folder: str, entry: str) -> bytes:
+    """The first solution in that folder that defines the entry."""
+    start = f"solutions/{problem}/{folder}/"
+    return next(
+        content
+        for name, content in sorted(_files().items())
+        if name.startswith(start) and f"def {entry}(".encode() in content
+    )
+
+
+def _runs(chance: random.Random, problem: str, groups: list[str]) -> list[Run]:
+    """All of them judged, most often; else one of them stressed."""
+    few = ("--group", groups[0], "--group", chance.choice(groups[1:]))
+    level = ("--isolation", "strong") if chance.random() < 0.1 else ()
+    if chance.random() < 0.1:
+        name = f"batch/odd{chance.randrange(_BATCH)}.py"
+        stressing = ("stress", "--json", problem, name, "--for", "0.2s", "--seed", "7", *few, *level)
+        return [_one(stressing), _one(("watch", "--json", problem, name, *few, *level), interrupt=2.0)]
+    words = ["run", problem, "batch", *few, *level]
+    words += ["--no-shrink"] if chance.random() < 0.7 else []
+    words += ["--no-name"] if chance.random() < 0.7 else []
+    words += ["-j", "2"] if chance.random() < 0.3 else []
+    words += ["--junit", "out.xml"] if chance.random() < 0.3 else []
+    form = chance.choice(("--json", "--json", "--json", "--format=github", "--format=text", "-q"))
+    return [_one((words[0], form, *words[1:]))]
+
+
+def _one(words: tuple[str, ...], interrupt: float | None = None) -> Run:
+    settings = {"JUDGE_PROBLEMS": "../problems", "COLUMNS": "80"}
+    return Run(words, settings, checked="--json" in words, interrupt=interrupt)
+
+
+def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
+    """What is wrong with the results: one is missing, is the judge's fault, or is not what it must be."""
+    if run.words[:2] != ("run", "--json"):
+        return ["the judge is at fault"] if ended.status == 3 and run.words[0] != "stress" else []
+    results = [json.loads(line) for line in ended.out.split("\n")[:-1]]
+    given = len(list((folder / "work" / "batch").iterdir()))
+    found = [] if len(results) == given else [f"it has {len(results)} results of {given} submissions"]
+    known = {result["submission"].rpartition("/")[2]: result for result in results}
+    for name, result in known.items():
+        why = str((result["failure"] or {}).get("message"))
+        wanted = {_RIGHT: "AC", _WRONG: "WA"}.get(name)
+        if result["verdict"] == "JE" or wanted not in (None, result["verdict"]):
+            found.append(f"{name!r} is judged {result['verdict']}, not {wanted or 'by itself'}: {why[:300]}")
+        if len(json.dumps(result)) > _LONGEST:
+            found.append(f"the result of {name!r} has {len(json.dumps(result))} characters")
+    return found

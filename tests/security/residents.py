@@ -1,0 +1,150 @@
+"""Who judges: a user with the whole judge, who may start it below any limit."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from attackers import HERE, Attacker
+
+ROOT = HERE.parent.parent
+NEEDED = ("click", "msgspec")  # of other people, for judging with --json
+SECONDS = 150
+RIGHT = "def middle(a, b):\n    return (a + b) / 2\n"
+WRONG = "def middle(a, b):\n    return (a + b) // 2\n"
+CROWD = """
+import threading, time
+threading.stack_size(64 * 1024)
+stay = threading.Event()
+for _ in range(120):
+    threading.Thread(target=stay.wait, daemon=True).start()
+def middle(a, b):
+    time.sleep(0.002)
+    return (a + b) / 2
+"""
+
+
+class Judged(NamedTuple):
+    """What came of one command."""
+
+    status: int
+    results: dict[str, dict[str, Any]]  # by the submission's file name
+    err: str
+
+    def verdicts(self, start: str = "") -> list[str]:
+        return [found["verdict"] for name, found in self.results.items() if name.startswith(start)]
+
+    def messages(self, start: str = "") -> set[str]:
+        """What is said of each that failed."""
+        found = [found["failure"] for name, found in self.results.items() if name.startswith(start)]
+        return {failure["message"] for failure in found if failure}
+
+
+class Resident:
+    """A user, the judge as this user has it, and a pack with the problem `middle`."""
+
+    def __init__(self, attacker: Attacker) -> None:
+        self.attacker = attacker
+        self.home = attacker.home / "resident"
+        self.cache = self.home / "cache"
+        ignore = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(ROOT / "judge", self.home / "judge", ignore=ignore)
+        shutil.copytree(ROOT / "tests" / "fixtures" / "pack", self.home / "pack", ignore=ignore)
+        if attacker.python != sys.executable:
+            for name in NEEDED:
+                found = importlib.util.find_spec(name)
+                assert found is not None
+                assert found.origin is not None
+                shutil.copytree(Path(found.origin).parent, self.home / name, ignore=ignore)
+        self.cache.mkdir()
+        self.cache.chmod(0o777)
+        check = self.run(["-c", "import click, msgspec"])
+        if check.returncode:
+            pytest.skip(f"{attacker.python} cannot import the judge's packages: {check.stderr[-200:]}")
+        self._available: set[str] = set()
+
+    def require(self, level: str) -> None:
+        """Skip where this user cannot have the level."""
+        if not self._available:
+            found = json.loads(self.run(["-m", "judge", "doctor", "--json"]).stdout)
+            self._available = {row["name"] for row in found["levels"] if row["available"]}
+        if level not in self._available:
+            pytest.skip(f"{level} cannot be had here")
+
+    def submissions(self, folder: Path, **sources: str) -> list[str]:
+        """Files of these names and contents that this user may read."""
+        folder.mkdir(parents=True, exist_ok=True)
+        for above in (folder, *folder.parents[: len(folder.relative_to(self.attacker.home).parts) - 1]):
+            above.chmod(0o755)
+        for name, source in sources.items():
+            (folder / f"{name}.py").write_text(source)
+        return [str(folder / f"{name}.py") for name in sources]
+
+    def popen(
+        self, words: list[str], *, before: tuple[str, ...] = (), as_root: bool = False, **settings: str
+    ) -> subprocess.Popen[str]:
+        """Start its interpreter, by a command `before` it such as prlimit, which may have to be root's."""
+        uid = None if as_root else self.attacker.uid
+        return subprocess.Popen(
+            [*before, self.attacker.python, *words],
+            cwd="/",
+            env={
+                "PATH": os.environ["PATH"],
+                "HOME": str(self.cache),
+                "JUDGE_CACHE": str(self.cache),
+                "JUDGE_PROBLEMS": str(self.home / "pack" / "problems"),
+                "PYTHONPATH": str(self.home),
+                "PYTHONDONTWRITEBYTECODE": "1",
+                **settings,
+            },
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            user=uid,
+            group=uid,
+            extra_groups=None if uid is None else [],
+            preexec_fn=_as_in_a_terminal,
+        )
+
+    def run(
+        self, words: list[str], *, before: tuple[str, ...] = (), as_root: bool = False, **settings: str
+    ) -> subprocess.CompletedProcess[str]:
+        """The same, to its end."""
+        process = self.popen(words, before=before, as_root=as_root, **settings)
+        try:
+            out, err = process.communicate(timeout=SECONDS)
+        except BaseException:
+            process.kill()
+            process.communicate()
+            raise
+        return subprocess.CompletedProcess(process.args, process.returncode, out, err)
+
+    def judge(self, *words: str, before: tuple[str, ...] = (), **settings: str) -> Judged:
+        """`judge run middle` with these words, bare of what comes after a verdict."""
+        return judged(self.run(command(*words), before=before, **settings))
+
+
+def command(*words: str) -> list[str]:
+    """The words of a bare `judge run` on the problem `middle`."""
+    return ["-m", "judge", "run", "middle", *words, "--json", "--no-shrink", "--no-name", "--no-history"]
+
+
+def judged(ended: subprocess.CompletedProcess[str]) -> Judged:
+    """The results that a command wrote."""
+    rows = [json.loads(line) for line in ended.stdout.splitlines()]
+    assert "Traceback" not in ended.stderr, ended.stderr[-2000:]
+    return Judged(ended.returncode, {Path(row["submission"]).stem: row for row in rows}, ended.stderr)
+
+
+def _as_in_a_terminal() -> None:
+    """Have Ctrl-C: a suite that is run in the background has it switched off for all that it starts."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)

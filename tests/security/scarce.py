@@ -1,0 +1,85 @@
+"""Takes a fork server's right to start processes away, asks it for everything, and gives the right back."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from judge.errors import ShortageError
+from judge.sandbox import open_box
+from judge.sandbox.boundary import Limits
+
+LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+SOURCE = b"def f(n):\n    return n\n"
+
+
+def fork_server(pid: int) -> int:
+    """The last of a line of processes, each the only child of the one before."""
+    while children := _children(pid):
+        (pid,) = children
+    return pid
+
+
+def _children(parent: int) -> list[int]:
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                fields = (entry / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            if int(fields[1]) == parent and fields[0] not in "ZX":
+                found.append(int(entry.name))
+    return found
+
+
+def allow(server: int, count: int) -> None:
+    """Bound what it may have; where root gave it a user of its own, as that user."""
+    status = Path(f"/proc/{server}/status").read_text().splitlines()
+    user = next(line.split()[1] for line in status if line.startswith("Uid:"))
+    change = ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups"] if os.geteuid() == 0 else []
+    subprocess.run([*change, "prlimit", f"--pid={server}", f"--nproc={count}:"], check=True)
+
+
+def told(act: Callable[[], Any]) -> str:
+    try:
+        return str(act())
+    except ShortageError as fault:
+        wanted = "no further process or thread can be started; use a smaller -j"
+        return "a shortage" if wanted in str(fault) else str(fault)
+
+
+def answers(box: Any) -> list[Any]:
+    return [reply.answer for reply in box.call_many("f", [(1,)], LIMITS).replies]
+
+
+def main(level: str) -> None:
+    found: dict[str, Any] = {}
+    with open_box(SOURCE, "f.py", level=level) as box:
+        server = fork_server(box._holder.here()._process.pid)
+        allow(server, 0)
+        found["inspect"] = told(box.inspect)
+    with open_box(SOURCE, "f.py", level=level) as box:
+        assert answers(box) == [1]
+        server = fork_server(box._holder.here()._process.pid)
+        allow(server, 0)
+        soon = threading.Timer(0.1, allow, (server, MOST))
+        soon.start()
+        found["for a moment"] = answers(box)
+        soon.join()
+        allow(server, 0)
+        found["calls"] = told(lambda: answers(box))
+        found["afterwards"] = answers(box)
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    MOST = resource.getrlimit(resource.RLIMIT_NPROC)[0]
+    main(sys.argv[1])

@@ -1,0 +1,165 @@
+"""A judge that was really installed hides its solutions, whatever symlinks lead to it.
+
+The wheel is installed once for each attacker, below `current -> releases/7` as many servers have it.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from attackers import HERE, SECONDS, Attacker
+
+ROOT = HERE.parents[1]
+DEPENDENCIES = ("click", "fsrs", "hypothesis", "jinja2", "msgspec", "platformdirs", "rich", "watchfiles")
+
+
+class Installed(NamedTuple):
+    """One installation as one user starts it."""
+
+    attacker: Attacker
+    python: Path
+    path: str  # $PYTHONPATH
+
+    def run(self, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        home = self.attacker.home / "own"
+        return subprocess.run(
+            [str(self.python), *command],
+            cwd="/",
+            env={
+                "PATH": os.environ["PATH"],
+                "HOME": str(home),
+                "PYTHONPATH": self.path,
+                "PYTHONDONTWRITEBYTECODE": "1",
+                "JUDGE_DB": str(home / "history.sqlite3"),
+                "JUDGE_CACHE": str(home / "cache"),
+                **environment,
+            },
+            capture_output=True,
+            text=True,
+            timeout=SECONDS,
+            check=False,
+            user=self.attacker.uid,
+            group=self.attacker.uid,
+            extra_groups=None if self.attacker.uid is None else [],
+        )
+
+    def look(self, level: str, *forgotten: str) -> dict[str, Any]:
+        """What a submission finds at a level."""
+        ended = self.run(str(self.attacker.home / "security" / "installed.py"), level, *forgotten)
+        assert ended.returncode == 0, ended.stderr
+        return json.loads(ended.stdout)  # type: ignore[no-any-return]
+
+
+def _make(folder: Path, python: str) -> Path:
+    """A virtual environment's own place for modules, which takes the judge's dependencies from ours."""
+    subprocess.run([python, "-m", "venv", "--without-pip", str(folder)], check=True, umask=0o022, timeout=60)
+    (site,) = folder.glob("lib/python3*/site-packages")
+    (site / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n")
+    if not (folder / "lib64").exists():
+        (folder / "lib64").symlink_to("lib")
+    return site
+
+
+@pytest.fixture(scope="session")
+def installations(attacker: Attacker, wheel: Path) -> dict[str, Installed]:
+    if importlib.util.find_spec("pip") is None:
+        pytest.skip("there is no pip to install the wheel with")
+    app = attacker.home / "app"
+    (app / "releases" / "7").mkdir(parents=True)
+    (app / "current").symlink_to("releases/7")
+    (attacker.home / "own").mkdir()
+    if attacker.uid is not None:
+        os.chown(attacker.home / "own", attacker.uid, attacker.uid)
+    for name in ("venv", "editable"):
+        _make(app / "releases" / "7" / name, attacker.python)
+    linked, plain = (app / way / "venv" / "bin" / "python" for way in ("current", "releases/7"))
+    pip = [sys.executable, "-m", "pip", "--python", str(linked), "install", "-q", "--no-deps", "--no-index"]
+    subprocess.run(
+        [*pip, "--no-compile", "--disable-pip-version-check", str(wheel)],
+        check=True,
+        umask=0o022,
+        timeout=120,
+    )
+    (installed,) = app.glob("current/venv/lib/python3*/site-packages")
+    (editable,) = app.glob("current/editable/lib/python3*/site-packages")
+    checkout = app / "checkout"
+    checkout.mkdir()
+    for name in ("judge", "problems", "solutions"):
+        shutil.copytree(ROOT / name, checkout / name, ignore=shutil.ignore_patterns("__pycache__"))
+    (editable / "checkout.pth").write_text(f"{checkout}\n")
+    lib64 = {
+        python: str(python.parents[1] / "lib64" / installed.parent.name / "site-packages")
+        for python in (plain, linked)
+    }
+    return {
+        "plain": Installed(attacker, plain, ""),
+        "linked": Installed(attacker, linked, ""),
+        "lib64": Installed(attacker, plain, lib64[plain]),
+        "linked-lib64": Installed(attacker, linked, lib64[linked]),
+        "two-names": Installed(attacker, linked, str(installed.resolve())),
+        "editable": Installed(attacker, app / "current/editable/bin/python", ""),
+    }
+
+
+LAYOUTS = ["plain", "linked", "lib64", "linked-lib64", "two-names", "editable"]
+CONTAINED = ["full", "strong"]
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("level", CONTAINED)
+def test_no_submission_finds_a_solution(
+    attacker: Attacker, installations: dict[str, Installed], level: str, layout: str
+) -> None:
+    attacker.require(level)
+    outcome = installations[layout].look(level)
+    assert outcome == {"stop": "answered", "isolation": level, "found": [], "errors": ""}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_the_same_submission_finds_it_where_nothing_is_hidden(
+    installations: dict[str, Installed], layout: str
+) -> None:
+    outcome = installations[layout].look("limits")
+    assert outcome["stop"] == "answered", outcome
+    assert [path for path in outcome["found"] if path.endswith("/exact.py")], outcome
+
+
+@pytest.mark.parametrize("forgotten", ["unseen", "searched"])
+@pytest.mark.parametrize("layout", ["plain", "linked-lib64"])
+@pytest.mark.parametrize("level", [*CONTAINED, "best"])
+def test_where_hiding_has_failed_nothing_runs(
+    attacker: Attacker, installations: dict[str, Installed], level: str, layout: str, forgotten: str
+) -> None:
+    """Each of the two lists that are looked at inside is enough; nor is a lower level taken instead."""
+    attacker.require("strong" if level == "best" else level)
+    outcome = installations[layout].look(level, "hidden", forgotten)
+    assert list(outcome) == ["refused"], outcome
+    assert "would let a submission read" in outcome["refused"]
+    assert "/site-packages/judge" in outcome["refused"]
+    assert "virtual environment of its own" in outcome["refused"]
+
+
+@pytest.mark.parametrize("layout", ["plain", "linked", "lib64"])
+@pytest.mark.parametrize("level", [*CONTAINED, "limits"])
+def test_who_reads_the_solution_is_accepted_without_containment_only(
+    attacker: Attacker, installations: dict[str, Installed], level: str, layout: str
+) -> None:
+    attacker.require(level)
+    there = installations[layout]
+    if there.run("-c", f"import {', '.join(DEPENDENCIES)}").returncode:
+        pytest.skip(f"{attacker.name} cannot import the judge's dependencies with {attacker.python}")
+    submission = str(attacker.home / "security" / "submissions" / "look_for_solution.py")
+    words = ["run", "count", submission, "--json", "--no-shrink", "--no-name", "--isolation", level]
+    ended = there.run("-m", "judge", *words)
+    result = json.loads(ended.stdout)
+    assert (result["isolation"], ended.stderr) == (level, "")
+    assert (ended.returncode, result["verdict"]) == ((0, "AC") if level == "limits" else (1, "WA"))

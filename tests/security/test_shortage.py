@@ -1,0 +1,212 @@
+"""A machine that is short of something: told as that, at the cost of one submission, never as its fault."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import time
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from attackers import Attacker
+from residents import CROWD, RIGHT, Judged, Resident, command, judged
+
+GROUPS = Path("/sys/fs/cgroup")
+MANY = 5  # right programs
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _cached(resident: Resident) -> None:
+    """The data of the problem built before there is a limit on anything."""
+    (right,) = resident.submissions(resident.home / "first", right=RIGHT)
+    assert resident.judge(right).verdicts() == ["AC"]
+
+
+@pytest.fixture(scope="module")
+def crowded(resident: Resident) -> list[str]:
+    """Right programs, and between them some that are right too, with 120 threads each."""
+    sources = {f"right{place}": RIGHT for place in range(MANY)}
+    for place in range(3):
+        sources[f"crowd{place}"] = CROWD
+    mixed = sorted(sources, key=lambda name: (name[-1], name))
+    return resident.submissions(resident.home / "crowded", **{name: sources[name] for name in mixed})
+
+
+@pytest.fixture(scope="module")
+def rights(resident: Resident) -> list[str]:
+    return resident.submissions(resident.home / "rights", **{f"right{place}": RIGHT for place in range(20)})
+
+
+def _tasks_now(uid: int) -> int:
+    """Processes and threads of a user, hidden ones too."""
+    count = 0
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            with contextlib.suppress(OSError, StopIteration):
+                lines = (entry / "status").read_text().splitlines()
+                owner = next(line.split()[1] for line in lines if line.startswith("Uid:"))
+                count += len(list((entry / "task").iterdir())) if owner == str(uid) else 0
+    return count
+
+
+def _limited_processes(resident: Resident, most: int) -> tuple[str, ...]:
+    """What leaves a plain user so many more processes."""
+    if resident.attacker.name == "root":
+        pytest.skip("the kernel does not bound root's own processes by ulimit -u")
+    uid = os.geteuid() if resident.attacker.uid is None else resident.attacker.uid
+    return ("prlimit", f"--nproc={_tasks_now(uid) + most}")
+
+
+@contextlib.contextmanager
+def _group(resident: Resident, controller: str, limits: dict[str, int]) -> Iterator[tuple[str, ...]]:
+    """What starts a command of this user in a control group of its own with a limit, of either version."""
+    old = GROUPS / controller
+    folder = (old if old.is_dir() else GROUPS) / f"judge-suite-{uuid.uuid4().hex[:8]}"
+    try:
+        folder.mkdir()
+    except OSError as fault:
+        pytest.skip(f"no control group can be made here: {fault.strerror}")
+    try:
+        limit = next((name for name in limits if (folder / name).exists()), None)
+        if limit is None:
+            pytest.skip(f"control groups do not bound {controller} here")
+        (folder / limit).write_text(str(limits[limit]))
+        uid = resident.attacker.uid
+        drop = [] if uid is None else ["setpriv", f"--reuid={uid}", f"--regid={uid}", "--clear-groups"]
+        yield ("sh", "-c", f'echo $$ > {folder}/cgroup.procs && exec "$@"', "sh", *drop)
+    finally:
+        _remove(folder)
+
+
+def _remove(folder: Path) -> None:
+    for _ in range(100):  # until all that ran in it has been reaped
+        with contextlib.suppress(OSError):
+            folder.rmdir()
+            return
+        time.sleep(0.05)
+
+
+@pytest.mark.parametrize("most", [90, 260])
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_right_program_is_accepted_whatever_threads_its_neighbours_hold(
+    resident: Resident, crowded: list[str], level: str, most: int
+) -> None:
+    resident.require(level)
+    limited = _limited_processes(resident, most)
+    found = resident.judge(*crowded, "-j", "8", "--isolation", level, before=limited)
+    _check_crowd(found, most)
+    assert "judge: 1 at once, not 8: there is no room for more (ulimit -u is " in found.err
+
+
+@pytest.mark.parametrize("most", [90, 260])
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_the_same_below_the_limit_of_a_container(
+    resident: Resident, crowded: list[str], level: str, most: int
+) -> None:
+    resident.require(level)
+    with _group(resident, "pids", {"pids.max": most}) as joined:
+        ended = resident.run(command(*crowded, "-j", "8", "--isolation", level), before=joined, as_root=True)
+    found = judged(ended)
+    _check_crowd(found, most)
+    assert "judge: 1 at once, not 8: there is no room for more (/sys/fs/cgroup/" in found.err
+    assert f"pids.max is {most})" in found.err
+
+
+def _check_crowd(found: Judged, most: int) -> None:
+    """Every right program is accepted; 120 threads need a machine that has them, or are its shortage."""
+    assert found.verdicts("right") == ["AC"] * MANY, found.messages()
+    assert set(found.verdicts("crowd")) == {"AC" if most > 200 else "JE"}, found.messages()
+    assert found.status == (0 if most > 200 else 3)
+    assert all("threads at once here, and not 128 as elsewhere; raise" in text for text in found.messages())
+    assert found.err.count("\n") == 1
+
+
+def test_two_judges_that_take_each_others_processes_blame_no_right_program(
+    resident: Resident, crowded: list[str]
+) -> None:
+    """Each has counted what is left before the other took it."""
+    limited = _limited_processes(resident, 200)
+    words = command(*crowded, "-j", "2")
+    both = [resident.popen(words, before=limited) for _ in range(2)]
+    for process in both:
+        out, err = process.communicate(timeout=150)
+        found = judged(subprocess.CompletedProcess(words, process.returncode, out, err))
+        assert len(found.results) == len(crowded)
+        assert set(found.verdicts("right")) <= {"AC", "JE"}, found.messages("right")
+
+
+@pytest.mark.parametrize(("limit", "jobs"), [("200:200", "200"), ("64:200", "20")])
+def test_the_descriptors_that_there_are_bound_what_is_done_at_once(
+    resident: Resident, rights: list[str], limit: str, jobs: str
+) -> None:
+    found = resident.judge(*rights, "-j", jobs, before=("prlimit", f"--nofile={limit}"))
+    assert (found.status, set(found.verdicts())) == (0, {"AC"}), found.messages()
+    assert f"there is no room for more (ulimit -n is {limit.partition(':')[2]})" in found.err
+    assert found.err.count("\n") == 1
+
+
+def test_a_soft_limit_on_descriptors_is_raised_without_a_word(resident: Resident, rights: list[str]) -> None:
+    found = resident.judge(*rights, "-j", "20", before=("prlimit", "--nofile=40:4096"))
+    assert (found.status, set(found.verdicts()), found.err) == (0, {"AC"}, "")
+
+
+@pytest.mark.parametrize(
+    ("option", "remedy"),
+    [
+        ("--fsize=1000000", "raise the limit (ulimit -f unlimited)"),
+        ("--as=600000000", "raise the limit (ulimit -v"),
+        ("--data=600000000", "raise the limit (ulimit -d"),
+    ],
+)
+def test_a_limit_on_the_judge_is_named_with_its_remedy_and_blames_no_submission(
+    resident: Resident, rights: list[str], option: str, remedy: str
+) -> None:
+    found = resident.judge(*rights[:6], "-j", "3", before=("prlimit", option))
+    assert (found.status, found.verdicts()) == (3, ["JE"] * 6), found.messages()
+    assert all(remedy in text and "\n" not in text for text in found.messages()), found.messages()
+    assert all("internal fault" not in text for text in found.messages())
+
+
+def test_too_few_descriptors_for_a_single_container_are_named(resident: Resident, rights: list[str]) -> None:
+    said: set[str] = set()
+    for most in (12, 14, 17):
+        found = resident.judge(*rights[:3], before=("prlimit", f"--nofile={most}:{most}"))
+        assert len(found.results) == 3
+        assert set(found.verdicts()) <= {"AC", "JE"}, found.messages()
+        assert (found.status == 0) is (set(found.verdicts()) == {"AC"})
+        said |= found.messages()
+    assert said
+    assert all(text.endswith("or raise the limit (ulimit -n)") for text in said), said
+
+
+def test_what_the_kernel_kills_for_want_of_memory_is_no_fault_of_the_submission(
+    resident: Resident, rights: list[str]
+) -> None:
+    """It keeps to the problem's 256 MB, and the machine has 120."""
+    hungry = RIGHT.replace("    return", "    kept.append(bytearray(b'x') * (6 << 20))\n    return")
+    (file,) = resident.submissions(resident.home / "hungry", hungry=f"kept = []\n{hungry}")
+    limits = {"memory.limit_in_bytes": 120 << 20, "memory.max": 120 << 20}
+    with _group(resident, "memory", limits) as joined:
+        ended = resident.run(command(file, *rights[:3]), before=joined, as_root=True)
+    found = judged(ended)
+    assert (found.status, found.verdicts("right")) == (3, ["AC"] * 3), found.messages()
+    assert found.verdicts("hungry") == ["JE"]
+    (message,) = found.messages()
+    assert message.startswith("the kernel has killed the submission's process: there is no memory left; use")
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_one(
+    attacker: Attacker, level: str
+) -> None:
+    attacker.require(level)
+    (found,) = attacker.run("scarce.py", level)
+    assert found == {
+        "inspect": "a shortage",
+        "calls": "a shortage",
+        "for a moment": [1],
+        "afterwards": [1],
+    }

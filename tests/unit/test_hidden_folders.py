@@ -1,0 +1,327 @@
+"""A hidden folder is hidden by every name that leads to it; what lies beside it can be imported."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from judge.errors import JudgeError
+from judge.sandbox import concealed, levels, open_box, places, roots
+from judge.sandbox.boundary import Limits, Stop
+from judge.sandbox.inside import unseen
+
+LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
+AVAILABLE = {level.name for level in levels() if level.available}
+LOOK = b"""
+import json, os, sys
+import neighbour
+print(neighbour.VALUE)
+for path in json.load(sys.stdin):
+    for attempt in (open, os.listdir):
+        try:
+            found = attempt(path)
+        except OSError:
+            continue
+        if found:
+            print("BREACH", path, found)
+"""
+
+
+class Site(NamedTuple):
+    """What is on sys.path, what is hidden, and where a submission looks for the file in it."""
+
+    path: list[str]
+    hide: list[Path]
+    looks: list[Path]
+
+
+def _site(folder: Path) -> Path:
+    """A place of modules: one that may be imported, and a pack of problems with a secret."""
+    (folder / "pack" / "deep").mkdir(parents=True)
+    (folder / "pack" / "secret.txt").write_text("secret")
+    (folder / "pack" / "deep" / "secret.txt").write_text("secret")
+    (folder / "neighbour.py").write_text("VALUE = 42\n")
+    return folder
+
+
+def _seen(site: Path) -> list[Path]:
+    return [site / "pack" / "secret.txt", site / "pack" / "deep" / "secret.txt"]
+
+
+def as_it_is(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    return Site([str(site)], [site / "pack"], _seen(site))
+
+
+def below_a_link(top: Path) -> Site:
+    site = _site(top / "releases" / "7" / "site-packages")
+    (top / "current").symlink_to("releases/7")
+    name = top / "current" / "site-packages"
+    return Site([str(name)], [name / "pack"], [*_seen(name), *_seen(site)])
+
+
+def below_a_chain_of_links(top: Path) -> Site:
+    site = _site(top / "data" / "site-packages")
+    (top / "one").symlink_to(top / "two" / "deep")
+    (top / "two").mkdir()
+    (top / "two" / "deep").symlink_to("../three")
+    (top / "three").symlink_to(top / "data")
+    name = top / "one" / "site-packages"
+    return Site(
+        [str(name)], [site / "pack"], [*_seen(name), *_seen(site), *_seen(top / "three/site-packages")]
+    )
+
+
+def under_two_names(top: Path) -> Site:
+    site = _site(top / "lib" / "python3" / "site-packages")
+    (top / "lib64").symlink_to("lib")
+    name = top / "lib64" / "python3" / "site-packages"
+    return Site([str(name), str(site), str(site)], [site / "pack"], [*_seen(name), *_seen(site)])
+
+
+def by_a_relative_name(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    return Site([os.path.relpath(site)], [site / "pack"], _seen(site))
+
+
+def behind_dots_after_a_link(top: Path) -> Site:
+    site = _site(top / "far" / "site-packages")
+    (top / "far" / "away").mkdir()
+    (top / "link").symlink_to("far/away")
+    name = f"{top}/link/../site-packages"
+    return Site([name], [site / "pack"], _seen(site))
+
+
+def through_a_link_beside_it(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    for name, target in (("also", "pack"), ("deeper", site / "pack" / "deep"), ("loop", "."), ("up", top)):
+        (site / name).symlink_to(target)
+    looks = [site / "also/secret.txt", site / "deeper/secret.txt", *_seen(site / "loop")]
+    return Site([str(site)], [site / "pack"], [*looks, *_seen(site / "up/site-packages/loop/loop")])
+
+
+def itself_a_link_into_another_place(top: Path) -> Site:
+    site, other = _site(top / "site-packages"), _site(top / "other" / "dist-packages")
+    shutil.rmtree(site / "pack")
+    (site / "pack").symlink_to(other / "pack")
+    return Site([str(site), str(other)], [site / "pack"], [*_seen(site), *_seen(other)])
+
+
+def itself_a_link_out_of_what_is_shown(top: Path) -> Site:
+    site, other = _site(top / "site-packages"), _site(top / "other")
+    shutil.rmtree(site / "pack")
+    (site / "pack").symlink_to(other / "pack")
+    return Site([str(site)], [site / "pack"], [*_seen(site), *_seen(other)])
+
+
+def in_a_place_that_a_link_of_another_leads_to(top: Path) -> Site:
+    outer, inner = _site(top / "site-packages"), _site(top / "far" / "dist-packages")
+    shutil.rmtree(outer / "pack")
+    (outer / "link").symlink_to(top / "far")
+    name = outer / "link" / "dist-packages"
+    return Site([str(outer), str(name)], [name / "pack"], [*_seen(name), *_seen(inner)])
+
+
+def another_pack_that_nobody_named(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    for name, mark in (("problems", "problem.toml"), ("solutions", "accepted")):
+        (site / name / "one").mkdir(parents=True)
+        (site / name / "one" / mark).write_text("secret")
+    judges = [site / "judge" / way / "one" / mark for way, mark in (("problems", "problem.toml"),)]
+    judges[0].parent.mkdir(parents=True)
+    judges[0].write_text("secret")
+    looks = [site / "problems/one/problem.toml", site / "solutions/one/accepted", site / "solutions", *judges]
+    return Site([str(site)], [], looks)
+
+
+def a_link_out_of_what_is_shown(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    (top / "private").mkdir()
+    (top / "private" / "note.txt").write_text("secret")
+    (site / "private").symlink_to("../private")
+    return Site([str(site)], [site / "pack"], [site / "private" / "note.txt", top / "private" / "note.txt"])
+
+
+SITES: list[Callable[[Path], Site]] = [
+    as_it_is,
+    below_a_link,
+    below_a_chain_of_links,
+    under_two_names,
+    by_a_relative_name,
+    behind_dots_after_a_link,
+    through_a_link_beside_it,
+    itself_a_link_into_another_place,
+    itself_a_link_out_of_what_is_shown,
+    in_a_place_that_a_link_of_another_leads_to,
+    another_pack_that_nobody_named,
+    a_link_out_of_what_is_shown,
+]
+
+
+def _looked(site: Site, level: str) -> list[str]:
+    with open_box(LOOK, "look.py", level=level, hide=site.hide) as box:
+        ended = box.run_program(json.dumps(list(map(str, site.looks))).encode(), LIMITS)
+    assert ended.stop is Stop.ANSWERED, ended
+    return ended.stdout.decode().splitlines()
+
+
+@pytest.mark.parametrize("make", SITES)
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_no_name_leads_to_a_hidden_folder(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, level: str, make: Callable[[Path], Site]
+) -> None:
+    if level not in AVAILABLE:
+        pytest.skip(f"{level} cannot be had here")
+    site = make(tmp_path)
+    monkeypatch.setattr(sys, "path", [*sys.path, *site.path])
+    assert _looked(site, level) == ["42"]
+    assert all(unseen.shows(str(path)) for path in site.looks), "it can be read outside by each name"
+
+
+def test_a_package_that_is_only_called_so_may_be_imported(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    site = tmp_path / "site-packages"
+    for name in unseen.NAMES:
+        (site / name).mkdir(parents=True)
+        (site / name / "__init__.py").write_text("VALUE = 7\n")
+        (site / name / "mechanics.py").write_text("")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    with open_box(b"import problems, solutions\nprint(problems.VALUE + solutions.VALUE)", "f.py") as box:
+        assert box.run_program(b"", LIMITS).stdout == b"14\n"
+
+
+def test_a_checkout_that_holds_the_environment_in_use_is_hidden_by_its_parts(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    checkout = tmp_path / "dist-packages" / "judge"
+    (checkout / "problems" / "one").mkdir(parents=True)
+    (checkout / "problems" / "one" / "problem.toml").touch()
+    site = _site(checkout / ".venv" / "site-packages")
+    (checkout / "solutions").symlink_to(".")  # no way down: it must not be followed for ever
+    monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path / "dist-packages"), str(site)])
+    found = roots.find_roots()
+    assert str(checkout) not in found.hidden
+    assert str(checkout / "problems") in found.hidden
+    assert _looked(Site([], [], [checkout / "problems" / "one" / "problem.toml"]), "strong") == ["42"]
+
+
+def test_a_folder_above_what_is_shown_hides_nothing_of_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    site = _site(tmp_path / "site-packages")
+    (tmp_path / "answers.txt").write_text("secret")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    for level in AVAILABLE - {"limits"}:
+        assert _looked(Site([], [tmp_path], [tmp_path / "answers.txt"]), level) == ["42"]
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_another_mount_of_a_hidden_folder_is_hidden(tmp_path: Path, level: str) -> None:
+    """In a mount namespace of its own, which ends with it."""
+    if not {"full", level} <= AVAILABLE:
+        pytest.skip(f"{level} cannot be had here, or no mount")
+    site = _site(tmp_path / "site-packages")
+    other = tmp_path / "other" / "dist-packages"
+    for name in ("whole", "part"):
+        (other / name).mkdir(parents=True)
+    looks = [
+        other / "whole" / "secret.txt",
+        other / "whole" / "deep" / "secret.txt",
+        other / "part/secret.txt",
+    ]
+    script = f"""
+import json, sys
+sys.path[:0] = {[str(Path(roots.__file__).parents[2]), str(site), str(other)]!r}
+from pathlib import Path
+from judge.sandbox import open_box
+from judge.sandbox.boundary import Limits
+looks = {list(map(str, looks))!r}
+assert all(open(path).read() == "secret" for path in looks)
+try:
+    with open_box({LOOK!r}, "look.py", level={level!r}, hide=[Path({str(site / "pack")!r})]) as box:
+        print(box.run_program(json.dumps(looks).encode(), Limits{tuple(LIMITS)!r}).stdout.decode())
+except Exception as error:
+    print(error)
+"""
+    command = ["bwrap", "--dev-bind", "/", "/", "--cap-add", "ALL"]
+    command += ["--bind", str(site / "pack"), str(other / "whole")]
+    command += ["--bind", str(site / "pack" / "deep"), str(other / "part")]
+    ended = subprocess.run(
+        [*command, sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False
+    )
+    if "cannot be had here: bwrap" in ended.stdout:
+        pytest.skip("no bubblewrap within another here")
+    assert ended.stdout.split() == ["42"], ended.stdout + ended.stderr
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_judge_in_an_archive_that_shows_runs_nothing(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, level: str
+) -> None:
+    """A file cannot be covered."""
+    if level not in AVAILABLE:
+        pytest.skip(f"{level} cannot be had here")
+    archive = _site(tmp_path / "site-packages") / "judge.pyz"
+    archive.write_bytes(b"PK")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(archive.parent)])
+    monkeypatch.setattr(concealed, "__file__", f"{archive}/judge/sandbox/concealed.py")
+    refused = pytest.raises(JudgeError, match=f"would let a submission read {archive}")
+    with refused, open_box(b"", "f.py", level=level):
+        pass
+
+
+def test_what_was_compiled_of_it_is_hidden(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    site = _site(tmp_path / "site-packages")
+    compiled = Path(f"{site}/compiled{site}/pack")
+    compiled.mkdir(parents=True)
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    monkeypatch.setattr(sys, "pycache_prefix", str(site / "compiled"))
+    assert {str(site / "pack"), str(compiled)} <= set(roots.find_roots([site / "pack"]).hidden)
+
+
+def test_mounts_are_read_with_spaces_in_their_names(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    table = tmp_path / "mountinfo"
+    table.write_text(
+        "22 1 8:1 / / rw - ext4 /dev/a rw\n23 22 8:1 /a\\040b /c\\134d rw shared:1 - ext4 /dev/a rw\n"
+    )
+    monkeypatch.setattr(places, "_MOUNTS", table)
+    assert places.mounts() == [places.Mount("8:1", "/", "/"), places.Mount("8:1", "/a b", "/c\\d")]
+    monkeypatch.setattr(places, "_MOUNTS", tmp_path / "none")
+    assert places.mounts() == []
+
+
+@pytest.mark.parametrize("level", ["full", "strong", None])
+@pytest.mark.parametrize("kept", ["unseen", "searched"])
+def test_a_container_that_shows_what_it_must_not_is_refused(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, level: str | None, kept: str
+) -> None:
+    """Even where no level is demanded: a lower one would show as much."""
+    if not AVAILABLE - {"limits"} or level not in (*AVAILABLE, None):
+        pytest.skip("it cannot be had here")
+    site = _site(tmp_path / "site-packages")
+    (site / "pack" / "problem.toml").touch()
+    (site / "problems").mkdir()
+    (site / "pack").rename(site / "problems" / "pack")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    other = {"unseen": "searched", "searched": "unseen"}[kept]
+    found = roots.find_roots()
+    monkeypatch.setattr(roots, "find_roots", lambda _: found._replace(hidden=(), **{other: ()}))
+    refused = pytest.raises(JudgeError, match=f"would let a submission read {site}/problems")
+    with refused as caught, open_box(b"", "f.py", level=level):
+        pass
+    assert "virtual environment of its own" in (caught.value.remedy or "")
+    box = open_box(b"", "f.py", level=level)
+    box.warm_up()  # which keeps it to itself
+    with refused, box:
+        pass
+    with open_box(b"", "f.py", level="limits") as open_to_all:
+        assert open_to_all.isolation == "limits"
