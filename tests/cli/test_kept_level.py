@@ -123,7 +123,7 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, tmp_path, monkeypatc
 
 
 @pytest.mark.usefixtures("own_cache")
-def test_watching_demands_the_level_it_has_had(submit, tmp_path, monkeypatch):
+def test_a_watched_file_demands_what_it_has_had(submit, tmp_path, monkeypatch):
     if BEST != "full":
         pytest.skip("full cannot be had here")
     from judge.cli.watching import WatchedFile

@@ -85,7 +85,6 @@ def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
         stating(f">>> {call}\n2\n")
 
 
-HUGE = "9" * 400  # no double
 NUMBERS = [
     '"1"',
     "True",
@@ -100,23 +99,20 @@ NUMBERS = [
     "[1, 2]",
 ]
 ANSWERS = {
-    "count": ("neither a whole number nor None", [*NUMBERS, "1.0", "[]", "(1, 2)"]),
-    "parameter": ("neither a number nor None", [*NUMBERS, "[]", "(1, 2)", HUGE]),
-    "points": (
-        "no list of points (x, y)",
-        [*NUMBERS, "1", "None", "(1, 2)", "[(1, 2), 3]", "[(1e999, 1)]", f"[(1, {HUGE})]", "'ab'"],
-    ),
+    "count": [*NUMBERS, "1.0", "[]", "(1, 2)"],
+    "parameter": [*NUMBERS, "[]", "(1, 2)"],
+    "points": [*NUMBERS, "1", "None", "(1, 2)", "[(1, 2), 3]", "[(1e999, 1)]", "'ab'"],
 }
 
 
 @pytest.mark.parametrize(
-    ("kind", "said", "answer"),
-    [(kind, said, answer) for kind, (said, answers) in ANSWERS.items() for answer in answers],
+    ("kind", "answer"), [(kind, answer) for kind, answers in ANSWERS.items() for answer in answers]
 )
-def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, said, answer, stating):
+def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, answer, stating):
     with pytest.raises(ProblemError, match=r"^root-count/statement.md:3: the example's answer ") as caught:
         stating(f"A sentence.\n\n>>> root_count(4)\n{answer}\n", kind)
-    assert f" is {said}; correct it, or " in str(caught.value)
+    assert f" {answer!r} is none: it " in str(caught.value)
+    assert str(caught.value).endswith("; correct it, or the answer that problem.toml declares")
 
 
 @pytest.mark.parametrize(
@@ -139,7 +135,9 @@ def test_an_answer_of_its_type(kind, answer, stating):
     "argument", ['"4"', "True", "None", "1e999", "1j", "b'4'", "{}", "{[]}", "[1]", "[1, '2']", "[[1], [2]]"]
 )
 def test_an_argument_that_is_no_number_and_no_point_is_a_fault_with_its_line(argument, stating):
-    with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .* no plain numbers and points"):
+    with pytest.raises(
+        ProblemError, match=r"^root-count/statement.md:1: .*(no plain|is invalid: )"
+    ):
         stating(f">>> root_count({argument})\n2\n")
 
 
