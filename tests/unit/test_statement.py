@@ -17,11 +17,12 @@ SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 def stating(tmp_path):
     """Loads the sound problem with another statement."""
 
-    def load(text, kind="count"):
+    def load(text, kind="count", parameter="number"):
         folder = tmp_path / "problems" / "root-count"
         shutil.copytree(SOUND, folder, dirs_exist_ok=True)
         (folder / "statement.md").write_text(text, encoding="utf-8")
         table = (SOUND / "problem.toml").read_text().replace('answer = "count"', f'answer = "{kind}"')
+        table = table.replace('type = "number"', f'type = "{parameter}"')
         tolerance = "" if kind == "count" else "[tolerance]\nrelative = 1e-9\n"
         (folder / "problem.toml").write_text(table.replace("[limits]", f"{tolerance}[limits]"))
         return load_problem(folder)
@@ -51,7 +52,7 @@ def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
 
 
 def test_a_call_may_go_on_over_lines_and_write_points_as_lists(stating):
-    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n")
+    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n", parameter="point")
     assert wanted(problem) == [(((1, -2.5),), 1)]
 
 
