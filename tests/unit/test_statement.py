@@ -17,12 +17,12 @@ SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 def stating(tmp_path):
     """Loads the sound problem with another statement."""
 
-    def load(text, kind="count", parameter="number"):
+    def load(text, kind="count", parameter="integer"):
         folder = tmp_path / "problems" / "root-count"
         shutil.copytree(SOUND, folder, dirs_exist_ok=True)
         (folder / "statement.md").write_text(text, encoding="utf-8")
         table = (SOUND / "problem.toml").read_text().replace('answer = "count"', f'answer = "{kind}"')
-        table = table.replace('type = "number"', f'type = "{parameter}"')
+        table = table.replace('type = "integer"', f'type = "{parameter}"')
         tolerance = "" if kind == "count" else "[tolerance]\nrelative = 1e-9\n"
         (folder / "problem.toml").write_text(table.replace("[limits]", f"{tolerance}[limits]"))
         return load_problem(folder)
