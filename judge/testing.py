@@ -12,28 +12,23 @@ plug-in of this distribution each test group becomes a test of its own; see `jud
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
-from typing import Any
 
 from msgspec import Struct
 
-from judge.data import GroupData, ProblemData, load_data
+from judge.data import ProblemData, load_data
 from judge.diagnose.mistakes import known_mistakes
-from judge.errors import UsageError, nearest
+from judge.errors import UsageError
+from judge.judging.routine import Held, Routine, held
 from judge.problem import Group, Problem
+from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
-from judge.run.result import GroupResult, Mode
-from judge.run.tally import Tally
-from judge.sandbox import Stop
-from judge.sandbox.encode import encode
-
-Routine = Callable[..., Any]
+from judge.run.result import GroupResult
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
 
@@ -64,10 +59,7 @@ class JudgeProblem:
 
     def group(self, name: str) -> JudgeGroup:
         """One of its test groups. Raises UsageError if it has none of that name."""
-        if name not in self.groups:
-            meant = nearest(name, self.groups)
-            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(self.groups)}"
-            raise UsageError(f"{self.problem.id} has no group {name!r}", remedy=remedy)
+        chosen_groups(self.problem, [name])
         return JudgeGroup(self, name)
 
     def check(self, routine: Routine, groups: str | Iterable[str] | None = None) -> None:
@@ -86,14 +78,13 @@ class JudgeProblem:
         """
         __tracebackhide__ = True  # pytest shows the caller's line
         chosen = self.groups if groups is None else (groups,) if isinstance(groups, str) else tuple(groups)
-        for name in chosen:
-            self.group(name)
+        chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        judged = [_judged(self.data, each, routine) for each in self.data.groups if each.group.name in chosen]
-        failed = next((each for each in judged if each.tally.failure is not None), None)
+        judged = held(self.data, routine, chosen)
+        failed = next((each for each in judged if each.failure is not None), None)
         if failed is not None:
-            results = [each.tally.result() for each in judged]
+            results = [each.result for each in judged]
             text = _text(_lines(self.problem, routine, failed, results))
             raise AssertionError(text) from failed.raised
 
@@ -129,53 +120,10 @@ class JudgeGroup(Struct, frozen=True):
         return group
 
 
-class _Judged(Struct, frozen=True):
-    """A group, judged, and the first exception of the routine if that is its first failure."""
-
-    tally: Tally
-    raised: Exception | None
-
-
-def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
-    tally = Tally(data, group, Mode.FUNCTION)
-    first: Exception | None = None
-    calls = data.problem.calls(group.cases)
-    for index, (arguments, target) in enumerate(zip(calls, group.targets, strict=True)):
-        try:
-            answer = encode(routine(*arguments), data.problem.answer.items)
-        except Exception as fault:  # as `judge run` has it: this case is lost, the others are called
-            if tally.failure is None:
-                first = fault
-            tally.stopped(index, Stop.EXCEPTION, _told(fault))
-        else:
-            outcome = data.problem.answer.check(answer, target, tally.exact(index))
-            tally.compared(index, outcome, answer)
-    return _Judged(tally, first)
-
-
-def _told(fault: Exception) -> str:
-    try:
-        what = " ".join(str(fault).split())
-    except Exception:  # a text of its own that fails: what was raised matters more
-        what = "(its text cannot be shown)"
-    place = _place(fault.__traceback__)
-    return f"{type(fault).__name__}{': ' if what else ''}{what}{f' ({place})' if place else ''}"
-
-
-def _place(step: TracebackType | None) -> str:
-    """The innermost line that led to an exception, as editors open it."""
-    place = ""
-    while step is not None:
-        code = step.tb_frame.f_code
-        place = "" if code.co_filename == __file__ else f"{code.co_filename}:{step.tb_lineno}"
-        step = step.tb_next
-    return place
-
-
 def _lines(
-    problem: Problem, routine: Routine, failed: _Judged, results: Sequence[GroupResult]
+    problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult]
 ) -> Iterator[Line]:
-    failure = failed.tally.failure
+    failure = failed.failure
     assert failure is not None
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
@@ -190,7 +138,7 @@ def _lines(
         columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
         rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
         yield from (line(), *Table(columns, rows).lines(_WIDTH))
-    yield from _hints(problem, failed.tally.group.group)
+    yield from _hints(problem, failed.group)
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:

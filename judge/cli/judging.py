@@ -3,39 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from contextlib import nullcontext
-from functools import partial
 from pathlib import Path
 
 from msgspec import Struct
-from msgspec.structs import replace
 
-from judge.cli.containment import Containment
-from judge.cli.diagnosis import Diagnosis
-from judge.cli.naming import Naming
-from judge.cli.options import chosen_groups
 from judge.cli.picture import Drawing
 from judge.cli.recording import Recording
+from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
-from judge.data import ProblemData, load_data
-from judge.errors import JudgeError, UsageError
+from judge.errors import UsageError
+from judge.judging.executors import executor
+from judge.judging.job import Terms
+from judge.judging.session import Session
+from judge.language import is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.progress import progress
-from judge.report.screen import note
-from judge.run import Result, Settings, judge_fault, run_submission
-from judge.run.parallel import in_order
+from judge.report.screen import Notes
+from judge.run.execute import judge_fault
+from judge.run.result import Result
 
 
 class Wish(Struct, frozen=True):
     """How submissions are to be judged, and what is to be done about those that fail."""
 
-    groups: tuple[str, ...] = ()  # all of them where none is named
-    seed: int | None = None
+    terms: Terms
     jobs: int = 1
-    level: str | None = None  # of isolation
-    diagnosed: bool = True  # look for the smallest failing case
-    named: bool = True  # look for the mistake
     regression: Path | None = None
     kept: bool = True  # in the history
     db: Path | None = None
@@ -46,25 +39,26 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that it is kept as well where the caller fails. Raises JudgeError.
     """
-    chosen = {group.name for group in chosen_groups(problem, wish.groups)} if wish.groups else None
-    with Containment(problem, wish.level) as containment, Recording(wish.db, wanted=wish.kept) as recording:
-        containment.boot(submissions[0].source, submissions[0].name)
-        data = _data(problem, wish.seed)
-        settings = containment.settings(jobs=wish.jobs, submissions=len(submissions))
-        judge = partial(
-            _judge,
-            problem,
-            data,
-            Diagnosis(data, containment.open_box, wish.regression) if wish.diagnosed else None,
-            groups=chosen,
-            settings=settings,
-            bar=wish.jobs == 1,
-            naming=Naming(data, wish.seed, settings, wish.jobs) if wish.named else None,
+
+    def lost(submission: Submission, why: str) -> Result:
+        return judge_fault(problem.id, submission.name, why)
+
+    said = Notes()
+    with (
+        Session(problem, wish.terms, jobs=wish.jobs, expected=len(submissions), bars=progress) as session,
+        Recording(wish.db, wanted=wish.kept) as recording,
+    ):
+        session.boot(submissions[0].source, submissions[0].name)
+        said.say(session.data.notes)
+        results = executor(wish.jobs).results(
+            lambda submission: session.judge(submission.source, submission.name), submissions, lost
         )
-        for submission, result in zip(submissions, in_order(submissions, wish.jobs, judge), strict=True):
-            containment.warn_of(result.isolation)
+        for submission, result in zip(submissions, results, strict=True):
+            said.say(result.notes)
+            if wish.regression is not None:
+                said.say(save_regression(wish.regression, session.data, result))
             try:
-                yield Drawing(problem, data, result)
+                yield Drawing(problem, session.data, result)
             finally:  # the verdict comes first; where nobody reads it, the run is kept all the same
                 recording.add(submission, result)
 
@@ -74,44 +68,10 @@ def named_problem(name: str, folders: Sequence[Path]) -> Problem:
     try:
         return find_problem(name, folders)
     except UsageError as fault:
-        if name.endswith(".py"):
+        if is_program(name):
             remedy = "the problem comes first: judge run PROBLEM FILE"
             raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
         if "/" in name:
             remedy = "give its id, and the folder it is in with --problems"
             raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
         raise
-
-
-def _data(problem: Problem, seed: int | None) -> ProblemData:
-    with progress(f"building {problem.id}") as advance:
-        data = load_data(problem, seed=seed, progress=advance)
-    for text in data.notes:
-        note(text)
-    return data
-
-
-def _judge(
-    problem: Problem,
-    data: ProblemData,
-    diagnosis: Diagnosis | None,
-    submission: Submission,
-    *,
-    groups: set[str] | None,
-    settings: Settings,
-    bar: bool,
-    naming: Naming | None,
-) -> Result:
-    source, name = submission.source, submission.name
-    if diagnosis is not None:
-        settings = replace(settings, diagnose=partial(diagnosis, submission))
-    try:
-        with progress(name) if bar else nullcontext() as advance:
-            result = run_submission(
-                problem, data, source, name, groups=groups, on_progress=advance, settings=settings
-            )
-        return naming.named(result) if naming else result
-    except UsageError:  # a level of isolation that cannot be had
-        raise
-    except JudgeError as fault:  # such as a reference that fails on a case: the others are judged still
-        return judge_fault(problem.id, name, str(fault))

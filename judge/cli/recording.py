@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from judge.cli.submissions import Submission
 from judge.errors import HistoryError
 from judge.report.screen import note
@@ -14,10 +12,6 @@ from judge.run import Result
 
 if TYPE_CHECKING:
     from judge.kata.history import History
-
-no_history_option = click.option(
-    "--no-history", "unrecorded", is_flag=True, help="Do not keep the runs in the history."
-)
 
 
 class Recording:

@@ -49,9 +49,13 @@ def cache_folder() -> Path:
 
 def data_key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the data are made from."""
+    return content_key(f"{FORMAT}/{seed}", [*own_files(problem), *code_files(_CODE)])
+
+
+def own_files(problem: Problem) -> list[Path]:
+    """The files of the problem's folder that its data are made from, and the pack's own types."""
     own = [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
-    own += sorted((problem.folder.parent / "types").glob("*.py"))
-    return content_key(f"{FORMAT}/{seed}", [*own, *code_files(_CODE)])
+    return own + sorted((problem.folder.parent / "types").glob("*.py"))
 
 
 def code_files(packages: Iterable[str]) -> list[Path]:

@@ -29,6 +29,12 @@ class Counterexample(Struct, frozen=True):
     calls: int = 0
     given: Raw = None
 
+    @classmethod
+    def from_json(cls, found: dict[str, Any]) -> Counterexample:
+        """The counterexample that `as_json` wrote; it must have a replay id."""
+        case = tuple(tuple(value) if isinstance(value, list) else value for value in found["input"].values())
+        return cls(case, found["replay"].split(":")[1], **found)
+
     def as_json(self) -> dict[str, Any]:
         """The counterexample's object in the published form."""
         return {

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from judge.language import programs
 from judge.problem import Problem
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
@@ -43,7 +44,7 @@ def known_mistakes(problem: Problem) -> list[Mistake]:
     A file that cannot be read or has no docstring is left out: `judge verify` tells of it. A pack may come
     without solutions.
     """
-    mistakes = [each for path in (problem.solutions / "wrong").glob("*.py") if (each := _read(path))]
+    mistakes = [each for path in programs(problem.solutions / "wrong") if (each := _read(path))]
     return sorted(mistakes, key=lambda each: (each.name, not each.usual, each.path.name))
 
 

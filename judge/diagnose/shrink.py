@@ -29,9 +29,10 @@ from judge.diagnose.simplicity import measure
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
-from judge.run.result import Failure, Mode
-from judge.run.tally import named_input
-from judge.sandbox import Box
+from judge.run.group import named_input
+from judge.run.result import Failure
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
@@ -40,10 +41,9 @@ _PASSING = "called alone it is right: the program keeps something between calls,
 
 
 def shrink(
-    problem: Problem,
     data: ProblemData,
     box: Box,
-    mode: Mode,
+    runner: Runner,
     verdict: Verdict,
     failure: Failure,
     *,
@@ -62,11 +62,12 @@ def shrink(
     Raises:
         ProblemError: the problem's own code fails on a case.
     """
+    problem = data.problem
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
     budget = Budget(budget_seconds, clock)
-    trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference)
+    trial = Trial(load_module(problem), box, runner, verdict, budget, reference)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None

@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from msgspec import Struct
-from msgspec.structs import astuple
+from msgspec.structs import astuple, replace
 
 from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import Measure, measure
 from judge.errors import ProblemError
-from judge.problem import Case, Group, Problem, Tolerance, Verdict
-from judge.run.program import answer_lines, render_group
-from judge.run.result import Mode
-from judge.run.tally import VERDICTS
-from judge.sandbox import Box, Limits, Stop
+from judge.problem import Case, Group, Tolerance, Verdict
+from judge.run.replies import VERDICTS, Breakdown
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box, Limits, Stop
 from judge.values import Exact, Outline, Raw, Rejection, Target
 
 Clock = Callable[[], float]
@@ -28,6 +28,7 @@ Clock = Callable[[], float]
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
 SHORT_SECONDS = 0.2  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.02  # wall time a case is worth when nothing points to slowness
+_NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
 
@@ -70,21 +71,20 @@ class Trial:
 
     def __init__(
         self,
-        problem: Problem,
         module: ProblemModule,
         box: Box,
-        mode: Mode,
+        runner: Runner,
         verdict: Verdict,
         budget: Budget,
         judge_box: Callable[[], Box | None] = lambda: None,
     ) -> None:
-        self.problem = problem
+        self.problem = runner.problem
         self.module = module
         self.verdict = verdict
         self.budget = budget
         self._box = box
-        self._mode = mode
-        self._validator = Validator(problem, module.promise)
+        self._runner = runner
+        self._validator = Validator(runner.problem, module.promise)
         self._judge_box = judge_box
         self._known: dict[tuple[str, str], Finding | None] = {}
         self._targets: dict[tuple[str, str], Target] = {}
@@ -170,7 +170,7 @@ class Trial:
 
     @property
     def _verdict_of_a_run(self) -> bool:
-        return self._mode is Mode.PROGRAM and self.verdict is not Verdict.WA
+        return self.verdict is not Verdict.WA and not self._runner.tells_where
 
     def _target(self, case: Case, group: Group) -> Target:
         key = (group.name, repr(case))
@@ -195,75 +195,57 @@ class Trial:
         self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
     ) -> list[Finding | None]:
         """How each of the cases that were reached came out; None where it is right."""
-        ask = self._calls if self._mode is Mode.FUNCTION else self._program
-        return ask(box, cases, targets, group, limits)
-
-    def _calls(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
-    ) -> list[Finding | None]:
+        replies = self._runner.answers(box, cases, limits)
+        if replies.breakdown is not None:
+            return self._broken_down(replies.breakdown, cases, targets, group)
         ended: list[Finding | None] = []
-        answer = self.problem.answer
-        replies = box.call_many(self.problem.entry, self.problem.calls(cases), limits).replies
-        for case, target, reply in zip(cases, targets, replies, strict=False):
+        for case, target, reply in zip(cases, targets, replies.replies, strict=False):
             if reply.stop is not Stop.ANSWERED:
-                wanted = answer.wanted(target)
-                ended.append(self._stopped(case, group, VERDICTS[reply.stop], wanted, reply.detail))
+                ended.append(self._stopped(case, target, group, VERDICTS[reply.stop], reply.detail))
                 continue
-            outcome = answer.check(reply.answer, target, self._exact(case, group))
+            outcome = self._runner.decide(reply.answer, target, self._exact(case, group))
             if isinstance(outcome, Rejection):
-                way = _way(answer.right(target), answer.outline(reply.answer), outcome)
-                ended.append(self._rejected(case, group, outcome, way, reply.answer))
+                ended.append(self._rejected(case, target, group, outcome, reply.answer))
             else:
                 ended.append(None)
         return ended
 
-    def _program(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
+    def _broken_down(
+        self, breakdown: Breakdown, cases: Sequence[Case], targets: Sequence[Target], group: Group
     ) -> list[Finding | None]:
-        answer = self.problem.answer
-        result = box.run_program(render_group(self.problem, cases), limits)
-        if result.stop is not Stop.ANSWERED:
-            wanted, verdict = answer.line(targets[0]), VERDICTS[result.stop]
-            return [self._stopped(case, group, verdict, wanted, result.detail) for case in cases[:1]]
-        lines = answer_lines(result.stdout, complete=True)
-        if len(cases) == 1:
-            lines = [
-                " ".join(lines)
-            ]  # too many lines, or none, are read as one that says too much or nothing
-        if len(lines) != len(cases):
-            return []  # which case is to blame is not known
-        ended: list[Finding | None] = []
-        for case, target, line in zip(cases, targets, lines, strict=False):
-            outcome = answer.check_line(line, target, self._exact(case, group))
-            if isinstance(outcome, Rejection):
-                way = _way(answer.right(target), answer.line_outline(line), outcome)
-                read = answer.read_line(line)
-                given = None if isinstance(read, str) else read[0]
-                ended.append(self._rejected(case, group, outcome, way, given))
-            else:
-                ended.append(None)
-        return ended
+        """What a run that broke down says of its cases: something only where it had a single one."""
+        if len(cases) > 1:
+            return []
+        verdict, detail, got = breakdown.verdict, breakdown.detail, breakdown.got
+        found = self._stopped(cases[0], targets[0], group, verdict, detail, got)
+        return [replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found]
 
     def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
         return lambda: (self.module.reference(*case), group.tolerance)
 
-    def _rejected(
-        self, case: Case, group: Group, outcome: Rejection, way: tuple[str, ...], given: Raw
-    ) -> Finding:
+    def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
+        way = _way(self.problem.answer.right(target), self._runner.outline(answer), outcome)
         texts = outcome.wanted, outcome.got, outcome.message
-        return Finding(case, group, measure(case), Verdict.WA, *texts, way, given)
+        return Finding(case, group, measure(case), Verdict.WA, *texts, way, self._runner.raw(answer))
 
-    def _stopped(self, case: Case, group: Group, verdict: Verdict, wanted: str, detail: str) -> Finding:
+    def _stopped(
+        self,
+        case: Case,
+        target: Target,
+        group: Group,
+        verdict: Verdict,
+        detail: str,
+        got: str = "no answer",
+    ) -> Finding:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
-        return Finding(case, group, measure(case), verdict, wanted, "no answer", detail, way)
+        wanted = self._runner.wanted(target)
+        return Finding(case, group, measure(case), verdict, wanted, got, detail, way)
 
 
 def _way(right: Outline, given: Outline, outcome: Rejection) -> tuple[str, ...]:
     """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
     wanted, got = _sort(right), _sort(given)
-    if (
-        got.rpartition(" ")[2].isdecimal() and got != wanted
-    ):  # of a wanted 1 both 0 and 2 are the same mistake
+    if got.rpartition(" ")[2].isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"

@@ -8,6 +8,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import ProblemError
+from judge.language import programs
 from judge.problem import Problem
 
 
@@ -27,7 +28,7 @@ def model_solution(problem: Problem) -> Model:
         ProblemError: there is none, or it is no Python.
     """
     where = f"{problem.solutions.name}/accepted"
-    paths = sorted((problem.solutions / "accepted").glob("*.py"))
+    paths = programs(problem.solutions / "accepted")
     if problem.time is not None:
         paths.sort(key=lambda path: problem.time is None or path.name != problem.time.function)
     for path in paths:

@@ -13,6 +13,7 @@ import textwrap
 from collections.abc import Iterator
 from typing import Any
 
+from judge import language
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
 from judge.problem import Example, Problem
@@ -25,7 +26,7 @@ _IMPORTS = {"array": "from array import array"}
 
 def file_name(problem: Problem) -> str:
     """The usual name of a problem's file: one that Python can import."""
-    return f"{problem.id.replace('-', '_')}.py"
+    return language.file_name(problem.id.replace("-", "_"))
 
 
 def make_stub(problem: Problem) -> str:

@@ -16,6 +16,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
+from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.lines import KeyPath
 from judge.problem.model import Group, Limits, Parameter, Problem, TimeRule
@@ -154,8 +155,8 @@ class _Reader:
         if self._exact(table.limit, ("time", "limit")) < 1:
             self.fault(("time", "limit"), "the reference itself would be too slow", "give a multiple above 1")
         for key, name in (("function", table.function), ("program", table.program)):
-            if name is not None and (not name.endswith(".py") or Path(name).name != name):
-                remedy = "name a file of the accepted solutions, such as quadratic.py"
+            if name is not None and not (is_program(name) and Path(name).name == name):
+                remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
                 self.fault(("time", key), f"{name!r} is no solution's file", remedy)
         return TimeRule(float(table.limit), table.function, table.program)
 

@@ -24,7 +24,7 @@ from judge.report.layout import (
 )
 from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result
 
 _STYLES = {
     Verdict.AC: Style.GOOD,
@@ -52,7 +52,7 @@ def result_lines(
 
     A brief one names only the first groups that were rejected and counts the others.
     """
-    mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
+    mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {HOW_RUN[result.mode.value]}"
     link = Link(result.submission)
     yield from beside(Span(result.submission, Style.STRONG, link), f"{result.problem}{mode}", width)
     yield line()
@@ -96,7 +96,7 @@ def _rows(laid: Line, width: int | None) -> int:
     return max(1, -(-taken // width)) if width else 1
 
 
-_MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}
+HOW_RUN = {"function": "its function called", "program": "run as a program"}  # by the mode's name
 
 
 def group_table(groups: Sequence[GroupResult]) -> Table:

@@ -97,6 +97,20 @@ def note(text: str, style: Style = Style.WARNING) -> None:
     err().show([line(Span("judge:", style), f" {text}")])
 
 
+class Notes:
+    """Says each sentence once, however often a command comes upon it."""
+
+    def __init__(self) -> None:
+        self._said: set[str] = set()
+
+    def say(self, texts: Iterable[str]) -> None:
+        """Say those of the sentences that were not said yet."""
+        for text in texts:
+            if text not in self._said:
+                self._said.add(text)
+                note(text)
+
+
 def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
     if columns.isdecimal() and int(columns) > 0:
         return max(int(columns), _LEAST_WIDTH)

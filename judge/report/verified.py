@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import PurePath
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import counted, percent
@@ -67,7 +68,7 @@ def _matrix_row(row: Row) -> list[Cell]:
     others = [f"{kill.group} {percent(kill.share)}" for kill in best if kill is not own]
     if len(others) > _OTHERS + 1:
         others[_OTHERS:] = [f"{len(others) - _OTHERS} others"]
-    name = row.file.removeprefix("wrong/").removesuffix(".py")
+    name = PurePath(row.file).stem
     if own is None:
         return [Span(name, Style.BAD), "", Span(", ".join(others) or "no group", Style.BAD)]
     return [name, percent(own.share), ", ".join([own.group, *others])]

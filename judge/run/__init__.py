@@ -1,6 +1,6 @@
 """Judging one submission: executing, comparing, measuring."""
 
-from judge.run.execute import Settings, run_submission
+from judge.run.execute import Settings, judge_fault, run_submission
 from judge.run.measure import Reference
 from judge.run.result import (
     Failure,
@@ -11,7 +11,6 @@ from judge.run.result import (
     Result,
     Timing,
     exit_code,
-    judge_fault,
 )
 
 __all__ = [

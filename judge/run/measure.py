@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Sequence
-from itertools import takewhile
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from judge.errors import JudgeError
-from judge.problem import Problem, Verdict
+from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
-from judge.run.program import answer_lines, render_group
-from judge.run.result import Mode
-from judge.run.tally import VERDICTS, Tally
-from judge.run.timing import Decision, race
-from judge.sandbox import Box, BoxFactory, Limits, Stop, Usage
+from judge.run.group import GroupRun
+from judge.run.replies import VERDICTS, Replies
+from judge.run.runner import Runner
+from judge.run.timing import Decision, Pace, race
+from judge.sandbox.boundary import Box, BoxFactory, Limits, Stop, Usage
 from judge.values import Accepted
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
@@ -23,16 +23,26 @@ _LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the fir
 _AGAIN = "when it was run again to be timed"
 
 
+class Track(NamedTuple):
+    """What races are run on: cases by group and index, and what the reference took on them so far."""
+
+    places: list[tuple[int, int]]
+    cases: list[Case]
+    pace: Pace
+
+
 class Reference:
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
-    A context manager, its boxes end with it; one race at a time may use them.
+    A context manager, its boxes end with it; one race at a time may use them. The races are all on the same
+    data: how long the solutions took on them is remembered.
     """
 
     def __init__(self, problem: Problem, box_factory: BoxFactory) -> None:
         self._problem = problem
         self._box_factory = box_factory
-        self._boxes: dict[Mode, Box | None] = {}
+        self._boxes: dict[str, Box | None] = {}
+        self._tracks: dict[tuple[str, ...], Track] = {}
 
     def __enter__(self) -> Reference:
         return self
@@ -43,123 +53,118 @@ class Reference:
                 box.__exit__(*exc)
         self._boxes.clear()
 
-    def open(self, mode: Mode) -> Box | None:
-        """The reference for submissions run in this way; None where the problem has none."""
-        if mode not in self._boxes:
-            source = self._source(mode)
-            self._boxes[mode] = self._box_factory(*source) if source else None  # entered by its first use
-        return self._boxes[mode]
-
-    def _source(self, mode: Mode) -> tuple[bytes, str] | None:
+    def warm_up(self) -> None:
+        """Get the one ready that most submissions are raced against: the function."""
         rule = self._problem.time
-        name = None if rule is None else rule.function if mode is Mode.FUNCTION else rule.program
-        if name is None:
-            return None
-        try:
-            return (self._problem.solutions / "accepted" / name).read_bytes(), name
-        except OSError:  # an installed pack may come without solutions; `judge verify` tells of a wrong name
-            return None
+        box = self._box(rule.function) if rule else None
+        if box is not None:
+            box.warm_up()
+
+    def open(self, runner: Runner) -> Box | None:
+        """The reference for submissions that are run in this way; None where the problem has none."""
+        rule = self._problem.time
+        name = runner.reference(rule) if rule else None
+        return self._box(name) if name else None
+
+    def track(self, runner: Runner, runs: Sequence[GroupRun]) -> Track:
+        """What such submissions are raced on if these are their groups: the same whenever it is asked for."""
+        key = (runner.mode.value, *(run.group.name for run in runs))
+        if key not in self._tracks:
+            places = [(place, index) for place, run in enumerate(runs) for index in range(len(run.cases))]
+            chosen = places[:: 1 + (len(places) - 1) // MOST_CASES]
+            self._tracks[key] = Track(chosen, [runs[place].cases[index] for place, index in chosen], Pace())
+        return self._tracks[key]
+
+    def _box(self, name: str) -> Box | None:
+        if name not in self._boxes:
+            try:
+                source = (self._problem.solutions / "accepted" / name).read_bytes()
+            except OSError:  # an installed pack may come without; `judge verify` tells of a wrong name
+                self._boxes[name] = None
+            else:
+                self._boxes[name] = self._box_factory(source, name)  # entered by its first use
+        return self._boxes[name]
 
 
 def measure(
     problem: Problem,
-    mode: Mode,
-    tallies: Sequence[Tally],
+    runner: Runner,
+    runs: Sequence[GroupRun],
     submission: Box,
-    reference: Box,
+    reference: Reference,
     budget: Budget,
 ) -> Decision:
-    """Race the two on the cases of accepted groups, in one series of calls or one program a turn.
+    """Race a submission and the reference, if there is one, on the cases of accepted groups.
+
+    A turn is one series of calls, or one program.
 
     The submission's answers are compared in every turn: one that answers otherwise than before, or not to
-    the end, is no longer accepted, its tally says why, and there is no more racing. Nor is there for one
+    the end, is no longer accepted, its group says why, and there is no more racing. Nor is there for one
     that has kept the judge waiting.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    assert problem.time is not None
-    places = [(tally, index) for tally in tallies for index in range(len(tally.group.cases))]
-    places = places[:: 1 + (len(places) - 1) // MOST_CASES]
-    cases = [tally.group.cases[index] for tally, index in places]
-    calls = problem.calls(cases)
-    limits = _limits(problem, len(tallies))
-    used = sum((tally.usage for tally in tallies), Usage())
+    rival = reference.open(runner)
+    if problem.time is None or rival is None:
+        return Decision(None)
+    chosen, cases, pace = reference.track(runner, runs)
+    places = [(runs[place], index) for place, index in chosen]
+    limits = _limits(problem, len(runs))
+    used = sum((run.usage for run in runs), Usage())
     tighter = limits._replace(
         cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
         wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
     )
-    stdin = render_group(problem, cases) if mode is Mode.PROGRAM else b""
-
-    def turn(box: Box, within: Limits) -> _Turn:
-        if mode is Mode.PROGRAM:
-            return _program_turn(box, stdin, within)
-        return _calls_turn(box, problem.entry, calls, within)
-
     taken = Usage()
+    accepted: bytes | None = None  # the answers that were compared last
 
     def mine() -> float | None:
-        nonlocal taken
-        done = turn(submission, budget.within(tighter))
-        done = done._replace(detail=budget.told(done.stop, done.detail))
-        taken += done.usage
-        budget.spent(done.usage, done.stop)
-        return done.usage.cpu_seconds if _as_before(done, mode, places) else None
+        nonlocal taken, accepted
+        replies = budget.booked(runner.answers(submission, cases, budget.within(tighter)))
+        taken += replies.usage
+        given = _exactly(replies)
+        if (given is None or given != accepted) and not _as_before(runner, replies, places):
+            return None
+        accepted = given
+        return replies.usage.cpu_seconds
 
     def theirs() -> float | None:
-        done = turn(reference, limits)
-        if done.stop is not Stop.ANSWERED:
-            raise JudgeError(f"the reference solution cannot be timed: {done.detail}")
-        return done.usage.cpu_seconds
+        replies = runner.answers(rival, cases, limits)
+        if replies.trouble:
+            raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
+        return replies.usage.cpu_seconds
 
     def goes_on() -> bool:
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * taken.cpu_seconds
 
-    decision = race(mine, theirs, problem.time.limit, goes_on)
-    if any(tally.verdict is not Verdict.AC for tally in tallies):
+    decision = race(mine, theirs, problem.time.limit, goes_on, pace)
+    if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)
     return decision
 
 
-class _Turn(NamedTuple):
-    """One run over all cases: its answers, or lines, as far as it came, and how it ended."""
-
-    answers: Sequence[Any]
-    stop: Stop
-    detail: str
-    usage: Usage
+def _exactly(replies: Replies) -> bytes | None:
+    """The answers as bytes, for 1, 1.0 and True are equal and yet three answers; None if some are missing."""
+    return None if replies.trouble else marshal.dumps([reply.answer for reply in replies.replies], 2)
 
 
-def _calls_turn(box: Box, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> _Turn:
-    replies, usage = box.call_many(entry, calls, limits)
-    answers = [reply.answer for reply in takewhile(lambda reply: reply.stop is Stop.ANSWERED, replies)]
-    stop, _, detail = replies[min(len(answers), len(replies) - 1)]
-    return _Turn(answers, stop, detail, usage)
-
-
-def _program_turn(box: Box, stdin: bytes, limits: Limits) -> _Turn:
-    result = box.run_program(stdin, limits)
-    lines = answer_lines(result.stdout, complete=result.stop is Stop.ANSWERED)
-    return _Turn(lines, result.stop, result.detail, result.usage)
-
-
-def _as_before(turn: _Turn, mode: Mode, places: Sequence[tuple[Tally, int]]) -> bool:
+def _as_before(runner: Runner, replies: Replies, places: Sequence[tuple[GroupRun, int]]) -> bool:
     """Whether all answers are accepted as when they were judged; the first that is not is recorded."""
-    for (tally, index), answer in zip(places, turn.answers, strict=False):
-        compare = tally.problem.answer.check_line if mode is Mode.PROGRAM else tally.problem.answer.check
-        outcome = compare(answer, tally.group.targets[index], tally.exact(index))
-        if not isinstance(outcome, Accepted):
-            tally.unsteady(index, Verdict.WA, f"{outcome.message}, {_AGAIN}", outcome.got)
+    for (run, index), reply in zip(places, replies.replies, strict=False):
+        if reply.stop is not Stop.ANSWERED:
+            run.unsteady(index, VERDICTS[reply.stop], f"{reply.detail}, {_AGAIN}")
             return False
-    if turn.stop is Stop.ANSWERED and len(turn.answers) == len(places):
+        outcome = runner.decide(reply.answer, run.targets[index], run.exact(index))
+        if not isinstance(outcome, Accepted):
+            run.unsteady(index, Verdict.WA, f"{outcome.message}, {_AGAIN}", outcome.got)
+            return False
+    if replies.breakdown is None and len(replies.replies) == len(places):
         return True
-    tally, index = places[min(len(turn.answers), len(places) - 1)]
-    if turn.stop is Stop.ANSWERED:
-        message = f"{len(turn.answers)} lines printed, {len(places)} wanted"
-        tally.unsteady(index, Verdict.WA, f"{message}, {_AGAIN}")
-    else:
-        tally.unsteady(index, VERDICTS[turn.stop], f"{turn.detail}, {_AGAIN}")
+    run, index = places[min(len(replies.replies), len(places) - 1)]
+    verdict = replies.breakdown.verdict if replies.breakdown else Verdict.WA
+    run.unsteady(index, verdict, f"{replies.trouble or 'it answered no more'}, {_AGAIN}")
     return False
 
 

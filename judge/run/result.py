@@ -11,6 +11,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
@@ -160,7 +161,8 @@ class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
     `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
-    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE).
+    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE). `notes` are
+    sentences for the person about what did not go as it should beside the verdict; they are not published.
     """
 
     problem: str
@@ -174,6 +176,11 @@ class Result(Struct, frozen=True):
     isolation: str = "limits"
     counterexample: dict[str, Any] | None = None
     pitfall: Pitfall | None = None
+    notes: tuple[str, ...] = ()
+
+    def noting(self, *notes: str) -> Result:
+        """The same with more notes; none stands twice."""
+        return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes)))) if notes else self
 
     @property
     def score(self) -> int:
@@ -209,13 +216,6 @@ class Result(Struct, frozen=True):
             "memory_bytes": self.memory_bytes,
             "isolation": self.isolation,
         }
-
-
-def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
-    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
-    return Result(
-        problem, submission, Mode.FUNCTION, Verdict.JE, failure=Failure(message), isolation=isolation
-    )
 
 
 def exit_code(results: list[Result]) -> ExitCode:

@@ -8,6 +8,7 @@ runs again, turn by turn, and fails only where both the least times and the medi
 from __future__ import annotations
 
 import time
+from collections import deque
 from collections.abc import Callable
 
 from msgspec import Struct
@@ -19,6 +20,7 @@ CLEARLY_ABOVE = 1.35
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
+_DRIFT = 0.1  # by which a turn of now may differ from those before
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
 
@@ -45,29 +47,68 @@ class Pair(Struct, frozen=True):
         return self.submission / self.reference
 
 
+class Pace:
+    """What the reference took in the races of this run, all on the same cases.
+
+    Where a turn of now takes as long as those before, the machine has not changed, and their median is the
+    reference's time for the rest of a race that is nowhere near the limit.
+    """
+
+    def __init__(self) -> None:
+        self._times: deque[float] = deque(maxlen=MOST_PAIRS)
+
+    def add(self, seconds: float) -> float | None:
+        """Note a turn of now; the reference's time, if there have been enough turns like it before."""
+        known = sorted(self._times)
+        self._times.append(seconds)
+        if len(known) < _LEAST_PAIRS:
+            return None
+        median = _quantile(known, 0.5)
+        if abs(seconds - median) > _DRIFT * median:
+            self._times.clear()  # the machine is another one now
+            self._times.append(seconds)
+            return None
+        return median
+
+
 def race(
-    submission: Run, reference: Run, limit: float, goes_on: Callable[[], bool] = lambda: True
+    submission: Run,
+    reference: Run,
+    limit: float,
+    goes_on: Callable[[], bool] = lambda: True,
+    pace: Pace | None = None,
 ) -> Decision:
     """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
 
     A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
     at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
-    whether there may be another.
+    whether there may be another. With the `pace` of earlier races a clear one needs a single turn of the
+    reference.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
+    usual: float | None = None  # the reference's time, once it is known
     while len(pairs) < MOST_PAIRS:
-        pair = _turn(submission, reference, swapped=len(pairs) % 2 == 1)
+        if usual is None:
+            pair = _turn(submission, reference, swapped=len(pairs) % 2 == 1)
+        else:
+            mine = submission()
+            pair = None if mine is None else Pair(mine, usual)
         if pair is None:
             break
         pairs.append(pair)
+        if usual is None and pace is not None:
+            known = pace.add(pair.reference)
+            usual = known if len(pairs) == 1 else None
         if not goes_on():
             break
         if not _is_clear(pairs, limit):
+            if usual is not None:  # near the limit only turns of now count
+                pairs, usual = pairs[:1], None
             continue
         if pairs[0].ratio > limit:
             break
-        if len(pairs) >= _LEAST_PAIRS and time.monotonic() - start > _PATIENCE_SECONDS:
+        if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
             break
     return decide(pairs, limit)
 

@@ -22,6 +22,7 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
+from judge.language import file_name, programs
 from judge.problem import Group, Problem, Verdict
 from judge.run.execute import Settings, run_submission
 from judge.run.matrix import Matrix, kill_matrix
@@ -186,7 +187,7 @@ def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
     sources: list[_Source] = []
     faults: list[Fault] = []
     for folder in Folder:
-        paths = sorted((problem.solutions / folder.value).glob("*.py"))
+        paths = programs(problem.solutions / folder.value)
         if not paths and folder is Folder.ACCEPTED:
             where = f"{problem.solutions.name}/{folder.value}"
             faults.append(
@@ -250,7 +251,7 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fa
         programs = [report for report in wrong if report.name == mistake]
         if not programs:
             what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"
-            remedy = f"add {problem.solutions / 'wrong' / mistake}.py"
+            remedy = f"add {problem.solutions / 'wrong' / file_name(mistake)}"
             faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
             continue
         killing = {name for report in programs for name in report.failed}
@@ -271,7 +272,8 @@ def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem:
     faults = []
     if report.name and stem != report.name and not stem.startswith(f"{report.name}-"):
         what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
-        faults.append(Fault(what, where, f"call it {report.name}.py, or {report.name}-….py"))
+        remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
+        faults.append(Fault(what, where, remedy))
     if report.name not in aimed:
         faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
     elif report.ok and not aimed[report.name].intersection(report.failed):

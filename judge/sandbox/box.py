@@ -6,12 +6,11 @@ import contextlib
 import marshal
 import sys
 import threading
-from array import array
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from judge.errors import JudgeError
-from judge.sandbox import imports, outcome, shared
+from judge.sandbox import imports, outcome, packing, shared
 from judge.sandbox.boundary import (
     CallsResult,
     Inspection,
@@ -151,7 +150,7 @@ class ForkServerBox:
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
-        packed = _packed(entry, series, limits.items)
+        packed = packing.packed(entry, series, limits.items)
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
@@ -323,29 +322,3 @@ class ForkServerBox:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
-
-
-def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]], most: int) -> list[bytes]:
-    """What the child needs for each series.
-
-    The entry, how many calls there are in all, how many items an answer may have, which arguments are arrays,
-    and the arguments.
-    """
-    count = sum(len(calls) for calls in series)
-    places = {
-        place
-        for calls in series
-        for arguments in calls
-        for place, value in enumerate(arguments)
-        if type(value) is array
-    }
-    carried = _sent if places else tuple
-    return [
-        marshal.dumps((entry, count, most, tuple(places), [carried(arguments) for arguments in calls]))
-        for calls in series
-    ]
-
-
-def _sent(arguments: Sequence[Any]) -> tuple[Any, ...]:
-    """The arguments, an array as its code and its bytes."""
-    return tuple([(each.typecode, each.tobytes()) if type(each) is array else each for each in arguments])

@@ -11,7 +11,9 @@ import gc
 import json
 import os
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import repeat
 from typing import Any
 
 from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
@@ -106,7 +108,7 @@ def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
         with _no_collections():
             return _one_by_one(data, most)
     try:
-        rows = json.loads(b"[" + data[:-2] + b"]", parse_constant=_refuse)
+        rows = _parsed(b"[" + data[:-2] + b"]")
     except (ValueError, RecursionError):
         return _one_by_one(data, most)
     replies = _replies(rows)
@@ -128,13 +130,18 @@ def _no_collections() -> Iterator[None]:
 
 def _replies(rows: list[Any]) -> list[Reply]:
     """The rows as replies, up to the first that is none."""
+    if set(map(type, rows)) == {list} and set(map(len, rows)) == {2}:
+        kinds, values = zip(*rows, strict=True)
+        if set(map(type, kinds)) == {int} and not any(kinds):  # all have answered, as nearly always
+            return list(map(_reply, zip(repeat(Stop.ANSWERED), values, repeat(""))))
     replies: list[Reply] = []
+    add, answered = replies.append, Stop.ANSWERED
     for row in rows:
         if type(row) is not list or len(row) != 2:
             break
         kind, value = row
         if kind == 0:
-            replies.append(Reply(Stop.ANSWERED, value))
+            add(Reply(answered, value))
         elif kind == 1 and type(value) is str:
             replies.append(Reply(Stop.EXCEPTION, None, wire.printable(value[:DETAIL_LENGTH])))
         else:
@@ -178,7 +185,7 @@ def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:
     *lines, rest = data.split(b"\n", most + 1)
     for line in lines:
         try:
-            found = _replies([json.loads(line.removesuffix(b","), parse_constant=_refuse)])
+            found = _replies([_parsed(line.removesuffix(b","))])
         except (ValueError, RecursionError):
             return replies, False
         if len(replies) == most or not found:
@@ -189,6 +196,15 @@ def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:
 
 def _refuse(name: str) -> Any:
     raise ValueError(f"{name} is not JSON")
+
+
+_reply: Callable[[tuple[Any, ...]], Reply] = partial(tuple.__new__, Reply)
+_decode = json.JSONDecoder(parse_constant=_refuse).decode
+
+
+def _parsed(data: bytes) -> Any:
+    """A JSON text. Raises ValueError, RecursionError."""
+    return _decode(data.decode(errors="surrogatepass"))
 
 
 def _signal_name(number: int) -> str:

@@ -9,7 +9,7 @@
     text             a line of output that is no answer
 
 Other types make forms of their own in the same manner. A run that ended without an answer has the outlines of
-`judge.run.tally`.
+`judge.run.group`.
 """
 
 from __future__ import annotations

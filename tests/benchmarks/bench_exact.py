@@ -17,6 +17,7 @@ from typing import Any
 
 from judge.compare import check, check_line, compile_answer, from_json, render, to_json
 from judge.compare.answers import Count, Points
+
 from judge.exact import Bands, CircleLine, Surd
 from judge.problem import AnswerKind, Tolerance
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from cli_support import BROKEN, FLOOR, MEAN, PACK, ROOT
 
-from judge.cli import judging
 from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
+from judge.judging import session as judging
 
 FAULTY = ["missing-key", "misspelt-key", "bad-bound", "bad-toml", "example-contradicts", "module-raises"]
 
@@ -36,14 +36,14 @@ def test_a_list_names_the_broken_ones_and_shows_the_others(judge):
 
 
 def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
-    real = judging.run_submission
+    real = judging.run_in
 
-    def faulty(problem, data, source, name, **settings):
+    def faulty(box, problem, data, source, name, *how):
         if name == "team/a.py":
             raise ProblemError("the reference fails", where="middle/problem.py:9")
-        return real(problem, data, source, name, **settings)
+        return real(box, problem, data, source, name, *how)
 
-    monkeypatch.setattr(judging, "run_submission", faulty)
+    monkeypatch.setattr(judging, "run_in", faulty)
     submit(MEAN, "team/a.py")
     submit(MEAN, "team/b.py")
     ended = judge("run", "middle", "team", "--json")

@@ -134,7 +134,8 @@ def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
 def test_the_readmes_example(pytester, library, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    (example,) = re.findall(r"^```py\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)
+    section = readme.partition("## In your own tests\n")[2].partition("\n## ")[0]
+    (example,) = re.findall(r"^```py\n(.*?)^```$", section, re.MULTILINE | re.DOTALL)
     right = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
     pytester.makepyfile(right=right)
     wrapped = (

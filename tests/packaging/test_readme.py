@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
+import subprocess
+import sys
 
 import pytest
 from pages import ROOT, claims_hold, prose
@@ -79,6 +83,38 @@ def test_the_picture_loads_nothing_and_holds_on_any_ground(screenshot):
     assert re.search(r"<rect fill=\"#0d1117\"", screenshot)
     assert re.search(r"[\u2801-\u28ff]", screenshot)
     assert re.search(r"[\w-]+  likely, score", text_of(screenshot))
+
+
+def python_blocks(title):
+    """The programs that a section of README shows."""
+    ((section,),) = [re.findall(rf"(?ms)^## {title}$(.*?)^## ", README)]
+    return re.findall(r"(?ms)^```py\n(.*?)^```$", section)
+
+
+@pytest.fixture
+def homework(tmp_path):
+    """Two submissions in a folder, beside which a program of the page can be run."""
+    folder = tmp_path / "homework"
+    folder.mkdir()
+    solutions = ROOT / "solutions" / "segment"
+    shutil.copy(solutions / "accepted" / "geometric.py", folder / "alice.py")
+    shutil.copy(solutions / "wrong" / "tangent-twice.py", folder / "bob.py")
+    return tmp_path
+
+
+@pytest.mark.parametrize("place", [0, 1])
+def test_the_programs_that_judge_do_as_told(place, homework):
+    blocks = python_blocks("In your own code")
+    assert len(blocks) == 2
+    (homework / "marks.py").write_text(blocks[place], encoding="utf-8")
+    command = [sys.executable, "marks.py"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    ended = subprocess.run(
+        command, cwd=homework, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert (ended.returncode, ended.stderr) == (0, "")
+    wanted = r"alice.py AC 100 \nbob.py WA \d+ tangent-twice\n" if place == 0 else ""
+    assert re.fullmatch(wanted, ended.stdout), ended.stdout
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.data import load_data
+from judge.data import cache, load_data
 from judge.data.pins import hash_of
 from judge.problem.load import load_problem
 
@@ -242,3 +242,8 @@ def test_the_file_is_plain_json_below_its_checksum(folder):
     _, _, body = content.partition(b"\n")
     assert content == with_checksum(file, body)
     assert list(json.loads(body)) == ["examples", "small"]
+
+
+@pytest.mark.parametrize("package", cache._CODE)
+def test_every_package_that_the_key_stands_for_is_there(package):
+    assert cache.code_files([package])

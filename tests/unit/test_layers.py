@@ -10,7 +10,10 @@ import pytest
 import judge
 
 PACKAGE = Path(judge.__file__).parent
-ROOMS = ["cli", "report", "kata", "diagnose", "run", "data", "problem", "values", "exact", "errors"]
+ROOMS = [
+    *("cli", "judging", "report", "kata", "diagnose", "run"),
+    *("data", "problem", "values", "exact", "language", "errors"),
+]
 
 
 def imported(path: Path) -> set[str]:

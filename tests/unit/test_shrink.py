@@ -20,7 +20,9 @@ from judge.diagnose.replay import decode
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.run import Mode, Reference, Settings, run_submission
+from judge.run import Reference, Settings, run_submission
+from judge.run.function import FunctionRunner
+from judge.run.runner import runner_for
 from judge.sandbox import open_box
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
@@ -147,15 +149,15 @@ def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with ExitStack() as stack:
         box = stack.enter_context(open_box(source, "mine.py"))
+        runner = runner_for(problem, box.inspect(), source)
         reference = stack.enter_context(Reference(problem, open_box))
         found = shrink(
-            problem,
             data,
             box,
-            result.mode,
+            runner,
             result.verdict,
             result.failure,
-            reference=lambda: reference.open(result.mode),
+            reference=lambda: reference.open(runner),
             budget_seconds=budget,
             clock=clock or Clock(),
         )
@@ -250,6 +252,14 @@ def test_a_call_that_never_ends_shrinks():
     assert found.calls < 5_000
 
 
+def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
+    """Its lines were once put together for a single case, and the program was said to answer at random."""
+    source = b"for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
+    _, _, found = shrunk("count", source)
+    assert found.message == "2 lines printed, 1 wanted: one for each case"
+    assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
+
+
 @pytest.mark.parametrize("verdict", [Verdict.OLE, Verdict.CE, Verdict.AC])
 def test_what_no_case_can_show_is_left_alone(verdict):
     problem = find_problem("count")
@@ -257,7 +267,7 @@ def test_what_no_case_can_show_is_left_alone(verdict):
     source = b"def line_count(cx, cy, r, A, B):\n    return 3\n"
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with open_box(source, "mine.py") as box:
-        assert shrink(problem, data, box, Mode.FUNCTION, verdict, result.failure) is None
+        assert shrink(data, box, FunctionRunner(problem), verdict, result.failure) is None
 
 
 @pytest.mark.parametrize(

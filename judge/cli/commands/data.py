@@ -7,7 +7,6 @@ from pathlib import Path
 import click
 
 from judge.cli.options import (
-    chosen_groups,
     group_option,
     json_option,
     problems_option,
@@ -16,6 +15,7 @@ from judge.cli.options import (
 )
 from judge.data import load_data
 from judge.errors import ExitCode, UsageError, unwritable
+from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line

@@ -29,7 +29,6 @@ if TYPE_CHECKING:
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
 _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
-_AT_ONCE = 4  # known-wrong programs
 
 
 @click.command("report")
@@ -124,23 +123,15 @@ def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]
 
 def _matrix(problem: Problem) -> Matrix | None:
     """The kill matrix, as it is kept or by judging the known-wrong programs now; a fault is but a note."""
-    from judge.cli.containment import Containment
-    from judge.data import load_data
-    from judge.diagnose import Namer
+    from judge.judging.session import Session
 
     try:
-        with progress(f"building {problem.id}") as advance:
-            data = load_data(problem, progress=advance)
-        with Containment(problem, None) as containment:
-            settings = containment.settings(jobs=1, submissions=1)
-            workers = min(_AT_ONCE, os.cpu_count() or 1)
-            label = f"learning the mistakes of {problem.id}"
-            namer = Namer(data, None, settings, workers, lambda: progress(label))
-            matrix = namer.matrix()
+        with Session(problem, bars=progress) as session:
+            matrix, notes = session.naming.matrix()
     except JudgeError as fault:
         note(f"the matrix of {problem.id} is left out: {fault}")
         return None
-    for text in (*data.notes, *namer.notes):
+    for text in (*session.data.notes, *notes):
         note(text)
     return matrix
 

@@ -7,9 +7,15 @@ from pathlib import Path
 
 import click
 
-from judge.cli.containment import isolation_option, jobs_option
-from judge.cli.diagnosis import no_shrink_option, save_regression_option
 from judge.cli.judging import Wish, judged, named_problem
+from judge.cli.judging_options import (
+    isolation_option,
+    jobs_option,
+    no_history_option,
+    no_name_option,
+    no_shrink_option,
+    save_regression_option,
+)
 from judge.cli.kata import file_in_hand
 from judge.cli.options import (
     db_option,
@@ -20,9 +26,11 @@ from judge.cli.options import (
 )
 from judge.cli.outputs import OnScreen, Outputs, chosen_format, format_option, junit_option
 from judge.cli.picture import check_svg, svg_option
-from judge.cli.recording import no_history_option
+from judge.cli.regression import agree_on
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, UsageError
+from judge.judging.job import Terms
+from judge.problem.choose import chosen_groups
 
 
 @click.command("run")
@@ -34,7 +42,7 @@ from judge.errors import ExitCode, UsageError
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
-@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
+@no_name_option
 @jobs_option
 @isolation_option
 @no_shrink_option
@@ -82,21 +90,17 @@ def command(
         problem = named_problem(name, folders)
         submissions = show.expected = read_submissions(files)
         if regression is not None:
-            from judge.cli.regression import agree_on  # only who asks for it waits for it
-
             agree_on(regression)
         check_svg(svg, len(submissions))
-        wish = Wish(
-            groups=groups,
-            seed=seed,
-            jobs=jobs,
-            level=level,
+        chosen_groups(problem, groups)  # a name that is none is told before anything is built
+        terms = Terms(
+            groups,
+            seed,
+            level,
             diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
-            regression=regression,
-            kept=not unrecorded,
-            db=db,
         )
+        wish = Wish(terms, jobs, regression, kept=not unrecorded, db=db)
         with closing(judged(problem, submissions, wish)) as drawings:
             for drawing in drawings:
                 show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)

@@ -10,13 +10,16 @@ from typing import NoReturn
 
 import click
 
-from judge.cli.containment import isolation_option
 from judge.cli.desk import Desk, await_event, handled
-from judge.cli.diagnosis import no_shrink_option
 from judge.cli.judging import Wish, named_problem
+from judge.cli.judging_options import (
+    isolation_option,
+    no_history_option,
+    no_name_option,
+    no_shrink_option,
+)
 from judge.cli.kata import Kata, file_in_hand, take_up
 from judge.cli.options import (
-    chosen_groups,
     db_option,
     group_option,
     json_option,
@@ -25,10 +28,11 @@ from judge.cli.options import (
     write_json,
 )
 from judge.cli.outputs import show_result
-from judge.cli.recording import no_history_option
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, HistoryError, UsageError
+from judge.judging.job import Terms
 from judge.kata.saves import Saves
+from judge.problem.choose import chosen_groups
 from judge.report.screen import is_terminal, note, out
 from judge.report.terminal import draws
 
@@ -41,7 +45,7 @@ _ENDINGS = ("SIGTERM", "SIGHUP")
 @json_option
 @group_option
 @seed_option
-@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
+@no_name_option
 @isolation_option
 @no_shrink_option
 @no_history_option
@@ -68,15 +72,8 @@ def command(
     """
     kata = _kata(name, file, folders, db)
     chosen_groups(kata.problem, groups)  # a name that is none is told before anything else
-    wish = Wish(
-        groups=groups,
-        seed=seed,
-        level=level,
-        diagnosed=not unshrunk,
-        named=not no_name,
-        kept=not unrecorded,
-        db=db,
-    )
+    terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name)
+    wish = Wish(terms, kept=not unrecorded, db=db)
     if not unrecorded:
         _take_up(kata, db)
     with handled(dict.fromkeys(_ENDINGS, _leave)):

@@ -8,10 +8,11 @@ from typing import Any
 
 import click
 
-from judge.cli.options import chosen_groups, json_option, problems_option, write_json
+from judge.cli.options import json_option, problems_option, write_json
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode
 from judge.problem import Group
+from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.report.screen import out
 from judge.report.why import why_lines

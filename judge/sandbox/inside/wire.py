@@ -26,7 +26,6 @@ as JSON, never believed.
 from __future__ import annotations
 
 import _socket
-import array
 import mmap
 import struct
 from _blake2 import blake2b  # hashlib's own, without the rest of hashlib
@@ -85,7 +84,7 @@ class Channel:
 
     def send(self, message: bytes, descriptors: Sequence[int] = ()) -> None:
         """Send one frame with copies of the descriptors. Raises OSError when the other side is gone."""
-        carried = array.array("i", descriptors)
+        carried = struct.pack(f"={len(descriptors)}i", *descriptors)
         ancillary = [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, carried)] if descriptors else []
         self._end.sendmsg([message.ljust(FRAME, b"\0")], ancillary)
 
@@ -93,16 +92,16 @@ class Channel:
         """One frame and the descriptors that came with it; an empty frame at the end. Raises OSError."""
         room = _socket.CMSG_SPACE(descriptors * 4) if descriptors else 0
         message, ancillary, _, _ = self._end.recvmsg(FRAME, room)
-        found = array.array("i")
+        found: list[int] = []
         for level, kind, data in ancillary:
             if level == _socket.SOL_SOCKET and kind == _socket.SCM_RIGHTS:
-                found.frombytes(data[: len(data) - len(data) % 4])
+                found += struct.unpack(f"={len(data) // 4}i", data[: len(data) - len(data) % 4])
         while message and len(message) < FRAME:
             more = self._end.recv(FRAME - len(message))
             if not more:
-                return b"", list(found)
+                return b"", found
             message += more
-        return message, list(found)
+        return message, found
 
 
 class Region:

@@ -1,50 +1,60 @@
-"""Naming the mistake after a wrong answer: what `judge run` does with `judge.diagnose`."""
+"""Naming the mistake after a wrong answer, with what `judge.diagnose` knows of the problem."""
 
 from __future__ import annotations
 
 import os
 import threading
-from contextlib import nullcontext
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
-from judge.data import ProblemData
+from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Verdict
-from judge.report.progress import progress
-from judge.report.screen import note
-from judge.run import Result, Settings
+from judge.run.execute import Progress, Settings
+from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from judge.diagnose import Namer
+    from judge.diagnose.namer import Namer
+    from judge.run.matrix import Matrix
 
+Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens what is told of work, by its label
+
+NAMED = (Verdict.WA, Verdict.RTE)
 _MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many
 
 
 class Naming:
     """Adds the mistake's name to results; what it needs is imported with the first wrong answer."""
 
-    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, jobs: int) -> None:
+    def __init__(
+        self, data: ProblemData, seed: int | None, settings: Settings, jobs: int, bars: Bars
+    ) -> None:
         self._data = data
         self._seed = seed
         self._settings = settings
         self._jobs = jobs
+        self._bars = bars
         self._lock = threading.Lock()
         self._namer: Namer | None = None
 
     def named(self, result: Result) -> Result:
         """The result with its pitfall where there is one; what goes wrong with that is only a note."""
-        if result.verdict not in (Verdict.WA, Verdict.RTE):
+        if result.verdict not in NAMED:
             return result
         namer = self._ready()
         try:
             result = namer.named(result)
         except Exception as fault:  # the verdict is known, and worth more
-            note(f"the mistake is not named: {told(fault)}")
+            result = result.noting(f"the mistake is not named: {told(fault)}")
         with self._lock:
             notes, namer.notes = namer.notes, []
-        for text in notes:
-            note(text)
-        return result
+        return result.noting(*notes)
+
+    def matrix(self) -> tuple[Matrix, tuple[str, ...]]:
+        """Which group rejects which known-wrong program, and notes. Raises JudgeError."""
+        namer = self._ready()
+        return namer.matrix(), tuple(namer.notes)
 
     def _ready(self) -> Namer:
         from judge.diagnose import Namer
@@ -53,12 +63,7 @@ class Naming:
             if self._namer is None:
                 workers = self._jobs if self._jobs > 1 else min(_MOST_AT_ONCE, os.cpu_count() or 1)
                 label = f"learning the mistakes of {self._data.problem.id}"
-                # With several submissions at once results are written meanwhile, which a bar would garble.
                 self._namer = Namer(
-                    self._data,
-                    self._seed,
-                    self._settings,
-                    workers,
-                    lambda: progress(label) if self._jobs == 1 else nullcontext(),
+                    self._data, self._seed, self._settings, workers, lambda: self._bars(label)
                 )
             return self._namer

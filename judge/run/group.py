@@ -5,39 +5,34 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem, Verdict
-from judge.run.result import Failure, GroupResult, Mode
-from judge.sandbox import Limits, Stop, Usage
+from judge.run.replies import VERDICTS, Replies
+from judge.run.result import Failure, GroupResult
+from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values import Accepted
 
 if TYPE_CHECKING:
-    from judge.data import GroupData, ProblemData
+    from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
-    from judge.values import Exact, Outcome, Outline
+    from judge.run.runner import Runner
+    from judge.values import Exact, Outline, Rejection
 
-VERDICTS = {
-    Stop.EXCEPTION: Verdict.RTE,
-    Stop.EXITED: Verdict.RTE,
-    Stop.TAMPERED: Verdict.RTE,
-    Stop.CPU: Verdict.TLE,
-    Stop.WALL: Verdict.TLE,
-    Stop.WAITING: Verdict.TLE,
-    Stop.MEMORY: Verdict.MLE,
-    Stop.OUTPUT: Verdict.OLE,
-}
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
 
 
-class Tally:
+class GroupRun:
     """Collects the outcomes of one group's cases, in order, into a `GroupResult` and a `Failure`."""
 
-    def __init__(self, data: ProblemData, group: GroupData, mode: Mode) -> None:
+    def __init__(self, data: ProblemData, group: GroupData, runner: Runner) -> None:
         self.problem: Problem = data.problem
-        self.group = group
+        self.group = group.group
+        self.cases = group.cases
+        self.targets = group.targets
         self.usage = Usage()
-        self.run = False  # whether it was run to its end
+        self.ended = False  # whether nothing more of it is to be run
         self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
         self.verdict = Verdict.AC
@@ -45,37 +40,53 @@ class Tally:
         self.reached = 0  # the cases before this one have all been decided
         self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
         self._data = data
-        self._mode = mode
+        self._runner = runner
         self._worst: float | None = None
 
     def exact(self, index: int) -> Callable[[], tuple[Exact, Tolerance]]:
-        """What comparing calls if it needs the exact answer of a case."""
-        return lambda: self._data.exact(self.group.cases[index], self.group.group)
+        """What a comparison calls if it needs the exact answer of a case."""
+        return partial(self._exact, index)
 
-    def compared(self, index: int, outcome: Outcome, given: Any) -> None:
-        """Record what comparing `given`, the answer of a case or its line, came to."""
-        if isinstance(outcome, Accepted):
+    def _exact(self, index: int) -> tuple[Exact, Tolerance]:
+        return self._data.exact(self.cases[index], self.group)
+
+    def take(self, replies: Replies) -> None:
+        """Decide what came of the next cases, and record it; a breakdown is left to the caller."""
+        self.usage += replies.usage
+        decide, targets, worst, answered = self._runner.decide, self.targets, self._worst, Stop.ANSWERED
+        for index, (stop, answer, detail) in enumerate(replies.replies, self.reached):
+            if stop is not answered:
+                self.stopped(index, stop, detail)
+                continue
+            outcome = decide(answer, targets[index], partial(self._exact, index))
+            if not isinstance(outcome, Accepted):
+                self._rejected(index, outcome, answer)
+                continue
             self.passed += 1
-            worst = outcome.worst_ulps
+            ulps = outcome.worst_ulps
             # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
-            if worst is not None and math.isfinite(worst):
-                self._worst = max(self._worst or 0.0, worst)
-            return
-        self.wrong[index] = self._outline(given)
+            if ulps is not None and (worst is None or ulps > worst) and math.isfinite(ulps):
+                worst = ulps
+        self._worst = worst
+        self.reached += len(replies.replies)
+
+    def _rejected(self, index: int, outcome: Rejection, answer: Any) -> None:
+        """Record a wrong answer of a case."""
+        self.wrong[index] = self._runner.outline(answer)
         if self.failure is None:
             self.verdict = Verdict.WA
             self.failure = Failure(
                 outcome.message,
-                self.group.group.name,
+                self.group.name,
                 index + 1,
-                named_input(self.problem, self.group.cases[index]),
+                named_input(self.problem, self.cases[index]),
                 outcome.wanted,
                 outcome.got,
                 outcome.where,
                 outcome.absolute,
                 outcome.relative,
                 outcome.ulps,
-                self._raw(given),
+                self._runner.raw(answer),
             )
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
@@ -85,10 +96,10 @@ class Tally:
             self.verdict = verdict
             self.failure = Failure(
                 message,
-                self.group.group.name,
+                self.group.name,
                 index + 1,
-                named_input(self.problem, self.group.cases[index]),
-                self._wanted(index),
+                named_input(self.problem, self.cases[index]),
+                self._runner.wanted(self.targets[index]),
                 got,
             )
 
@@ -110,25 +121,10 @@ class Tally:
         self.passed -= 1
         self.failed(index, verdict, message, got)
 
-    def _outline(self, given: Any) -> Outline:
-        answer = self.problem.answer
-        return answer.outline(given) if self._mode is Mode.FUNCTION else answer.line_outline(given)
-
-    def _raw(self, given: Any) -> Any:
-        """The answer itself; None, too, where a line holds none."""
-        if self._mode is Mode.FUNCTION:
-            return given
-        read = self.problem.answer.read_line(given)
-        return None if isinstance(read, str) else read[0]
-
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
         self.verdict = Verdict.TLE
-        self.failure = Failure(message, self.group.group.name)
-
-    def _wanted(self, index: int) -> str:
-        answer, target = self.problem.answer, self.group.targets[index]
-        return answer.wanted(target) if self._mode is Mode.FUNCTION else answer.line(target)
+        self.failure = Failure(message, self.group.name)
 
     @property
     def out_of_time(self) -> bool:
@@ -138,15 +134,14 @@ class Tally:
 
     def result(self) -> GroupResult:
         """The group's outcome; cases that were never run have not passed."""
-        group = self.group.group
         return GroupResult(
-            group.name,
+            self.group.name,
             self.verdict,
-            len(self.group.cases),
+            len(self.cases),
             self.passed,
             self._worst,
             self.usage.cpu_seconds,
-            group.points,
+            self.group.points,
             self.reached,
             self.wrong,
         )
