@@ -76,7 +76,7 @@ def _from_values(payload: str, problem: Problem) -> Case | None:
     words = iter(payload.split(","))
     try:
         case = tuple([parameter.type.from_tokens(words) for parameter in problem.parameters])
-    except (ValueError, StopIteration, RuntimeError):  # the last: a generator that ended in mid-value
+    except (ValueError, StopIteration):
         return None
     return case if next(words, None) is None else None
 

@@ -33,6 +33,8 @@ def hot_pairs(raw: Any, target: Any) -> float | None:
     """
     if type(raw) is not list or len(raw) != len(target):
         return None
+    if not raw:
+        return -1.0
     worst = 0.0
     # The usual answer costs two comparisons a number, and its error; so this loop is written to be quick.
     for point, (tx, ty) in zip(raw, target):  # noqa: B905  # the lengths are equal
@@ -55,4 +57,4 @@ def hot_pairs(raw: Any, target: Any) -> float | None:
             away = (y - nearest) / unit - residual
             if away > worst or -away > worst:
                 worst = abs(away)
-    return worst if raw else -1.0
+    return worst

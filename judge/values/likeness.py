@@ -44,7 +44,7 @@ def only_digits(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
 def reordered(numbers: Sequence[float], wanted: Sequence[float], count: int) -> bool:
     """Whether the numbers of so many items are those wanted in another order."""
     size = len(wanted) // count if count else 0
-    if count < 2 or size * count != len(wanted) or len(numbers) != len(wanted):
+    if count < 2 or not size or size * count != len(wanted) or len(numbers) != len(wanted):
         return False
     if count == 2:
         turned = (*wanted[size:], *wanted[:size])

@@ -112,7 +112,7 @@ class ListType(Type):
                 return None
             worst = NOTHING_MEASURED
             for given, wanted in zip(raw, target):  # noqa: B905  # the lengths are equal
-                off = item(given, wanted)
+                off = item(given, wanted) if type(wanted) is not dict else _any(item, given, wanted)
                 if off is None:
                     return None
                 if off > worst:
@@ -159,7 +159,8 @@ class ListType(Type):
         return self.item.shown(raw)
 
     def _place(self, place: Place, step: int, at: int, count: int) -> Place:
-        return Place(place, step, f"{self.one} {at + 1}", alone=count == 1 and self._is_points)
+        alone = count == 1 and self.one == "point" and not place.name()
+        return Place(place, step, f"{self.one} {at + 1}", alone=alone)
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """The worst of the items; those of a run in any order."""
@@ -431,6 +432,11 @@ class ListType(Type):
     def aliases(self) -> Mapping[str, str]:
         """Those of the items."""
         return self.item.aliases()
+
+
+def _any(item: Quick, given: Raw, wanted: Target) -> float | None:
+    """The first of several targets that accepts an item; a run is none of them."""
+    return next((off for each in wanted.get("any", ()) if (off := item(given, each)) is not None), None)
 
 
 def listed(shown: list[str], whole: Sequence[Any]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import shown
@@ -34,10 +35,11 @@ class OptionalType(Type):
     """None, or what `inner` says."""
 
     optional = True
+    may_begin_with_none = True
 
     def __init__(self, inner: Type) -> None:
-        if isinstance(inner, OptionalType):
-            raise ValueError("one question mark is enough")
+        if inner.may_begin_with_none:
+            raise ValueError("as text it does not say whether all of it is none or only its first part")
         self.inner = inner
         self.text = f"{inner.text}?"
         self.measured = inner.measured
@@ -177,7 +179,7 @@ class OptionalType(Type):
     def from_tokens(self, tokens: Iterator[str]) -> Any:
         """What `tokens` wrote."""
         first = next(tokens)
-        return None if first == "none" else self.inner.from_tokens(_again(first, tokens))
+        return None if first == "none" else self.inner.from_tokens(chain((first,), tokens))
 
     def argument(self, value: Any) -> Any:
         """None, or the inner argument."""
@@ -210,8 +212,3 @@ class OptionalType(Type):
     def aliases(self) -> Mapping[str, str]:
         """Those of the inner type."""
         return self.inner.aliases()
-
-
-def _again(first: str, rest: Iterator[str]) -> Iterator[str]:
-    yield first
-    yield from rest

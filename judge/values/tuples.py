@@ -32,6 +32,7 @@ class TupleType(Type):
         self.plural = "tuples"
         self.measured = any(part.measured for part in parts)
         self.is_parameter = all(part.is_parameter for part in parts)
+        self.may_begin_with_none = parts[0].may_begin_with_none
         self.is_plain = all(part.is_plain for part in parts)
         widths = [part.width for part in parts]
         self.width = None if None in widths else sum(filter(None, widths))

@@ -97,6 +97,7 @@ class Type:
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
+    may_begin_with_none = False  # whether the first token of a value may be `none`
     width: int | None = 1  # tokens on a line; None where that varies
     depth = 0  # levels of lists and tuples
     most = 1  # items of all levels in the longest answer, where the type bounds them

@@ -55,7 +55,7 @@ def test_a_failure_is_that_of_its_group(library):
             "E * input *a=*, b=*",
             "E * wanted *.5",
             "E * got *",
-            "E * why * t is off by 0.5,*ulps)",
+            "E * why * the answer is off by 0.5,*ulps)",
             "E * half is there for",
             "E * floor-division: *",
             "test_lib.py:5: AssertionError",

@@ -219,6 +219,7 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
         ("(int)", "a tuple has two parts or more", ""),
         ("[int; 3..2]", "low is above high", ""),
         ("int??", "'?' comes after its end", ""),
+        ("(int?, int)?", "whether all of it is none or only its first part", ""),
         ("word(a)", "a word is one of two or more", ""),
         ("word(none|some)", "none of them none", ""),
         ("real(3)", "too many or too few words", ""),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
+from math import inf, nextafter
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import Fault, Given, Written, fault, items, near, number
@@ -49,7 +50,7 @@ class EnclosureType(Type):
             raise Unfit("no interval has a negative width")
         x, width = Surd.of(exact.x), Fraction(exact.width)
         down, up = x.round_down(), x.round_up()
-        if not (abs(down) < float("inf") and abs(up) < float("inf")):
+        if not (abs(down) < inf and abs(up) < inf):
             raise Unfit("the number is beyond all doubles")
         return down, up, float(x), f"{width.numerator}/{width.denominator}"
 
@@ -105,8 +106,10 @@ class EnclosureType(Type):
         return "lo hi"
 
     def printed_one(self, target: Target) -> Iterator[str]:
-        """The doubles around it."""
-        return map(repr, target[:2])
+        """The doubles around it; a text that is rounded inwards would be another number, so the next ones."""
+        down, up = target[:2]
+        yield repr(down if Fraction(repr(down)) <= down else nextafter(down, -inf))
+        yield repr(up if Fraction(repr(up)) >= up else nextafter(up, inf))
 
     def wanted_one(self, target: Target) -> str:
         """The number, and how wide the interval may be."""
