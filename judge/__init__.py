@@ -7,6 +7,8 @@
 `judge.judging` holds that and what goes with it; nothing of it is imported before it is asked for. Imports
 point one way: cli → judging → report, kata → diagnose → run → compare, data → problem → exact. `sandbox`
 knows nothing of problems, `exact` knows nothing of judging.
+
+A type checker reads `__init__.pyi`.
 """
 
 from __future__ import annotations
@@ -14,9 +16,6 @@ from __future__ import annotations
 TYPE_CHECKING = False  # typing's takes longer to import than all of this
 if TYPE_CHECKING:
     from typing import Any
-
-    from judge.judging import Job, Terms, judge
-    from judge.run.result import Result
 
 __version__ = "0.1.0"
 __all__ = ["Job", "Result", "Terms", "__version__", "judge"]

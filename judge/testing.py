@@ -18,7 +18,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, held

@@ -8,7 +8,8 @@
     regression.py, picture.py, recording.py, outputs.py
                     what becomes of a result
     kata.py         the kata in hand
-    board.py        the screen of `judge watch`
+    watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
+    wish.py         what is asked for
     complete.py     what a shell completes
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.

@@ -8,9 +8,11 @@ from typing import Any, TypeVar
 
 import click
 
+from judge.errors import UsageError
 from judge.sandbox.boundary import LEVELS
 
 F = TypeVar("F", bound=Callable[..., Any])
+TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
 
 isolation_option: Callable[[F], F] = click.option(
     "--isolation",
@@ -40,6 +42,32 @@ save_regression_option: Callable[[F], F] = click.option(
     type=click.Path(path_type=Path, dir_okay=False),
     help="Write the smallest failing case as a pytest case; add to FILE if it holds such cases.",
 )
+svg_option: Callable[[F], F] = click.option(
+    "--svg",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Draw the failing case of a submission into an SVG file.",
+)
+format_option: Callable[[F], F] = click.option(
+    "--format",
+    "form",
+    metavar="FORMAT",
+    type=click.Choice(FORMATS),
+    help="text, json (as --json) or github: annotations at the file's lines.",
+)
+junit_option: Callable[[F], F] = click.option(
+    "--junit",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write the results into a JUnit XML file too.",
+)
 no_history_option: Callable[[F], F] = click.option(
     "--no-history", "unrecorded", is_flag=True, help="Do not keep the runs in the history."
 )
+
+
+def chosen_format(form: str | None, *, as_json: bool) -> str:
+    """The format that the options come to. Raises UsageError where they contradict each other."""
+    if as_json and form not in (None, JSON):
+        raise UsageError(f"--json and --format {form} contradict each other", remedy="leave one out")
+    return JSON if as_json else form or TEXT

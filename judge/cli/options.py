@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -39,5 +38,7 @@ db_option: Callable[[F], F] = click.option(
 
 def write_json(value: object) -> None:
     """Write one object on one line of standard output."""
+    import json  # a person at a terminal does without
+
     sys.stdout.write(json.dumps(value, allow_nan=False) + "\n")
     sys.stdout.flush()

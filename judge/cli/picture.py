@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
-import click
 from msgspec import Struct
 
-from judge.cli.target import Target
-from judge.data import ProblemData
-from judge.errors import UsageError, told
+from judge.cli.target import svg_target
+from judge.data.model import ProblemData
+from judge.errors import told
 from judge.problem import Case, Problem
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
-from judge.run import Result
-
-if TYPE_CHECKING:
-    from judge.diagnose.picture import Picture
-
-svg_option = click.option(
-    "--svg",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Draw the failing case of a submission into an SVG file.",
-)
+from judge.run.result import Result
 
 
 class Drawing(Struct, frozen=True):
@@ -34,8 +23,8 @@ class Drawing(Struct, frozen=True):
     data: ProblemData
     result: Result
 
-    def picture(self) -> Picture | None:
-        """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
+    def picture(self) -> Any:
+        """The `Picture` of the smallest case found that fails, or of the first; None if there is none."""
         from judge.diagnose.picture import compose  # late: an accepted submission does without
 
         failure = self.result.failure
@@ -82,17 +71,4 @@ class Drawing(Struct, frozen=True):
             text = f"nothing to draw, {path} is not written: no case of a circle and a line failed"
             note(text)
             return
-        _target(path).write(to_svg(picture).encode())
-
-
-def check_svg(path: Path | None, submissions: int) -> None:
-    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
-    if path is None:
-        return
-    if submissions > 1:
-        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
-    _target(path).check()
-
-
-def _target(path: Path) -> Target:
-    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+        svg_target(path).write(to_svg(picture).encode())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from judge.cli.submissions import Submission
 from judge.errors import HistoryError
 from judge.report.screen import note
-from judge.run import Result
+from judge.run.result import Result
 
 if TYPE_CHECKING:
     from judge.kata.history import History

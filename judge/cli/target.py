@@ -55,6 +55,18 @@ class Target(Struct, frozen=True):
         return not start.strip() or self.ours(start)
 
 
+def svg_target(path: Path) -> Target:
+    """The file that `--svg` names."""
+    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+
+
+def check_svg(path: Path, submissions: int) -> None:
+    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
+    if submissions > 1:
+        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
+    svg_target(path).check()
+
+
 def check_place(path: Path, option: str) -> None:
     """Make sure that `path`, which `option` names, is an ordinary file or nothing yet, and can be written.
 

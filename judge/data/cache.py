@@ -63,6 +63,11 @@ def code_files(packages: Iterable[str]) -> list[Path]:
     return [path for package in packages for path in sorted((_PACKAGE / package).rglob("*.py"))]
 
 
+def all_code_files() -> list[Path]:
+    """The source files of the judge."""
+    return sorted(_PACKAGE.rglob("*.py"))
+
+
 def content_key(start: str, files: Iterable[Path]) -> str:
     """The hash of `start` and of the files' names and contents. Raises ProblemError."""
     total = hashlib.sha256(start.encode())

@@ -22,7 +22,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from msgspec import Struct
 
 from judge.diagnose.agreement import WrongAnswer
-from judge.diagnose.known import Answers
+from judge.diagnose.answers import Answers
 from judge.values import Outline, Type, Usual
 
 _INDEPENDENT = 6.0  # cases that a group is worth at most

@@ -17,9 +17,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.data import GroupData
+from judge.data.model import GroupData
+from judge.diagnose.answers import Answers, Behaviour
 from judge.diagnose.evidence import Evidence, log_sum
-from judge.diagnose.known import Answers, Behaviour
 from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named

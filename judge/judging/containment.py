@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from judge.data.cache import cache_folder
 from judge.problem import Problem
-from judge.run.measure import Reference
+from judge.run.reference import Reference
 from judge.sandbox import Boxes
 from judge.sandbox.boundary import Box, BoxFactory
 
@@ -14,8 +14,8 @@ WEAK = "isolation is 'limits': submissions can read your files and use the netwo
 class Containment:
     """The boxes of one session; a context manager that ends those that were never used.
 
-    The first submission's box and the reference's boot while the judge still reads its data. `open_box` opens
-    a box at the level that was asked for, the best where none was.
+    The first submission's box boots while the judge still reads its data. `open_box` opens a box at the level
+    that was asked for, the best where none was.
     """
 
     def __init__(self, problem: Problem, level: str | None) -> None:
@@ -34,10 +34,9 @@ class Containment:
             box.__exit__(*exc)
 
     def boot(self, source: bytes, name: str) -> None:
-        """Start the box of a submission that will be judged soon, and that of the reference."""
+        """Start the box of a submission that will be judged soon."""
         box = self._ahead[source, name] = self.open_box(source, name)
         box.warm_up()
-        self.reference.warm_up()
 
     def take(self, source: bytes, name: str) -> Box:
         """The submission's box, started ahead or now."""

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.run.measure import Reference
+from judge.run.reference import Reference
 from judge.run.result import Failure, Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, BoxFactory
@@ -49,8 +49,10 @@ def _smallest(
     open_box: BoxFactory,
     choices: Choices | None,
 ) -> Counterexample | None:
-    from judge.diagnose import shrink  # only after a wrong answer
+    from judge.diagnose.shrink import shrink  # only after a wrong answer
 
+    rule = data.problem.time
+    name = runner.reference(rule) if rule else None
     with Reference(data.problem, open_box) as reference:
         return shrink(
             data,
@@ -58,6 +60,6 @@ def _smallest(
             runner,
             result.verdict,
             failure,
-            reference=lambda: reference.open(runner),
+            reference=lambda: reference.open(name),
             choices=choices,
         )

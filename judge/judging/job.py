@@ -7,8 +7,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge import __version__
-from judge.data.cache import content_key, own_files
+from judge.data.cache import all_code_files, content_key, own_files
 from judge.problem import Problem
 
 
@@ -43,9 +42,20 @@ class Job(Struct, frozen=True):
     terms: Terms = Terms()
 
     @classmethod
-    def of(cls, problem: Problem, source: bytes, name: str, terms: Terms = Terms()) -> Job:  # noqa: B008
-        """The job of judging `source`, a file called `name`. Raises ProblemError for an unreadable file."""
-        return cls(str(problem.folder), str(problem.solutions), version_of(problem), name, source, terms)
+    def of(
+        cls,
+        problem: Problem,
+        source: bytes,
+        name: str,
+        terms: Terms = Terms(),  # noqa: B008 - frozen
+        version: str | None = None,
+    ) -> Job:
+        """The job of judging `source`, a file called `name`. Raises ProblemError for an unreadable file.
+
+        Who makes many jobs of one problem asks `version_of` once and hands that over.
+        """
+        version = version_of(problem) if version is None else version
+        return cls(str(problem.folder), str(problem.solutions), version, name, source, terms)
 
     @property
     def problem(self) -> str:
@@ -62,6 +72,6 @@ class Job(Struct, frozen=True):
 
 
 def version_of(problem: Problem) -> str:
-    """The hash of the judge's version and of everything in the problem's two folders that it judges by."""
+    """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
     solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
-    return content_key(f"{__version__}/", [*own_files(problem), *solutions])
+    return content_key("job/", [*own_files(problem), *solutions, *all_code_files()])

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Verdict
-from judge.run.execute import Progress, Settings
 from judge.run.result import Result
+from judge.run.settings import Progress, Settings
 
 if TYPE_CHECKING:
     from judge.diagnose.namer import Namer
@@ -57,7 +57,7 @@ class Naming:
         return namer.matrix(), tuple(namer.notes)
 
     def _ready(self) -> Namer:
-        from judge.diagnose import Namer
+        from judge.diagnose.namer import Namer
 
         with self._lock:
             if self._namer is None:

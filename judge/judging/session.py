@@ -14,7 +14,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from threading import Lock
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, told
 from judge.judging.containment import Containment
@@ -22,9 +22,10 @@ from judge.judging.diagnosis import diagnosed
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem
-from judge.run.execute import Progress, Settings, judge_fault, run_in
+from judge.run.execute import judge_fault, run_in
 from judge.run.parallel import Turnstile
 from judge.run.result import Result
+from judge.run.settings import Progress, Settings
 
 _PACKAGE = str(Path(__file__).resolve().parent.parent)
 
@@ -37,15 +38,17 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
 class Session:
     """A context manager; `judge` may be called from several threads.
 
-    `jobs` is how many things may be done at once, `expected` how many submissions are to come: few of them
-    use several boxes each. `bars` opens what is told how far the work is, by its label. Nothing is printed:
-    what a person should know is in the results' notes.
+    `containment` is one in which the first submission's box may have been started. `jobs` is how many things
+    may be done at once, `expected` how many submissions are to come: few of them use several boxes each.
+    `bars` opens what is told how far the work is, by its label. Nothing is printed: what a person should know
+    is in the results' notes.
     """
 
     def __init__(
         self,
         problem: Problem,
         terms: Terms = Terms(),  # noqa: B008 - frozen
+        containment: Containment | None = None,
         *,
         jobs: int = 1,
         expected: int = 1,
@@ -53,7 +56,7 @@ class Session:
     ) -> None:
         self.problem = problem
         self.terms = terms
-        self.containment = Containment(problem, terms.isolation)
+        self.containment = containment or Containment(problem, terms.isolation)
         self.settings = Settings(
             box_factory=self.containment.take,
             workers=max(1, jobs // max(1, expected)),
@@ -74,14 +77,20 @@ class Session:
         self.containment.__exit__(*exc)
 
     def boot(self, source: bytes, name: str) -> None:
-        """Start the box of the submission that will be judged first, and then read the problem's data.
+        """Start the box of the submission that will be judged first, and prepare.
 
         Raises:
             UsageError: the level of isolation that is asked for cannot be had.
             ProblemError: the data cannot be built.
         """
         self.containment.boot(source, name)
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Read the problem's data, and start the reference, which is not wanted yet. Raises ProblemError."""
         _ = self.data
+        if self.terms.timed:
+            self.containment.reference.warm_up()
 
     @property
     def data(self) -> ProblemData:

@@ -13,9 +13,9 @@ import textwrap
 from collections.abc import Iterator
 from typing import Any
 
-from judge import language
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
+from judge.language import file_name as program_name
 from judge.problem import Example, Problem
 
 _WIDTH = 88  # of a line, as formatters have it
@@ -26,7 +26,7 @@ _IMPORTS = {"array": "from array import array"}
 
 def file_name(problem: Problem) -> str:
     """The usual name of a problem's file: one that Python can import."""
-    return language.file_name(problem.id.replace("-", "_"))
+    return program_name(problem.id.replace("-", "_"))
 
 
 def make_stub(problem: Problem) -> str:

@@ -81,11 +81,15 @@ def _near_roots(extra: Sequence[Path]) -> list[Path]:
             raise UsageError(
                 f"{folder} is not a folder", where=source, remedy="name a folder that holds problems' folders"
             )
-    # Beside an installed package is site-packages, where a folder "problems" would be anybody's.
-    own = next(
-        (root for root in (_PACKAGE / "problems", _PACKAGE.parent / "problems") if root.is_dir()), None
-    )
+    own = shipped_problems()
     return [folder.resolve() for folder, _ in named] + ([own] if own is not None else [])
+
+
+def shipped_problems() -> Path | None:
+    """The folder of the judge's own problems, if it has any."""
+    # Beside an installed package is site-packages, where a folder "problems" would be anybody's.
+    places = (_PACKAGE / "problems", _PACKAGE.parent / "problems")
+    return next((root for root in places if root.is_dir()), None)
 
 
 def _installed_roots() -> list[Path]:

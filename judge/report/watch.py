@@ -6,7 +6,7 @@ from judge.problem import Verdict
 from judge.report.layout import Line, Span, Style, hanging, line
 from judge.report.results import result_lines
 from judge.report.screen import Screen
-from judge.run import Result
+from judge.run.result import Result
 
 _KEYS = {
     "n": "next",

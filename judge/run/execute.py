@@ -3,44 +3,26 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, NamedTuple
-
-from msgspec import Struct, field
 
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.measure import Reference
 from judge.run.parallel import Turnstile, share
 from judge.run.races import Timed, race_all, worth_racing
+from judge.run.reference import Reference
 from judge.run.result import Failure, Result, Timing
 from judge.run.runner import Runner, runner_for
+from judge.run.settings import Progress, Settings
 from judge.run.timing import Decision
-from judge.sandbox import Box, Boxes, BoxFactory, SourceFault, Usage
+from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
     from judge.data.model import GroupData, ProblemData
-
-Progress = Callable[[int, int], None]  # cases done, cases in all
-
-
-class Settings(Struct, frozen=True):
-    """How to judge, whatever is judged.
-
-    `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
-    `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone;
-    `reference` is there where several submissions share it.
-    """
-
-    box_factory: BoxFactory = field(default_factory=Boxes)
-    workers: int = 1
-    measured: bool = True
-    turnstile: Turnstile | None = None
-    reference: Reference | None = None
 
 
 class Judged(NamedTuple):

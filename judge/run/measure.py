@@ -4,86 +4,22 @@ from __future__ import annotations
 
 import marshal
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from judge.errors import JudgeError
-from judge.problem import Case, Problem, Verdict
+from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
+from judge.run.reference import Reference, Track
 from judge.run.replies import VERDICTS, Replies
 from judge.run.runner import Runner
-from judge.run.timing import Decision, Pace, race
-from judge.sandbox.boundary import Box, BoxFactory, Limits, Stop, Usage
+from judge.run.timing import Decision, race
+from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values import Accepted
 
-MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
 _MORE_WALL_SECONDS = 4.0
 _LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the first
 _AGAIN = "when it was run again to be timed"
-
-
-class Track(NamedTuple):
-    """What races are run on: cases by group and index, and what the reference took on them so far."""
-
-    places: list[tuple[int, int]]
-    cases: list[Case]
-    pace: Pace
-
-
-class Reference:
-    """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
-
-    A context manager, its boxes end with it; one race at a time may use them. The races are all on the same
-    data: how long the solutions took on them is remembered.
-    """
-
-    def __init__(self, problem: Problem, box_factory: BoxFactory) -> None:
-        self._problem = problem
-        self._box_factory = box_factory
-        self._boxes: dict[str, Box | None] = {}
-        self._tracks: dict[tuple[str, ...], Track] = {}
-
-    def __enter__(self) -> Reference:
-        return self
-
-    def __exit__(self, *exc: object) -> None:
-        for box in self._boxes.values():
-            if box is not None:
-                box.__exit__(*exc)
-        self._boxes.clear()
-
-    def warm_up(self) -> None:
-        """Get the one ready that most submissions are raced against: the function."""
-        rule = self._problem.time
-        box = self._box(rule.function) if rule else None
-        if box is not None:
-            box.warm_up()
-
-    def open(self, runner: Runner) -> Box | None:
-        """The reference for submissions that are run in this way; None where the problem has none."""
-        rule = self._problem.time
-        name = runner.reference(rule) if rule else None
-        return self._box(name) if name else None
-
-    def track(self, runner: Runner, runs: Sequence[GroupRun]) -> Track:
-        """What such submissions are raced on if these are their groups: the same whenever it is asked for."""
-        key = (runner.mode.value, *(run.group.name for run in runs))
-        if key not in self._tracks:
-            places = [(place, index) for place, run in enumerate(runs) for index in range(len(run.cases))]
-            chosen = places[:: 1 + (len(places) - 1) // MOST_CASES]
-            self._tracks[key] = Track(chosen, [runs[place].cases[index] for place, index in chosen], Pace())
-        return self._tracks[key]
-
-    def _box(self, name: str) -> Box | None:
-        if name not in self._boxes:
-            try:
-                source = (self._problem.solutions / "accepted" / name).read_bytes()
-            except OSError:  # an installed pack may come without; `judge verify` tells of a wrong name
-                self._boxes[name] = None
-            else:
-                self._boxes[name] = self._box_factory(source, name)  # entered by its first use
-        return self._boxes[name]
 
 
 class Duel:
@@ -158,15 +94,20 @@ def measure(
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    rival = reference.open(runner)
+    rival = reference.open(runner.reference(problem.time)) if problem.time else None
     if problem.time is None or rival is None:
         return Decision(None)
-    track = reference.track(runner, runs)
+    track = track_of(reference, runner, runs)
     duel = Duel(problem, runner, runs, submission, rival, track, budget)
     decision = race(duel.mine, duel.theirs, time_limit(problem, runs), duel.goes_on, track.pace)
     if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)
     return decision
+
+
+def track_of(reference: Reference, runner: Runner, runs: Sequence[GroupRun]) -> Track:
+    """What the submission and the reference are raced on."""
+    return reference.track(runner.mode.value, [run.group.name for run in runs], [run.cases for run in runs])
 
 
 def time_limit(problem: Problem, runs: Sequence[GroupRun]) -> float:

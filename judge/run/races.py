@@ -13,7 +13,8 @@ from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.growth import Course, Grown, grow
-from judge.run.measure import Duel, Reference, measure, time_limit
+from judge.run.measure import Duel, measure, time_limit, track_of
+from judge.run.reference import Reference
 from judge.run.result import Growth
 from judge.run.runner import Runner
 from judge.run.timing import Decision
@@ -97,12 +98,12 @@ def _grown(
     budget: Budget,
 ) -> Grown:
     rule = problem.growth
-    rival = reference.open(runner)
+    rival = reference.open(runner.reference(problem.time)) if problem.time else None
     if rule is None or rival is None:
         return Grown(None, False, {})
     duels, courses = [], []
     for run in growing:
-        track = reference.track(runner, [run])
+        track = track_of(reference, runner, [run])
         duel = Duel(problem, runner, [run], submission, rival, track, budget)
         duels.append(duel)
         ended = run.verdict is Verdict.AC

@@ -16,8 +16,8 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data import ProblemData
 from judge.data.fresh import Fresh, Series
+from judge.data.model import ProblemData
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled

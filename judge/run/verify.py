@@ -17,16 +17,18 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
 from judge.language import file_name, programs
 from judge.problem import Group, Problem, Verdict
-from judge.run.execute import Settings, run_submission
+from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.run.settings import Settings
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 

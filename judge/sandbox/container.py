@@ -6,14 +6,13 @@ request starts another.
 
 from __future__ import annotations
 
+import _socket  # socket itself wraps every constant in an enumeration: slow
 import contextlib
 import os
 import select
 import signal
-import socket
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -30,9 +29,7 @@ GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 END_SECONDS = 1.0
 REASON_BYTES = 2000
 
-_PAIR = (
-    getattr(socket, "SOCK_SEQPACKET", socket.SOCK_STREAM) if sys.platform == "linux" else socket.SOCK_STREAM
-)
+_PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
 class NotStarted(JudgeError):  # noqa: N818 - it is caught to try the next level
@@ -156,12 +153,13 @@ class Container:
             raise
 
     def _start(self, level: str, name: str, source: bytes, roots: Roots) -> None:
-        ours, theirs = socket.socketpair(socket.AF_UNIX, _PAIR)
+        ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
         descriptor, self.region = shared.region()
         self._closing.callback(self.region.close)
-        self._complaints = self._closing.enter_context(tempfile.TemporaryFile())  # noqa: SIM115
+        self._complaints = shared.nameless()
+        self._closing.callback(os.close, self._complaints)
         with contextlib.ExitStack() as passed:
             passed.callback(theirs.close)
             passed.callback(os.close, descriptor)
@@ -190,8 +188,8 @@ class Container:
             return
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
-            self._complaints.seek(0)
-            said = self._complaints.read(REASON_BYTES).decode(errors="replace").strip().splitlines()
+            written = shared.head(self._complaints, REASON_BYTES)
+            said = written.decode(errors="replace").strip().splitlines()
             reason = self.region.note()[1] or (said[-1] if said else "it ended without a word")
             self.close()
             refusal = NotStarted(reason)

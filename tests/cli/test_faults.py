@@ -59,7 +59,7 @@ def test_a_fault_in_the_search_for_a_smaller_case_leaves_the_verdict_alone(fault
     def faulty(*_arguments, **_settings):
         raise fault
 
-    monkeypatch.setattr("judge.diagnose.shrink", faulty)
+    monkeypatch.setattr("judge.diagnose.shrink.shrink", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--json")
     assert (ended.status, json.loads(ended.out)["verdict"]) == (1, "WA")
     assert ended.err.startswith("judge: no smaller case for mine.py: ")

@@ -60,11 +60,11 @@ def test_the_history_is_not_even_imported_before_a_verdict_is_shown(submit):
     script = (
         "import sys\n"
         "from judge.cli import main\n"
-        "from judge.cli import outputs\n"
+        "from judge.report import results\n"
         "def shown(*_, **__):\n"
         "    print('sqlite3' in sys.modules, file=sys.stderr)\n"
         "    return []\n"
-        "outputs.verdict_lines = shown\n"
+        "results.verdict_lines = shown\n"
         f"sys.argv = ['judge', 'run', '-q', 'middle', {submit(MEAN)!r}]\n"
         "try:\n    main()\n"
         "finally:\n    print('sqlite3' in sys.modules, file=sys.stderr)\n"

@@ -13,10 +13,10 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
-from judge.diagnose import shrink
 from judge.diagnose.figures import levelled
 from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.replay import decode
+from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -157,7 +157,7 @@ def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
             runner,
             result.verdict,
             result.failure,
-            reference=lambda: reference.open(runner),
+            reference=lambda: reference.open(runner.reference(problem.time)),
             budget_seconds=budget,
             clock=clock or Clock(),
         )

@@ -13,7 +13,7 @@ from judge.cli.options import (
     seed_option,
     write_json,
 )
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.errors import ExitCode, UsageError, unwritable
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem

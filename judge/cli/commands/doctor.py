@@ -11,7 +11,7 @@ import click
 
 from judge import __version__
 from judge.cli.options import json_option, write_json
-from judge.data import cache_folder
+from judge.data.cache import cache_folder
 from judge.errors import ExitCode
 from judge.report.doctor import doctor_lines
 from judge.report.screen import out

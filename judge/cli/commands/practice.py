@@ -9,7 +9,7 @@ from typing import Any
 import click
 from msgspec import Struct
 
-from judge.cli.kata import shown, write_stub
+from judge.cli.kata import folder_to_keep, shown, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.history import Current, History
@@ -79,7 +79,7 @@ def _taken_up(history: History, problems: Sequence[Problem], found: Mapping[str,
     if made:
         write_stub(problem, path)
     if not known:
-        history.take_up(problem.id, str(path))
+        history.take_up(problem.id, str(path), folder_to_keep(problem))
     return _Kata(Current(problem.id, str(path)), shown(path), made)
 
 

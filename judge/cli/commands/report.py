@@ -23,7 +23,7 @@ from judge.report.screen import note, out
 
 if TYPE_CHECKING:
     from judge.kata.skills import SkillProgress
-    from judge.report.page.compose import Known
+    from judge.report.page.known import KnownProblem
     from judge.run.matrix import Matrix
 
 SCHEMA = 1
@@ -87,10 +87,10 @@ def command(
     return ExitCode.ACCEPTED
 
 
-def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[Known]:
+def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[KnownProblem]:
     """Every sound problem, with the mistakes of those that were tried."""
-    from judge.diagnose import known_mistakes
-    from judge.report.page.compose import Known
+    from judge.diagnose.mistakes import known_mistakes
+    from judge.report.page.known import KnownProblem
 
     found = []
     for folder in problem_folders(folders):
@@ -100,12 +100,12 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
             note(f"{folder.name} is left out: {fault}")
             continue
         if problem.id not in tried:
-            found.append(Known(problem))
+            found.append(KnownProblem(problem))
             continue
         advice: dict[str, str] = {}
         for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
             advice.setdefault(mistake.name, mistake.advice)
-        found.append(Known(problem, advice, _matrix(problem) if matrix else None))
+        found.append(KnownProblem(problem, advice, _matrix(problem) if matrix else None))
     return found
 
 

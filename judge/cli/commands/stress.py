@@ -14,11 +14,13 @@ from judge.cli.judging_options import (
     no_name_option,
     no_shrink_option,
     save_regression_option,
+    svg_option,
 )
 from judge.cli.options import group_option, json_option, problems_option, write_json
-from judge.cli.picture import Drawing, check_svg, svg_option
+from judge.cli.picture import Drawing
 from judge.cli.regression import agree_on, save_regression
 from judge.cli.submissions import Submission, read_submissions
+from judge.cli.target import check_svg
 from judge.data.model import ProblemData
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.judging.job import Terms
@@ -90,7 +92,8 @@ def command(
         submission = _submission(file)
         if regression is not None:
             agree_on(regression)
-        check_svg(svg, 1)
+        if svg is not None:
+            check_svg(svg, 1)
         chosen = chosen_groups(problem, groups)
         terms = Terms(
             groups,

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 
-from judge.data import ProblemData
+from judge.data.model import ProblemData
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
 from judge.diagnose.picture import Picture, compose

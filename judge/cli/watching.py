@@ -7,19 +7,21 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, contextmanager
 from queue import Empty, SimpleQueue
 from types import FrameType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from judge.cli.judging import Wish, judged
 from judge.cli.kata import Kata
-from judge.cli.picture import Drawing
 from judge.cli.submissions import read_submissions
+from judge.cli.wish import Wish
 from judge.errors import JudgeError, UsageError
 from judge.kata.saves import Mark, mark, settled
+
+if TYPE_CHECKING:
+    from judge.cli.picture import Drawing
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 
 
-class Desk:
+class WatchedFile:
     """A kata under watch: whether its file was saved since it was judged, and judging it."""
 
     def __init__(self, kata: Kata, wish: Wish) -> None:
@@ -43,6 +45,8 @@ class Desk:
         Raises:
             UsageError: the isolation that was demanded cannot be had.
         """
+        from judge.cli.judging import judged
+
         name = self.kata.name
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"

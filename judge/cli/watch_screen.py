@@ -11,11 +11,11 @@ from io import StringIO
 from pathlib import Path
 from queue import SimpleQueue
 
-from judge.cli.desk import Desk, await_event, handled
 from judge.cli.hints import hints_of, next_hint, note_seen
-from judge.cli.judging import Wish
 from judge.cli.kata import Kata, next_problem, take_up, the_path, write_stub
 from judge.cli.picture import Drawing
+from judge.cli.watching import WatchedFile, await_event, handled
+from judge.cli.wish import Wish
 from judge.diagnose.mistakes import known_mistakes
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
@@ -45,18 +45,18 @@ def watch_on_screen(kata: Kata, wish: Wish, folders: Sequence[Path]) -> ExitCode
     screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
     while following is not None:
-        following = _Board(following, wish, folders).watch()
+        following = _WatchScreen(following, wish, folders).watch()
     return ExitCode.ACCEPTED
 
 
-class _Board:
+class _WatchScreen:
     """One kata on the screen."""
 
     def __init__(self, kata: Kata, wish: Wish, folders: Sequence[Path]) -> None:
         self._kata = kata
         self._wish = wish
         self._folders = folders
-        self._desk = Desk(kata, wish)
+        self._file = WatchedFile(kata, wish)
         self._events: SimpleQueue[str] = SimpleQueue()
         self._found: Drawing | str = ""
         self._notes = ""
@@ -107,7 +107,7 @@ class _Board:
 
     def _obey(self) -> Kata | None:
         while not self._leaving:
-            if self._desk.saved():
+            if self._file.saved():
                 self._judge()
             event = await_event(self._events)
             if event == _RESIZED:
@@ -131,7 +131,7 @@ class _Board:
         try:
             if not self._leaving:
                 with redirect_stderr(notes):  # which would be drawn over; a progress bar does without
-                    self._found = self._desk.judge()
+                    self._found = self._file.judge()
         finally:
             with self._turn:
                 self._idle.set()
@@ -245,11 +245,11 @@ class _Board:
         redraw(screen, "".join([*parts, "\n"]), prompt_text(screen))
 
 
-_VIEWS: dict[str, Callable[[_Board], View]] = {
-    "h": _Board.hint,
-    "l": _Board.path,
-    "w": _Board.why,
-    "p": _Board.picture,
-    " ": _Board.report,
-    "\n": _Board.report,
+_VIEWS: dict[str, Callable[[_WatchScreen], View]] = {
+    "h": _WatchScreen.hint,
+    "l": _WatchScreen.path,
+    "w": _WatchScreen.why,
+    "p": _WatchScreen.picture,
+    " ": _WatchScreen.report,
+    "\n": _WatchScreen.report,
 }
