@@ -22,6 +22,7 @@ from judge.problem import GrowthRule, Verdict
 from judge.problem.growing import MOST_INPUT_MB
 from judge.problem.load import load_problem
 from judge.run import run_submission
+from judge.run.verify import verify_problem
 from judge.sandbox.inside import wire
 from judge.schema import schema_of
 
@@ -202,6 +203,15 @@ def test_arrays_of_a_hundred_thousand_arrive_as_arrays(signs):
     assert (result.verdict, result.score) == (Verdict.AC, 100)
     result = judged(signs, "wrong/no-zero.py")
     assert (result.verdict, [group.passed for group in result.groups][1]) == (Verdict.WA, 0)
+
+
+def test_a_problem_of_big_cases_is_verified_like_any_other():
+    report = verify_problem(problem_of("signs"))
+    assert report.ok
+    assert [(each.file, each.verdict) for each in report.solutions] == [
+        ("accepted/compared.py", Verdict.AC),
+        ("wrong/no-zero.py", Verdict.WA),
+    ]
 
 
 def test_a_big_case_that_fails_is_not_shown(signs):
