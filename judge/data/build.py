@@ -8,6 +8,7 @@ depends on nothing but the group's own declaration and the cases before it.
 from __future__ import annotations
 
 import inspect
+import marshal
 from collections import Counter
 from collections.abc import Callable, Container
 from functools import partial
@@ -39,6 +40,7 @@ def build(
     for declared in problem.groups:
         group = reseeded(declared, seed)
         solved = examples if group.builder == EXAMPLES else build_cases(problem, module, group)
+        _check_size(problem, group, [case for case, _ in solved])
         targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
         built.append(GroupData(group, [case for case, _ in solved], targets))
         done += len(solved)
@@ -61,6 +63,18 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[S
     return list(cases.items())
 
 
+def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
+    """Hold a group's cases, as a function receives them, against the limit on its input."""
+    sent = len(marshal.dumps([tuple(arguments) for arguments in problem.calls(cases)]))
+    most = problem.limits.input_bytes
+    if sent > most:
+        raise ProblemError(
+            f"group {group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
+            where=group_place(problem, group.name, "count"),
+            remedy="raise input_mb in [limits], or make fewer or smaller cases",
+        )
+
+
 def case_seed(group: Group, number: int, attempt: int) -> str:
     """The seed text of an attempt at case `number` (from 0) of a group."""
     return f"{group.seed}/{group.name}/{number}/{attempt}"
@@ -74,11 +88,21 @@ def choices_of(
     group: Group, builder: Callable[[Draw], Any], number: int, case: Case
 ) -> tuple[int, ...] | None:
     """The choices that case `number` (from 0) of the group was built from; None if it was not."""
+    attempt = attempt_of(group, builder, number, case)
+    if attempt is None:
+        return None
+    draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
+    builder(draw)
+    return tuple(draw.choices)
+
+
+def attempt_of(group: Group, builder: Callable[[Draw], Any], number: int, case: Case) -> int | None:
+    """The attempt that made case `number` (from 0) of the group; None if it was not made there."""
+    shown = repr(case)  # 1 and 1.0 are two cases here
     for attempt in range(_ATTEMPTS):
-        draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
         try:
-            if repr(builder(draw)) == repr(case):  # 1 and 1.0 are two cases here
-                return tuple(draw.choices)
+            if repr(builder(SeededDraw(case_seed(group, number, attempt)))) == shown:
+                return attempt
         except Rejected:
             continue
     return None

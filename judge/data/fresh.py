@@ -32,6 +32,11 @@ BUILT = 32  # cases of a series that its builder makes; with their images no mor
 IMAGES_EACH = 3
 
 
+def _is_fresh(group: Group) -> bool:
+    """Whether fresh cases of the group are worth building."""
+    return group.builder != EXAMPLES and group.size is None
+
+
 class Series(Struct, frozen=True):
     """One group's cases of one round; those at `starts` are its builder's, each before its images."""
 
@@ -50,12 +55,13 @@ class Fresh:
         self.seed = seed
         self._validator = Validator(problem, module.solve)
         # The statement's examples are what they are.
-        self.groups = tuple(group for group in groups if group.builder != EXAMPLES)
+        self.groups = tuple(each for each in groups if _is_fresh(each))
         self._builders = [bound_builder(problem, module, group) for group in self.groups]
         if not self.groups:
-            names = ", ".join(group.name for group in problem.groups if group.builder != EXAMPLES)
+            names = ", ".join(group.name for group in problem.groups if _is_fresh(group))
             raise UsageError(
-                "the examples are no builder's: there are no others", remedy=f"name one of {names}"
+                "these groups have no fresh cases: the examples are no builder's, big cases take too long",
+                remedy=f"name one of {names}",
             )
 
     def series(self) -> Iterator[Series]:

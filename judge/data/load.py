@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
+from judge.errors import ProblemError
 from judge.problem import Group, Problem
+
+if TYPE_CHECKING:
+    from judge.data.module import ProblemModule
 
 
 def load_data(
@@ -21,34 +25,56 @@ def load_data(
     if store is not None:
         kept = _from_plain(store.read(), problem, seed)
         if kept is not None:
-            return ProblemData(problem, kept)
+            return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
     from judge.data.build import build
     from judge.data.module import load_module
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
-    note = store.write(_as_plain(groups)) if store is not None else None
+    note = store.write(_as_plain(groups, problem, module)) if store is not None else None
     return ProblemData(problem, groups, (note,) if note else (), module)
 
 
-def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
-    return {data.group.name: [data.cases, data.targets] for data in groups}
+def _as_plain(groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule) -> dict[str, Any]:
+    from judge.data.rebuilt import as_seeds
+
+    return {
+        data.group.name: [data.cases, data.targets]
+        if data.group.size is None
+        else as_seeds(data, problem, module)
+        for data in groups
+    }
 
 
-def _from_plain(plain: Any, problem: Problem, seed: int | None) -> tuple[GroupData, ...] | None:
-    """The groups that `_as_plain` wrote, or None if this is anything else."""
+def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
+    """The data that `_as_plain` wrote, or None if this is anything else."""
+    module = None
+    groups = []
     try:
-        return tuple(_group(plain[each.name], reseeded(each, seed)) for each in problem.groups)
-    except (KeyError, TypeError, ValueError, IndexError):  # whatever a foreign file can hold
+        for each in problem.groups:
+            if each.size is not None and module is None:
+                from judge.data.module import load_module  # big cases are built again
+
+                module = load_module(problem)
+            groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
+    except (KeyError, TypeError, ValueError, IndexError, ProblemError):  # whatever a foreign file can hold
         return None
+    return ProblemData(problem, tuple(groups), module=module)
 
 
-def _group(plain: Any, group: Group) -> GroupData:
-    cases, targets = plain
+def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | None) -> GroupData:
+    cases: Any
+    if group.size is not None and module is not None:
+        from judge.data.rebuilt import from_seeds
+
+        cases, targets = from_seeds(plain, problem, module, group), plain["targets"]
+    else:
+        cases, targets = plain
+        cases = [tupled(each) for each in cases]
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(group, [tupled(each) for each in cases], list(tupled(targets)))
+    return GroupData(group, cases, list(tupled(targets)))
 
 
 def tupled(plain: list[Any]) -> tuple[Any, ...]:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from msgspec import Struct
-from msgspec.structs import astuple, replace
+from msgspec.structs import replace
 
 from judge.data.build import target_of
 from judge.data.module import ProblemModule
@@ -193,7 +193,13 @@ class Trial:
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use; no more of a person's time than is left, unless `whole`."""
-        cpu, wall, memory, output = astuple(self.problem.limits)
+        usual = self.problem.limits
+        cpu, wall, memory, output = (
+            usual.cpu_seconds,
+            usual.wall_seconds,
+            usual.memory_bytes,
+            usual.output_bytes,
+        )
         if whole and self.verdict in LIMITED:
             patience = max(SHORT_SECONDS, round(self.budget.left, 1))
             cpu, wall = min(cpu, patience), min(wall, patience)

@@ -18,6 +18,7 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.language import file_name, is_program
 from judge.problem import schema
+from judge.problem.growing import MOST_INPUT_MB, GrowingKeys
 from judge.problem.lines import KeyPath
 from judge.problem.model import Group, Limits, Parameter, Problem, ShownSkill, TimeRule
 from judge.problem.statement import EXAMPLES, read_statement
@@ -73,6 +74,12 @@ class _Reader:
         if not _is_plain_name(table.entry):
             self.fault(("entry",), f"entry {table.entry!r} is no function's name", "use a plain Python name")
         bands = self.bands(table)
+        limits = self._limits(table.limits)
+        growing = GrowingKeys(table, limits, self.fault, self._exact)
+        groups = tuple(
+            growing.group(group, table.groups[at], ("groups", at))
+            for at, group in enumerate(self._groups(table))
+        )
         problem = Problem(
             id=self.folder.name,
             title=table.title,
@@ -82,14 +89,15 @@ class _Reader:
             answer=self._answer(table),
             parameters=self._parameters(table),
             bands=bands,
-            limits=self._limits(table.limits),
-            groups=self._groups(table),
+            limits=limits,
+            groups=groups,
             folder=self.folder,
             solutions=solutions,
             time=self._time(table.time),
             sets=self._sets(table.sets),
             place=table.place,
             skills=self._skills(table),
+            growth=growing.growth(groups),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -145,11 +153,15 @@ class _Reader:
             if limit <= 0:
                 self.fault(("limits", key), f"{key} allows nothing", "give a number above 0")
             self._sensible(limit, ("limits", key))
+        if table.input_mb > MOST_INPUT_MB:
+            remedy = f"give at most {MOST_INPUT_MB}"
+            self.fault(("limits", "input_mb"), f"there is no room for {table.input_mb} MB of cases", remedy)
         return Limits(
             cpu_seconds=float(table.cpu_seconds),
             wall_seconds=float(table.wall_seconds),
             memory_bytes=int(table.memory_mb * _MEGABYTE),
             output_bytes=int(table.output_mb * _MEGABYTE),
+            input_bytes=int(table.input_mb * _MEGABYTE),
         )
 
     def _time(self, table: schema.TimeTable | None) -> TimeRule | None:

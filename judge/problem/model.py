@@ -46,6 +46,7 @@ class Limits(Struct, frozen=True):
     wall_seconds: float
     memory_bytes: int
     output_bytes: int
+    input_bytes: int = 64 << 20  # of its cases, as a function receives them
 
 
 class TimeRule(Struct, frozen=True):
@@ -57,6 +58,16 @@ class TimeRule(Struct, frozen=True):
     limit: float
     function: str
     program: str | None = None
+
+
+class GrowthRule(Struct, frozen=True):
+    """How CPU time may grow: by n to a power that exceeds the reference solution's by no more than `slope`.
+
+    `groups` are names, the smallest size first.
+    """
+
+    groups: tuple[str, ...]
+    slope: float
 
 
 class Group(Struct, frozen=True):
@@ -71,6 +82,9 @@ class Group(Struct, frozen=True):
     points: int
     tolerance: Tolerance
     kills: tuple[str, ...]  # the mistakes it is there for
+    size: int | None = None  # n, where its cases are big
+    time_limit: float | None = None  # its own, as `TimeRule.limit`
+    limits: Limits | None = None  # its own
 
 
 class ShownSkill(Struct, frozen=True):
@@ -113,6 +127,11 @@ class Problem(Struct, frozen=True):
     sets: tuple[str, ...] = ()  # the practice sets that it is in
     place: int | None = None  # in its tier's order; without one it comes last
     skills: tuple[ShownSkill, ...] = ()
+    growth: GrowthRule | None = None
+
+    def limits_of(self, group: Group) -> Limits:
+        """The bounds of one of its groups."""
+        return group.limits or self.limits
 
     def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
         """The cases as a submission receives them: with lists and arrays, where a case has tuples."""

@@ -29,6 +29,7 @@ class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     wall_seconds: Exact
     memory_mb: Exact
     output_mb: Exact
+    input_mb: Exact = 64
 
 
 class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -37,6 +38,26 @@ class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     limit: Exact
     function: str
     program: str | None = None
+
+
+class GrowthTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[growth]`: the groups it is measured in, and how far an exponent may exceed the reference's."""
+
+    groups: list[str]
+    slope: Exact
+
+
+class GroupTimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[groups.time]`: a group's own limit."""
+
+    limit: Exact
+
+
+class GroupLimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[groups.limits]`: a group's own bounds."""
+
+    cpu_seconds: Exact
+    wall_seconds: Exact | None = None
 
 
 class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -70,6 +91,9 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     count: int | None = None
     tolerance: ToleranceTable | None = None
     kills: list[str] = []
+    size: int | None = None
+    time: GroupTimeTable | None = None
+    limits: GroupLimitsTable | None = None
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -97,24 +121,28 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     sets: list[str] = []
     place: int | None = None
     skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
+    growth: GrowthTable | None = None
 
 
 _TABLES: dict[str, type[msgspec.Struct]] = {
     "tolerance": ToleranceTable,
     "limits": LimitsTable,
     "time": TimeTable,
+    "growth": GrowthTable,
     "words": WordsTable,
     "parameters": ParameterTable,
     "groups": GroupTable,
     "skills": SkillTable,
 }
+_TABLES_OF_GROUPS: dict[str, type[msgspec.Struct]] = {"time": GroupTimeTable, "limits": GroupLimitsTable}
 
 
 def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
     """The keys that the table at `path` may have."""
     names = [part for part in path if isinstance(part, str)]
     named = names[:1] == ["skills"]  # a table of tables with names of their own
-    table = _TABLES[names[0] if named else names[-1]] if names else ProblemTable
+    known = _TABLES | _TABLES_OF_GROUPS if names[:1] == ["groups"] else _TABLES
+    table = known[names[0] if named else names[-1]] if names else ProblemTable
     return table.__struct_fields__
 
 

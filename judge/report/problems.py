@@ -55,6 +55,21 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield from _labelled("wall clock", f"{limits.wall_seconds:g} s", width)
     yield from _labelled("memory", size(limits.memory_bytes), width)
     yield from _labelled("output", size(limits.output_bytes), width)
+    yield from _own_limits(problem, width)
+
+
+def _own_limits(problem: Problem, width: int | None) -> Iterator[Line]:
+    """The limits of single groups, and of growth."""
+    for group in problem.groups:
+        parts = [f"CPU {group.limits.cpu_seconds:g} s"] if group.limits else []
+        parts += [f"wall clock {group.limits.wall_seconds:g} s"] if group.limits else []
+        parts += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
+        if parts:
+            yield from _labelled(group.name, ", ".join(parts), width)
+    if problem.growth is not None:
+        rule = problem.growth
+        text = f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
+        yield from _labelled("growth", text, width)
 
 
 def cases(problem: Problem) -> int:

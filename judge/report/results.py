@@ -202,6 +202,8 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
         if result.time.ratio:
             parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
+        if result.time.growth and result.verdict is Verdict.AC:
+            parts.append(str(result.time.growth))
     label = verdict_span(result.verdict)
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
 

@@ -29,7 +29,8 @@ class Budget:
     def __init__(self, problem: Problem) -> None:
         self._lock = threading.Lock()
         self._timeouts = self._losses = 0
-        self._most_waiting = WAITING_LIMITS * problem.limits.wall_seconds
+        longest = max([problem.limits_of(group).wall_seconds for group in problem.groups], default=0.0)
+        self._most_waiting = WAITING_LIMITS * max(longest, problem.limits.wall_seconds)
         self._waited = self._searched = 0.0
 
     def within(self, limits: Limits) -> Limits:

@@ -12,8 +12,8 @@ from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.measure import measure
 from judge.run.parallel import Turnstile, share
+from judge.run.races import Timed, race_all, worth_racing
 from judge.run.reference import Reference
 from judge.run.result import Failure, Result, Timing
 from judge.run.runner import Runner, runner_for
@@ -80,15 +80,9 @@ def run_in(
     judging = _Judging(data, runner, source, name, settings, on_progress, budget)
     with turnstile.judging():
         runs = judging.groups(box, chosen)
-    timing = Decision(None)
-    if settings.measured and all(run.verdict is Verdict.AC for run in runs):
+    timing = Timed(Decision(None))
+    if settings.measured and worth_racing(problem, runs):
         timing = _race(problem, runner, runs, box, settings, turnstile, budget)
-    if timing.too_slow and timing.ratio and problem.time:
-        slowest = max(runs, key=lambda run: run.usage.cpu_seconds)
-        slowest.too_slow(
-            f"it takes {timing.ratio.median:,.0f} times the CPU time of the reference solution; "
-            f"the limit is {problem.time.limit:g} times"
-        )
     return Judged(_result(problem, name, runner, runs, timing, box.isolation), runner)
 
 
@@ -112,9 +106,10 @@ def judge_fault(problem: str, submission: str, message: str, *, isolation: str =
 
 
 def _result(
-    problem: Problem, name: str, runner: Runner, runs: Sequence[GroupRun], timing: Decision, isolation: str
+    problem: Problem, name: str, runner: Runner, runs: Sequence[GroupRun], timing: Timed, isolation: str
 ) -> Result:
     """What the groups come to together."""
+    decision, growth = timing
     usage = sum((run.usage for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
@@ -126,10 +121,15 @@ def _result(
         failing.verdict if failing else Verdict.AC,
         tuple(run.result() for run in runs),
         runner.explained(failing.failure) if failing and failing.failure else None,
-        Timing(usage.cpu_seconds, usage.wall_seconds, timing.ratio, timing.borderline),
+        Timing(usage.cpu_seconds, usage.wall_seconds, decision.ratio, _close(timing), growth),
         usage.memory_bytes,
         isolation,
     )
+
+
+def _close(timing: Timed) -> bool:
+    """Whether the time, or how it grows, was a close call."""
+    return timing.decision.borderline or (timing.growth is not None and timing.growth.borderline)
 
 
 def _race(
@@ -140,11 +140,11 @@ def _race(
     settings: Settings,
     turnstile: Turnstile,
     budget: Budget,
-) -> Decision:
+) -> Timed:
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
-        return measure(problem, runner, runs, box, shared, budget)
+        return race_all(problem, runner, runs, box, shared, budget)
 
 
 class _Judging:

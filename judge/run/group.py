@@ -8,7 +8,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from judge.problem import Case, Problem, Verdict
+from msgspec.structs import replace
+
+from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult
 from judge.sandbox.boundary import Limits, Stop, Usage
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from judge.run.runner import Runner
     from judge.values import Exact, Outline, Rejection
 
+_ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
 
 
@@ -79,7 +82,7 @@ class GroupRun:
                 outcome.message,
                 self.group.name,
                 index + 1,
-                named_input(self.problem, self.cases[index]),
+                self._shown_input(index),
                 outcome.wanted,
                 outcome.got,
                 outcome.where,
@@ -98,10 +101,14 @@ class GroupRun:
                 message,
                 self.group.name,
                 index + 1,
-                named_input(self.problem, self.cases[index]),
+                self._shown_input(index),
                 self._runner.wanted(self.targets[index]),
                 got,
             )
+
+    def _shown_input(self, index: int) -> dict[str, Any] | None:
+        """A case's arguments by name; None for a big case, which nobody could read."""
+        return named_input(self.problem, self.cases[index]) if self.group.size is None else None
 
     def give_up(self, verdict: Verdict, reason: str) -> None:
         """Record that the rest of it is not run, of which nothing is known then."""
@@ -126,10 +133,21 @@ class GroupRun:
         self.verdict = Verdict.TLE
         self.failure = Failure(message, self.group.name)
 
+    def explain(self, why: str) -> None:
+        """Add to the reason of a failure."""
+        if self.failure is not None:
+            self.failure = replace(self.failure, message=f"{self.failure.message}; {why}")
+
+    @property
+    def out_of_cpu_time(self) -> bool:
+        """Whether it failed because its CPU time, not only the wall clock's, is used up."""
+        spent = self.usage.cpu_seconds >= _ALL_BUT * self.problem.limits_of(self.group).cpu_seconds
+        return self.verdict is Verdict.TLE and spent
+
     @property
     def out_of_time(self) -> bool:
         """Whether its time is used up, whatever else it may have done: filled memory, say."""
-        left = group_limits(self.problem, self.usage)
+        left = group_limits(self.problem, self.group, self.usage)
         return not (left.cpu_seconds and left.wall_seconds)
 
     def result(self) -> GroupResult:
@@ -156,9 +174,9 @@ def _listed(value: Any) -> Any:
     return [_listed(each) for each in value] if isinstance(value, tuple | list) else value
 
 
-def group_limits(problem: Problem, used: Usage) -> Limits:
+def group_limits(problem: Problem, group: Group, used: Usage) -> Limits:
     """What is left of a group's limits once `used` of its time has gone."""
-    limits = problem.limits
+    limits = problem.limits_of(group)
     return Limits(
         max(0.0, limits.cpu_seconds - used.cpu_seconds),
         max(0.0, limits.wall_seconds - used.wall_seconds),

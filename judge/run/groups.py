@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import takewhile
 
 from judge.errors import JudgeError
 from judge.problem import Case, Verdict
@@ -36,13 +37,13 @@ def run_groups(
     waiting = [_Progress(runner, box, group, budget) for group in groups]
     while waiting and not budget.over:
         # A group that has lost a call goes on by itself, with what is left of its limits.
-        batch = waiting if not waiting[0].group.reached else waiting[:1]
-        first = batch[0].group
+        first = waiting[0].group
+        batch = [waiting[0]] if first.reached else _of_equal_limits(waiting)
         called = iter(batch)
         results = runner.series(
             box,
             [progress.rest for progress in batch],
-            budget.within(group_limits(first.problem, first.usage)),
+            budget.within(group_limits(first.problem, first.group, first.usage)),
             lambda called=called: on_calls(next(called).group),  # type: ignore[misc]
         )
         if not any(result.replies or result.breakdown for result in results):
@@ -120,7 +121,7 @@ class _Progress:
 
     def _breaks(self, count: int) -> bool:
         """Whether a run on the first so many cases breaks too."""
-        limits = group_limits(self.group.problem, self.group.usage)
+        limits = group_limits(self.group.problem, self.group.group, self.group.usage)
         limits = limits._replace(
             cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
             wall_seconds=min(limits.wall_seconds, 2 * SEARCHED_SECONDS),
@@ -128,3 +129,10 @@ class _Progress:
         replies = self._runner.answers(self._box, self.group.cases[:count], self._budget.within(limits))
         self._budget.searched(replies.usage)
         return replies.stop is not Stop.ANSWERED
+
+
+def _of_equal_limits(waiting: Sequence[_Progress]) -> list[_Progress]:
+    """The first ones that the same limits hold for."""
+    first = waiting[0].group
+    limits = first.problem.limits_of(first.group)
+    return list(takewhile(lambda each: first.problem.limits_of(each.group.group) == limits, waiting))

@@ -9,7 +9,7 @@ from judge.errors import JudgeError
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.reference import Reference
+from judge.run.reference import Reference, Track
 from judge.run.replies import VERDICTS, Replies
 from judge.run.runner import Runner
 from judge.run.timing import Decision, race
@@ -22,6 +22,62 @@ _LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the fir
 _AGAIN = "when it was run again to be timed"
 
 
+class Duel:
+    """A submission and the reference on the cases of some groups, turn by turn.
+
+    A turn is one series of calls, or one program. The submission's answers are compared in every turn: one
+    that answers otherwise than before, or not to the end, is no longer accepted, and its group says why.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        runner: Runner,
+        runs: Sequence[GroupRun],
+        submission: Box,
+        rival: Box,
+        track: Track,
+        budget: Budget,
+    ) -> None:
+        self._runner = runner
+        self._submission = submission
+        self._rival = rival
+        self._budget = budget
+        self._cases = track.cases
+        self._places = [(runs[place], index) for place, index in track.places]
+        self._limits = limits = _limits(problem, runs)
+        used = sum((run.usage for run in runs), Usage())
+        self._tighter = limits._replace(
+            cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
+            wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
+        )
+        self._taken = Usage()
+        self._accepted: bytes | None = None  # the answers that were compared last
+
+    def mine(self) -> float | None:
+        """The submission's turn in CPU seconds; None where it is no longer accepted."""
+        within = self._budget.within(self._tighter)
+        replies = self._budget.booked(self._runner.answers(self._submission, self._cases, within))
+        self._taken += replies.usage
+        given = _exactly(replies)
+        if (given is None or given != self._accepted) and not _as_before(self._runner, replies, self._places):
+            return None
+        self._accepted = given
+        return replies.usage.cpu_seconds
+
+    def theirs(self) -> float | None:
+        """The reference's turn. Raises JudgeError where it does not come to the end of the cases."""
+        replies = self._runner.answers(self._rival, self._cases, self._limits)
+        if replies.trouble:
+            raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
+        return replies.usage.cpu_seconds
+
+    def goes_on(self) -> bool:
+        """Whether it has not kept the judge waiting."""
+        # a busy machine lets it wait too, but hardly for more than twice as long as it works
+        return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
+
+
 def measure(
     problem: Problem,
     runner: Runner,
@@ -32,11 +88,8 @@ def measure(
 ) -> Decision:
     """Race a submission and the reference, if there is one, on the cases of accepted groups.
 
-    A turn is one series of calls, or one program.
-
-    The submission's answers are compared in every turn: one that answers otherwise than before, or not to
-    the end, is no longer accepted, its group says why, and there is no more racing. Nor is there for one
-    that has kept the judge waiting.
+    There is no more racing for a submission that is no longer accepted, nor for one that has kept the judge
+    waiting.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
@@ -44,43 +97,24 @@ def measure(
     rival = reference.open(runner.reference(problem.time)) if problem.time else None
     if problem.time is None or rival is None:
         return Decision(None)
-    chosen, cases, pace = reference.track(
-        runner.mode.value, [run.group.name for run in runs], [run.cases for run in runs]
-    )
-    places = [(runs[place], index) for place, index in chosen]
-    limits = _limits(problem, len(runs))
-    used = sum((run.usage for run in runs), Usage())
-    tighter = limits._replace(
-        cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
-        wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
-    )
-    taken = Usage()
-    accepted: bytes | None = None  # the answers that were compared last
-
-    def mine() -> float | None:
-        nonlocal taken, accepted
-        replies = budget.booked(runner.answers(submission, cases, budget.within(tighter)))
-        taken += replies.usage
-        given = _exactly(replies)
-        if (given is None or given != accepted) and not _as_before(runner, replies, places):
-            return None
-        accepted = given
-        return replies.usage.cpu_seconds
-
-    def theirs() -> float | None:
-        replies = runner.answers(rival, cases, limits)
-        if replies.trouble:
-            raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
-        return replies.usage.cpu_seconds
-
-    def goes_on() -> bool:
-        # a busy machine lets it wait too, but hardly for more than twice as long as it works
-        return taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * taken.cpu_seconds
-
-    decision = race(mine, theirs, problem.time.limit, goes_on, pace)
+    track = track_of(reference, runner, runs)
+    duel = Duel(problem, runner, runs, submission, rival, track, budget)
+    decision = race(duel.mine, duel.theirs, time_limit(problem, runs), duel.goes_on, track.pace)
     if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)
     return decision
+
+
+def track_of(reference: Reference, runner: Runner, runs: Sequence[GroupRun]) -> Track:
+    """What the submission and the reference are raced on."""
+    return reference.track(runner.mode.value, [run.group.name for run in runs], [run.cases for run in runs])
+
+
+def time_limit(problem: Problem, runs: Sequence[GroupRun]) -> float:
+    """The limit of the groups that are raced together, as a multiple of the reference's time."""
+    assert problem.time is not None
+    own = runs[0].group.time_limit if len(runs) == 1 else None
+    return problem.time.limit if own is None else own
 
 
 def _exactly(replies: Replies) -> bytes | None:
@@ -106,13 +140,13 @@ def _as_before(runner: Runner, replies: Replies, places: Sequence[tuple[GroupRun
     return False
 
 
-def _limits(problem: Problem, groups: int) -> Limits:
+def _limits(problem: Problem, runs: Sequence[GroupRun]) -> Limits:
     """The bounds of all groups together."""
-    each = problem.limits
+    each = [problem.limits_of(run.group) for run in runs]
     return Limits(
-        each.cpu_seconds * groups,
-        each.wall_seconds * groups,
-        each.memory_bytes,
-        each.output_bytes * groups,
+        sum(limits.cpu_seconds for limits in each),
+        sum(limits.wall_seconds for limits in each),
+        problem.limits.memory_bytes,
+        sum(limits.output_bytes for limits in each),
         items=problem.answer.items,
     )

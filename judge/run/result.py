@@ -119,22 +119,56 @@ class Ratio(Struct, frozen=True):
         return figures | ({"unreliable": self.unreliable} if self.unreliable else {})
 
 
+class Growth(Struct, frozen=True):
+    """How CPU time grows with n: `exponent` is the submission's, `reference` that of the reference solution.
+
+    `slope` is by how much the first may exceed the second, `groups` are those that took long enough to count,
+    `pairs` how many interleaved pairs of runs the widest of them had.
+    """
+
+    exponent: float
+    reference: float
+    slope: float
+    groups: tuple[str, ...]
+    pairs: int
+    borderline: bool = False
+
+    def __str__(self) -> str:
+        return f"it grows like n^{self.exponent:.1f}, the reference like n^{self.reference:.1f}"
+
+    def as_json(self) -> dict[str, Any]:
+        """The growth's object in the published form."""
+        return {
+            "exponent": self.exponent,
+            "reference": self.reference,
+            "slope": self.slope,
+            "groups": list(self.groups),
+            "pairs": self.pairs,
+            "borderline": self.borderline,
+        }
+
+
 class Timing(Struct, frozen=True):
-    """What a submission used in all its groups; `borderline` says the time limit was a close call."""
+    """What a submission used in all its groups; `borderline` says the time limit was a close call.
+
+    `growth` is there, and in the JSON, only where the problem has a rule of growth.
+    """
 
     cpu_seconds: float = 0.0
     wall_seconds: float = 0.0
     ratio: Ratio | None = None
     borderline: bool = False
+    growth: Growth | None = None
 
     def as_json(self) -> dict[str, Any]:
         """The timing's object in the published form."""
-        return {
+        figures: dict[str, Any] = {
             "cpu_seconds": self.cpu_seconds,
             "wall_seconds": self.wall_seconds,
             "ratio": self.ratio.as_json() if self.ratio else None,
             "borderline": self.borderline,
         }
+        return figures | ({"growth": self.growth.as_json()} if self.growth else {})
 
 
 class Pitfall(Struct, frozen=True):

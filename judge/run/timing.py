@@ -63,7 +63,7 @@ class Pace:
         self._times.append(seconds)
         if len(known) < _LEAST_PAIRS:
             return None
-        median = _quantile(known, 0.5)
+        median = quantile(known, 0.5)
         if abs(seconds - median) > _DRIFT * median:
             self._times.clear()  # the machine is another one now
             self._times.append(seconds)
@@ -90,7 +90,7 @@ def race(
     usual: float | None = None  # the reference's time, once it is known
     while len(pairs) < MOST_PAIRS:
         if usual is None:
-            pair = _turn(submission, reference, swapped=len(pairs) % 2 == 1)
+            pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
         else:
             mine = submission()
             pair = None if mine is None else Pair(mine, usual)
@@ -102,7 +102,7 @@ def race(
             usual = known if len(pairs) == 1 else None
         if not goes_on():
             break
-        if not _is_clear(pairs, limit):
+        if not is_clear(pairs, limit):
             if usual is not None:  # near the limit only turns of now count
                 pairs, usual = pairs[:1], None
             continue
@@ -118,7 +118,7 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
     if not pairs:
         return Decision(None)
     ratio = summary(pairs)
-    if _is_clear(pairs, limit):
+    if is_clear(pairs, limit):
         return Decision(ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
     too_slow = least > limit and ratio.median > limit
@@ -129,7 +129,7 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
 def summary(pairs: list[Pair]) -> Ratio:
     """The median paired ratio with its quartiles, and whether it deserves belief."""
     ratios = sorted(pair.ratio for pair in pairs)
-    low, median, high = (_quantile(ratios, part) for part in (0.25, 0.5, 0.75))
+    low, median, high = (quantile(ratios, part) for part in (0.25, 0.5, 0.75))
     unreliable = ""
     if min(pair.reference for pair in pairs) < _TOO_SHORT_SECONDS:
         unreliable = "too short"
@@ -138,7 +138,7 @@ def summary(pairs: list[Pair]) -> Ratio:
     return Ratio(median, low, high, len(pairs), unreliable)
 
 
-def _quantile(ordered: list[float], part: float) -> float:
+def quantile(ordered: list[float], part: float) -> float:
     """The value below which `part` of the ordered values lie, linear between neighbours."""
     place = part * (len(ordered) - 1)
     below = int(place)
@@ -146,13 +146,13 @@ def _quantile(ordered: list[float], part: float) -> float:
     return ordered[below] + (place - below) * (ordered[above] - ordered[below])
 
 
-def _is_clear(pairs: list[Pair], limit: float) -> bool:
+def is_clear(pairs: list[Pair], limit: float) -> bool:
     """Whether every pair is clearly below the limit, or every one clearly above it."""
     ratios = [pair.ratio for pair in pairs]
     return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
 
 
-def _turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
+def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
     """One run each; who goes first changes, so that a drift favours nobody."""
     if swapped:
         theirs, mine = reference(), submission()

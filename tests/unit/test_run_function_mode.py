@@ -149,7 +149,7 @@ def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
 def test_who_has_waited_too_long_is_told_so():
     limits = replace(LIMITS, wall_seconds=10.0)
     data = make_data("one", "two", limits=limits)
-    budget, one = Budget(data.problem), group_limits(data.problem, Usage())
+    budget, one = Budget(data.problem), group_limits(data.problem, data.problem.groups[0], Usage())
     assert budget.within(one).waiting_seconds == 30.0
     budget.booked(ended(Stop.ANSWERED, Usage(2.0, 31.0)))
     assert budget.within(one).waiting_seconds == 1.0

@@ -28,7 +28,7 @@ def asked(source, cases=CASES, limits=LIMITS):
     problem = make_data("one", limits=limits).problem
     with open_box(source.encode(), "my.py") as box:
         runner = runner_for(problem, box.inspect(), source.encode())
-        return runner, runner.answers(box, cases, group_limits(problem, Usage()))
+        return runner, runner.answers(box, cases, group_limits(problem, problem.groups[0], Usage()))
 
 
 @pytest.mark.parametrize(

@@ -136,9 +136,7 @@ def test_an_answer_of_its_type(kind, answer, stating):
     "argument", ['"4"', "True", "None", "1e999", "1j", "b'4'", "{}", "{[]}", "[1]", "[1, '2']", "[[1], [2]]"]
 )
 def test_an_argument_that_is_no_number_and_no_point_is_a_fault_with_its_line(argument, stating):
-    with pytest.raises(
-        ProblemError, match=r"^root-count/statement.md:1: .*(no plain|is invalid: )"
-    ):
+    with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .*(no plain|is invalid: )"):
         stating(f">>> root_count({argument})\n2\n")
 
 
