@@ -103,13 +103,14 @@ def _is_ours(folder: str, name: str) -> bool:
 def _listed(folder: str) -> list[str]:
     try:
         return os.listdir(folder)  # noqa: PTH208
-    except OSError:
+    except OSError as fault:
+        places.refuse_shortage(fault)
         return []
 
 
 def _first_file(folder: str) -> str:
     """The end of the path of some file in it, which may be open to who may not list the folder."""
-    for place, _, files in os.walk(folder):
+    for place, _, files in os.walk(folder, onerror=places.refuse_shortage):
         if files:
             return f"{place}/{files[0]}"[len(folder) :]
     return ""

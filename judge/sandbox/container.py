@@ -109,9 +109,10 @@ class _Starter:
         order = _Order(command, settings)
         with self._lock:
             if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
-                self._orders = SimpleQueue()
-                self._thread = threading.Thread(target=self._serve, args=(self._orders,), daemon=True)
-                self._thread.start()
+                orders: SimpleQueue[_Order] = SimpleQueue()
+                thread = threading.Thread(target=self._serve, args=(orders,), daemon=True)
+                thread.start()
+                self._thread, self._orders = thread, orders
             self._orders.put(order)
         try:
             order.done.wait()

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from judge.errors import shortage_code
+
 _MOUNTS = Path("/proc/self/mountinfo")
 _ESCAPED = re.compile(r"\\([0-7]{3})")
 
@@ -27,6 +29,12 @@ class Mount(NamedTuple):
 def absolute(path: str) -> str:
     """The path from the root on, nothing else changed: behind a symlink, `..` is not what it looks like."""
     return path if os.path.isabs(path) else os.path.join(Path.cwd(), path)  # noqa: PTH117, PTH118 - as said
+
+
+def refuse_shortage(fault: OSError) -> None:
+    """Raise the fault again where it tells nothing of what is there, which would then not be hidden."""
+    if shortage_code(fault):
+        raise fault
 
 
 def real(path: str | Path) -> str:
@@ -69,7 +77,8 @@ def mounts() -> list[Mount]:
     """What is mounted, as the kernel lists it; nothing where it lists nothing."""
     try:
         lines = _MOUNTS.read_text(encoding="utf-8", errors="surrogateescape").splitlines()
-    except OSError:
+    except OSError as fault:
+        refuse_shortage(fault)
         return []
     return [_mount(line.split(" ")) for line in lines]
 

@@ -12,6 +12,7 @@ from cli_support import FLOOR, MEAN
 
 from judge.cli import judging
 from judge.cli.commands import list as list_module
+from judge.sandbox import container
 
 SHORTAGES = [
     (OSError(errno.EMFILE, "Too many open files"), "the judge has no file descriptor left; use a smaller -j"),
@@ -83,7 +84,7 @@ def test_without_any_thread_every_submission_says_so(judge, submit, monkeypatch)
         raise RuntimeError("can't start new thread")
 
     monkeypatch.setattr(threading.Thread, "start", start)
-    monkeypatch.setattr("judge.sandbox.container._STARTER._thread", None)
+    monkeypatch.setattr(container, "_STARTER", container._Starter())
     monkeypatch.setattr("judge.sandbox.holder.PAUSES", (0.0,) * 9)
     files = [submit(MEAN, name) for name in ("a.py", "b.py")]
     ended = judge("run", "middle", *files, "--json", "-j", "2")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -325,3 +326,20 @@ def test_a_container_that_shows_what_it_must_not_is_refused(
         pass
     with open_box(b"", "f.py", level="limits") as open_to_all:
         assert open_to_all.isolation == "limits"
+
+
+@pytest.mark.parametrize("place", ["os.listdir", "os.scandir", "judge.sandbox.places._MOUNTS"])
+def test_what_cannot_be_read_for_a_moment_is_not_taken_for_nothing(
+    monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    """A folder that is overlooked for want of a descriptor would not be hidden."""
+
+    class Short:
+        def __call__(self, *_arguments: object) -> None:
+            raise OSError(errno.EMFILE, os.strerror(errno.EMFILE))
+
+        read_text = property(__call__)
+
+    monkeypatch.setattr(place, Short())
+    with pytest.raises(OSError, match="Too many open files"):
+        roots.find_roots()
