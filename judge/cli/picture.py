@@ -11,7 +11,8 @@ from msgspec import Struct
 from judge.cli.target import Target
 from judge.data import ProblemData
 from judge.errors import UsageError, told
-from judge.problem import Case, Problem
+from judge.problem import Problem
+from judge.problem.model import case_of
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
 from judge.run import Result
@@ -50,8 +51,7 @@ class Drawing(Struct, frozen=True):
             wanted, got = found.get("expected"), found.get("got")
         if not values:
             return None
-        case: Case = tuple(tuple(v) if isinstance(v, list) else v for v in values.values())
-        exact, _ = self.data.exact(case, group)
+        exact, _ = self.data.exact(case_of(values), group)
         return compose(self.problem, values, exact, wanted=wanted, got=got, heading=heading)
 
     def lines(self, screen: Screen, *, beside: int) -> list[Line]:

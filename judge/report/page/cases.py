@@ -16,10 +16,11 @@ from judge.diagnose.picture.svg import panel_svg
 from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
-from judge.problem import Case, Problem, Verdict
+from judge.problem import Problem, Verdict
+from judge.problem.model import case_of
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
-from judge.report.values import arguments
+from judge.report.values import arguments, with_points
 
 MOST = 12  # kinds of failure of one problem
 _LONGEST = 2000  # characters of a submission's own words that are shown
@@ -109,7 +110,7 @@ def _facts(
     run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None
 ) -> Iterable[tuple[str, str, str]]:
     if shown.input:
-        yield "input", arguments(shown.input), "code"
+        yield "input", arguments(with_points(shown.input)), "code"
     if shown.expected is not None and shown.input:
         yield "wanted", _cut(shown.expected), "wanted"
         yield "got", _cut(shown.got or "no answer"), "got"
@@ -150,7 +151,7 @@ class _Artist:
         names = [parameter.name for parameter in self._problem.parameters]
         if known is None or not case.input or list(case.input) != names:
             return None
-        values: Case = tuple(tuple(v) if isinstance(v, list) else v for v in case.input.values())
+        values = case_of(case.input)
         try:
             if self._module is None:
                 self._module = load_module(self._problem)
