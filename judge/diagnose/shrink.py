@@ -26,7 +26,7 @@ from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import measure
-from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
+from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
 from judge.run.result import Failure, Mode
@@ -34,6 +34,7 @@ from judge.run.tally import named_input
 from judge.sandbox import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
+_SORTS = 8  # of right answers, above which a wanted 5 is like a wanted 3
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -66,7 +67,8 @@ def shrink(
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
     budget = Budget(budget_seconds, clock)
-    trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference)
+    coarse = _has_many_answers(problem, data)
+    trial = Trial(problem, load_module(problem), box, mode, verdict, budget, reference, coarse=coarse)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
@@ -76,6 +78,13 @@ def shrink(
         return _original(problem, group_data.group, case, failure, budget.calls)
     trial.look_for(first)
     return _Search(problem, trial, group_data, first, failure.case - 1, choices or choices_of).run()
+
+
+def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
+    """Whether the right answers are of more sorts than a mistake could be looked for in."""
+    right = problem.answer.right
+    sorts = {sort_of(right(target)) for group in data.groups for target in group.targets}
+    return len(sorts) > _SORTS
 
 
 def _original(problem: Problem, group: Group, case: Case, failure: Failure, calls: int) -> Counterexample:

@@ -77,7 +77,10 @@ class Trial:
         verdict: Verdict,
         budget: Budget,
         judge_box: Callable[[], Box | None] = lambda: None,
+        *,
+        coarse: bool = False,
     ) -> None:
+        """`coarse` says that ints and lengths tell no two mistakes apart, as where there are many of them."""
         self.problem = problem
         self.module = module
         self.verdict = verdict
@@ -86,6 +89,7 @@ class Trial:
         self._mode = mode
         self._validator = Validator(problem, module.promise)
         self._judge_box = judge_box
+        self._coarse = coarse
         self._known: dict[tuple[str, str], Finding | None] = {}
         self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
@@ -211,7 +215,7 @@ class Trial:
                 continue
             outcome = answer.check(reply.answer, target, self._exact(case, group))
             if isinstance(outcome, Rejection):
-                way = _way(answer.right(target), answer.outline(reply.answer), outcome)
+                way = _way(answer.right(target), answer.outline(reply.answer), outcome, coarse=self._coarse)
                 ended.append(self._rejected(case, group, outcome, way, reply.answer))
             else:
                 ended.append(None)
@@ -236,7 +240,7 @@ class Trial:
         for case, target, line in zip(cases, targets, lines, strict=False):
             outcome = answer.check_line(line, target, self._exact(case, group))
             if isinstance(outcome, Rejection):
-                way = _way(answer.right(target), answer.line_outline(line), outcome)
+                way = _way(answer.right(target), answer.line_outline(line), outcome, coarse=self._coarse)
                 read = answer.read_line(line)
                 given = None if isinstance(read, str) else read[0]
                 ended.append(self._rejected(case, group, outcome, way, given))
@@ -258,19 +262,21 @@ class Trial:
         return Finding(case, group, measure(case), verdict, wanted, "no answer", detail, way)
 
 
-def _way(right: Outline, given: Outline, outcome: Rejection) -> tuple[str, ...]:
+def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) -> tuple[str, ...]:
     """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
-    wanted, got = _sort(right), _sort(given)
+    wanted, got = sort_of(right), sort_of(given)
     if (
         got.rpartition(" ")[2].isdecimal() and got != wanted
     ):  # of a wanted 1 both 0 and 2 are the same mistake
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"
+    if coarse:
+        wanted, got = wanted.rstrip("-0123456789"), got.rstrip("-0123456789")
     return wanted, got, "off" if outcome.where else "other"
 
 
-def _sort(outline: Outline) -> str:
+def sort_of(outline: Outline) -> str:
     """What an answer is: an int itself, how many items, whether it is a number, a word, none."""
     form, numbers = outline
     if form == "number":
