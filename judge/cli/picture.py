@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from judge.cli.target import svg_target
-from judge.data.load import tupled
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Problem
+from judge.problem.model import case_of
 from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
@@ -46,7 +46,7 @@ class Drawing(Struct, frozen=True):
         draw = self.data.module.topic.picture
         if draw is None:
             return None
-        exact, _ = self.data.exact(tupled(list(values.values())), group)
+        exact, _ = self.data.exact(case_of(values), group)
         return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
 
     def lines(self, screen: Screen, *, beside: int) -> list[Line]:

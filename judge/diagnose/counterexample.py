@@ -13,7 +13,7 @@ from judge.values import Raw
 class Counterexample(Struct, frozen=True):
     """A case and how it fails.
 
-    `input` maps a parameter's name to its value, tuples as lists; `given` is the answer itself, as the
+    `input` maps a parameter's name to its value; `given` is the answer itself, as the
     submission sent it; `group` is the test group whose tolerance
     decides. `replay` is the id to judge just this case by; it is None where the case fails only after other
     calls, and then `message` says so. `calls` counts what the search asked of the submission.

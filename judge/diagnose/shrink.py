@@ -24,7 +24,7 @@ from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
-from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial
+from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.statement import EXAMPLES
 from judge.run.group import named_input
@@ -33,6 +33,7 @@ from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
+_SORTS = 8  # of right answers, above which a wanted 5 is like a wanted 3
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -65,7 +66,8 @@ def shrink(
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
     budget = Budget(budget_seconds, clock)
-    trial = Trial(data.module, box, runner, verdict, budget, reference)
+    coarse = _has_many_answers(problem, data)
+    trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
     case = group_data.cases[failure.case - 1]
     first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
@@ -75,6 +77,13 @@ def shrink(
         return _original(problem, group_data.group, case, failure, budget.calls)
     trial.look_for(first)
     return _Search(problem, trial, group_data, first, failure.case - 1, choices or choices_of).run()
+
+
+def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
+    """Whether the right answers are of more sorts than a mistake could be looked for in."""
+    right = problem.answer.right
+    sorts = {sort_of(right(target)) for group in data.groups for target in group.targets}
+    return len(sorts) > _SORTS
 
 
 def _original(problem: Problem, group: Group, case: Case, failure: Failure, calls: int) -> Counterexample:

@@ -8,6 +8,7 @@ from judge.problem.model import Case, Number
 
 Measure = tuple[int, int, tuple[float, ...]]
 
+_NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
 _SPECIAL = 3  # and so does what is special in itself
 
@@ -17,7 +18,7 @@ def numbers_of(case: Case) -> Iterator[Number]:
     for argument in case:
         if isinstance(argument, tuple):
             yield from numbers_of(argument)
-        elif isinstance(argument, int | float):
+        elif type(argument) in _NUMBERS:  # no bool
             yield argument
 
 
@@ -28,7 +29,7 @@ def with_numbers(case: Case, numbers: Iterator[Number]) -> Case:
             with_numbers(argument, numbers)
             if isinstance(argument, tuple)
             else next(numbers)
-            if isinstance(argument, int | float)
+            if type(argument) in _NUMBERS
             else argument
             for argument in case
         ]

@@ -78,7 +78,10 @@ class Trial:
         verdict: Verdict,
         budget: Budget,
         judge_box: Callable[[], Box | None] = lambda: None,
+        *,
+        coarse: bool = False,
     ) -> None:
+        """`coarse` says that ints and lengths tell no two mistakes apart, as where there are many of them."""
         self.problem = runner.problem
         self.module = module
         self.verdict = verdict
@@ -87,6 +90,7 @@ class Trial:
         self._runner = runner
         self._validator = Validator(runner.problem, module.solve)
         self._judge_box = judge_box
+        self._coarse = coarse
         self._known: dict[tuple[str, str], Finding | None] = {}
         self._proofs: dict[str, Proof] = {}
         self._targets: dict[tuple[str, str], Target] = {}
@@ -242,7 +246,9 @@ class Trial:
         return lambda: (self._proof(case).answer, group.tolerance)
 
     def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
-        way = _way(self.problem.answer.right(target), self._runner.outline(answer), outcome)
+        way = _way(
+            self.problem.answer.right(target), self._runner.outline(answer), outcome, coarse=self._coarse
+        )
         texts = outcome.wanted, outcome.got, outcome.message
         return Finding(case, group, self.measure(case), Verdict.WA, *texts, way, self._runner.raw(answer))
 
@@ -260,17 +266,19 @@ class Trial:
         return Finding(case, group, self.measure(case), verdict, wanted, got, detail, way)
 
 
-def _way(right: Outline, given: Outline, outcome: Rejection) -> tuple[str, ...]:
+def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) -> tuple[str, ...]:
     """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
-    wanted, got = _sort(right), _sort(given)
+    wanted, got = sort_of(right), sort_of(given)
     if got.rpartition(" ")[2].isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"
+    if coarse:
+        wanted, got = wanted.rstrip("-0123456789"), got.rstrip("-0123456789")
     return wanted, got, "off" if outcome.where else "other"
 
 
-def _sort(outline: Outline) -> str:
+def sort_of(outline: Outline) -> str:
     """What an answer is: an int itself, how many items, whether it is a number, a word, none."""
     form, numbers = outline
     if form == "number":

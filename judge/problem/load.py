@@ -13,6 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+import msgspec
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
@@ -135,8 +136,7 @@ class _Reader:
 
     def _answer(self, table: schema.ProblemTable) -> Type:
         if self._known_answer is None:
-            words = table.words
-            own = Words(words.answer, words.meant, words.missing, words.order) if words else Words()
+            own = Words(**msgspec.structs.asdict(table.words)) if table.words else Words()
             self._known_answer = self._type(table.answer, ("answer",)).worded(own)
         return self._known_answer
 
@@ -325,9 +325,10 @@ def _is_plain_name(name: str) -> bool:
 
 def _words(table: schema.ProblemTable) -> dict[str, str]:
     """What the statement's placeholders stand for: each number as the file writes it."""
-    words = {"entry": table.entry, "title": table.title}
+    words = {"entry": table.entry, "title": table.title, "answer": table.answer}
     words |= {name: _written(width) for name, width in table.bands.items()}
     for parameter in table.parameters:
+        words[f"{parameter.name}.type"] = parameter.type
         words[f"{parameter.name}.low"] = _written(parameter.low)
         words[f"{parameter.name}.high"] = _written(parameter.high)
     words |= _numbers("tolerance", table.tolerance)

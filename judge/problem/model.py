@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
@@ -18,6 +18,15 @@ from judge.values.type import Type
 Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
+
+
+def case_of(arguments: Mapping[str, Any]) -> Case:
+    """The case of arguments by parameter name, also where JSON has made lists of tuples."""
+    return tuple(map(_tupled, arguments.values()))
+
+
+def _tupled(value: Any) -> Any:
+    return tuple(map(_tupled, value)) if isinstance(value, tuple | list) else value
 
 
 class Tier(Enum):
@@ -141,6 +150,13 @@ class Problem(Struct, frozen=True):
         return [
             tuple([type_.argument(value) for type_, value in zip(types, case, strict=True)]) for case in cases
         ]
+
+    def named(self, case: Case) -> dict[str, Any]:
+        """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
+        return {
+            parameter.name: parameter.type.listed(value)
+            for parameter, value in zip(self.parameters, case, strict=True)
+        }
 
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""

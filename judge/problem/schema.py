@@ -67,6 +67,7 @@ class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     meant: str = ""
     missing: str = ""
     order: str = ""
+    unit: str = ""
 
 
 class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):

@@ -166,12 +166,8 @@ class GroupRun:
 
 
 def named_input(problem: Problem, case: Case) -> dict[str, Any]:
-    """A case's arguments by parameter name, tuples as lists."""
-    return {parameter.name: _listed(value) for parameter, value in zip(problem.parameters, case, strict=True)}
-
-
-def _listed(value: Any) -> Any:
-    return [_listed(each) for each in value] if isinstance(value, tuple | list) else value
+    """A case's arguments by parameter name."""
+    return problem.named(case)
 
 
 def group_limits(problem: Problem, group: Group, used: Usage) -> Limits:

@@ -66,7 +66,7 @@ class GroupResult(Struct, frozen=True):
 class Failure(Struct, frozen=True):
     """The first failing case, or why nothing could be run (then only `message` is set).
 
-    `case` counts from 1 within its group. `input` maps a parameter's name to its value, tuples as lists.
+    `case` counts from 1 within its group. `input` maps a parameter's name to its value.
     `where` says which part is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
     `given` is the answer itself, as the submission sent it; None where there is none.
     """

@@ -384,6 +384,10 @@ class ListType(Type):
             raise ValueError("no such length")
         return tuple([self.item.from_tokens(tokens) for _ in range(count)])
 
+    def listed(self, value: Any) -> Any:
+        """A list of the items' values."""
+        return [self.item.listed(each) for each in value]
+
     def argument(self, value: Any) -> Any:
         """A list of the items' arguments."""
         return [self.item.argument(each) for each in value]

@@ -181,6 +181,10 @@ class OptionalType(Type):
         first = next(tokens)
         return None if first == "none" else self.inner.from_tokens(chain((first,), tokens))
 
+    def listed(self, value: Any) -> Any:
+        """None, or the inner value."""
+        return None if value is None else self.inner.listed(value)
+
     def argument(self, value: Any) -> Any:
         """None, or the inner argument."""
         return None if value is None else self.inner.argument(value)

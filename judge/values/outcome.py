@@ -41,6 +41,7 @@ class Words(Struct, frozen=True):
     meant: str = ""  # what a line of output holds, such as "0, 1, 2 or none"
     missing: str = ""  # why None is wrong where there is an answer
     order: str = ""  # in which order the elements of a list come
+    unit: str = ""  # what a tolerance's `extent` and `zero` count in, such as "the size of the figure"
 
 
 NO_WORDS = Words()

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from judge.values.decode import shown
+from judge.values.decode import fault, shown
 from judge.values.lines import Tokens
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
-from judge.values.type import NOTHING_MEASURED, Question, Quick, Raw, Target, Type
+from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -24,16 +24,23 @@ _INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
 class PlainType(Type):
     """Values that are right if they equal the wanted one. Target, exact answer and value are the same thing.
 
-    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`) and how
-    it is written as a token (`text_of`, `value_from`).
+    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`, `sent`)
+    and how it is written as a token (`text_of`, `value_from`).
     """
+
+    samples: Sequence[Any] = ()  # a few values, the simplest first; without any, no parameter is of this type
+
+    @property
+    def is_parameter(self) -> bool:  # type: ignore[override]
+        """Whether simple values are known, which the search for simple cases needs."""
+        return bool(self.samples)
 
     def why_not(self, value: Any) -> str | None:
         """Why a value is none of this type, "'up' where left or right is meant"; None where it is one."""
         raise NotImplementedError
 
     def value_of(self, raw: Raw) -> Any:
-        """The value that JSON from a submission stands for; raises Unreadable with what it is, and advice."""
+        """The value of what a submission sent, or of a worked example's literal; raises ValueError."""
         raise NotImplementedError
 
     def text_of(self, value: Any) -> str:
@@ -60,7 +67,12 @@ class PlainType(Type):
 
     def read(self, raw: Raw, question: Question, place: Place) -> Any:
         """The value."""
-        return self.value_of(raw)
+        try:
+            return self.value_of(raw)
+        except ValueError:
+            name = place.name()
+            meant = f"{self.noun} is meant{f' for {name}' if name else ''}"
+            raise Unreadable(fault(raw).where(meant)) from None
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """Nothing is measured."""
@@ -108,6 +120,10 @@ class PlainType(Type):
         """Whether it is a value."""
         fault = self.why_not(value)
         return f"{name} has {fault}" if fault else None
+
+    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
+        """Any of the samples."""
+        return self.samples[draw.integer(0, len(self.samples) - 1)]
 
     def tokens(self, value: Any) -> Iterator[str]:
         """A token."""

@@ -202,6 +202,10 @@ class TupleType(Type):
         """The parts, one after the other."""
         return tuple([part.from_tokens(tokens) for part in self.parts])
 
+    def listed(self, value: Any) -> Any:
+        """A tuple of the parts' values."""
+        return tuple([part.listed(each) for part, each in zip(self.parts, value, strict=True)])
+
     def argument(self, value: Any) -> Any:
         """A tuple of the parts' arguments."""
         return tuple([part.argument(each) for part, each in zip(self.parts, value, strict=True)])

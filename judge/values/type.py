@@ -397,6 +397,10 @@ class Type:
         """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
         raise NotImplementedError
 
+    def listed(self, value: Any) -> Any:
+        """The value with lists for lists and arrays, as JSON can hold it."""
+        return value
+
     def argument(self, value: Any) -> Any:
         """The value as a submission receives it."""
         return value

@@ -2,9 +2,9 @@
 
     python tests/benchmarks/bench_values.py [COMMIT]
 
-Lists of points and ints are decided by this checkout's types and by those of COMMIT, in turn and in one
-process; each figure is the median of the rounds' ratios. Without COMMIT it is the last one whose judge had
-kinds of answers, in `judge/compare`. More complex types stand beside the list of two points.
+Lists of points and ints are decided by this checkout's types and by those of COMMIT, in turn, in one process;
+each figure is the median of the rounds' ratios. Without COMMIT it is the last one whose judge had kinds of
+answers, in `judge/compare`. More complex types stand beside the list of two points.
 """
 
 from __future__ import annotations

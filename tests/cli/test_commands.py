@@ -40,7 +40,7 @@ def test_show(judge):
     rows = [line.split() for line in ended.lines]
     assert ["a", "number", "-1000", "1000", "one", "number"] in rows
     assert ["half", "30", "50"] in [row[:3] for row in rows]
-    assert "  1e-9 relative; where the exact number is 0, 1e-12 of the case's unit" in ended.lines
+    assert "  1e-9 relative; where the exact number is 0, 1e-12 of the answer's unit" in ended.lines
     assert ["memory", "256", "MB"] in rows
 
 

@@ -45,7 +45,7 @@ def test_an_accepted_one_is_a_notice_at_its_function():
 
 
 def test_a_wrong_answer_is_an_error_with_the_case():
-    failure = Failure("2 wanted, 1 given", "grid", 7, {"cx": 1, "A": [0, 1]}, "2", "1")
+    failure = Failure("2 wanted, 1 given", "grid", 7, {"cx": 1, "A": (0, 1)}, "2", "1")
     wrong = Result(
         "count",
         "mine.py",

@@ -60,7 +60,7 @@ REJECTED = Result(
     Mode.FUNCTION,
     Verdict.WA,
     (group("grid", Verdict.AC, 10), group("tangent", Verdict.WA, 9), group("band", Verdict.TLE)),
-    Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": [0, 2.5]}, "2", "1"),
+    Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": (0, 2.5)}, "2", "1"),
     pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
 )
 

@@ -46,7 +46,7 @@ def test_a_wrong_answer_shows_the_first_failing_case():
     assert result.groups[0].passed == 3
     failure = result.failure
     assert (failure.group, failure.case) == ("one", 2)
-    assert failure.input == {"n": 0, "P": [0.5, 0.5]}
+    assert failure.input == {"n": 0, "P": (0.5, 0.5)}
     assert (failure.expected, failure.got) == ("1", "0")
 
 

@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 
-from judge.data.load import tupled
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
 from judge.drawing import Picture
@@ -16,11 +15,12 @@ from judge.errors import JudgeError
 from judge.kata.history import Run
 from judge.kata.skills import mistake_names
 from judge.problem import Problem, Verdict
+from judge.problem.model import case_of
 from judge.problem.topic import Shown
 from judge.report.names import shown_command
 from judge.report.page.parts import Drawing, Explained, FailingCase
 from judge.report.page.record import CaseRecord, read_record
-from judge.report.values import arguments
+from judge.report.values import arguments, with_points
 from judge.values.reread import reread
 
 MOST = 12  # kinds of failure of one problem
@@ -111,7 +111,7 @@ def _facts(
     run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None
 ) -> Iterable[tuple[str, str, str]]:
     if shown.input:
-        yield "input", arguments(shown.input), "code"
+        yield "input", arguments(with_points(shown.input)), "code"
     if shown.expected is not None and shown.input:
         yield "wanted", _cut(shown.expected), "wanted"
         yield "got", _cut(shown.got or "no answer"), "got"
@@ -152,7 +152,7 @@ class _Artist:
         names = [parameter.name for parameter in self._problem.parameters]
         if known is None or not case.input or list(case.input) != names:
             return None
-        values = tupled(list(case.input.values()))
+        values = case_of(case.input)
         try:
             if self._module is None:
                 self._module = load_module(self._problem)

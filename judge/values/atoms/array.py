@@ -271,6 +271,10 @@ class ArrayType(Type):
             raise ValueError("too few items")
         return tuple(map(int if self._real is None else float, words))
 
+    def listed(self, value: Any) -> Any:
+        """A list."""
+        return list(value)
+
     def argument(self, value: Any) -> Any:
         """An `array.array`."""
         return array(self._code, value)

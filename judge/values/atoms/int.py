@@ -18,6 +18,7 @@ from judge.values.type import NOTHING_MEASURED, Check, Draws, ExactOf, Number, Q
 class IntType(PlainType):
     """An int: no bool, and no float that is whole; `least` bounds a parameter from below in any case."""
 
+    is_parameter = True
     noun = "an int"
     plural = "ints"
     annotation = "int"

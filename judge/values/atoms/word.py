@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
-from judge.values.decode import LONGEST_WORD, fault, shown, word
+from judge.values.decode import LONGEST_WORD, shown, word
 from judge.values.lines import Tokens
-from judge.values.outcome import Place, Unreadable
+from judge.values.outcome import Unreadable
 from judge.values.plain import PlainType
-from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target
+from judge.values.type import NOTHING_MEASURED, Quick, Raw, Target
 
 
 class WordType(PlainType):
@@ -25,12 +24,12 @@ class WordType(PlainType):
         if max(map(len, words)) > LONGEST_WORD:
             raise ValueError(f"a word has at most {LONGEST_WORD} characters")
         self.text = f"word({'|'.join(words)})"
-        self._choices = words
+        self.samples = words
 
     @property
     def noun(self) -> str:  # type: ignore[override]
         """The choice."""
-        return f"{', '.join(self._choices[:-1])} or {self._choices[-1]}"
+        return f"{', '.join(self.samples[:-1])} or {self.samples[-1]}"
 
     @cached_property
     def quick(self) -> Quick:
@@ -45,16 +44,19 @@ class WordType(PlainType):
     def why_not(self, value: Any) -> str | None:
         """One of the choice."""
         return (
-            None if type(value) is str and value in self._choices else f"{value!r} where {self.noun} is meant"
+            None if type(value) is str and value in self.samples else f"{value!r} where {self.noun} is meant"
         )
 
-    def read(self, raw: Raw, question: Question, place: Place) -> Any:
+    def value_of(self, raw: Raw) -> Any:
         """Any word: a wrong one is a wrong answer."""
         given = word(raw)
         if given is None:
-            name = place.name()
-            raise Unreadable(fault(raw).where(f"{self.noun} is meant{f' for {name}' if name else ''}"))
+            raise ValueError("no word")
         return given
+
+    def sent(self, value: Any) -> Raw:
+        """As a word."""
+        return {"word": value}
 
     def shown(self, raw: Raw) -> str:
         """Between quotation marks."""
@@ -69,13 +71,9 @@ class WordType(PlainType):
 
     def value_from(self, token: str) -> Any:
         """One of the choice."""
-        if token not in self._choices:
+        if token not in self.samples:
             raise ValueError(f"none of the words: {token[:40]!r}")
         return token
-
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
-        """Any of them, the first most likely to stay."""
-        return self._choices[draw.integer(0, len(self._choices) - 1)]
 
 
 TYPE = WordType
