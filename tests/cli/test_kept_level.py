@@ -82,11 +82,11 @@ def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
         probe.Level("strong", available=True, meaning=""),
         probe.Level("limits", available=True, meaning=""),
     )
-    monkeypatch.setattr("judge.cli.commands.doctor.levels", lambda: found)
+    monkeypatch.setattr("judge.cli.commands.doctor.levels", lambda _hide: found)
     assert judge("doctor").lines[-1] == "isolation is strong"
     assert kept_level() == "full"
     monkeypatch.setattr(
-        "judge.cli.commands.doctor.levels", lambda: (found[0]._replace(lasting=True), *found[1:])
+        "judge.cli.commands.doctor.levels", lambda _hide: (found[0]._replace(lasting=True), *found[1:])
     )
     judge("doctor")
     assert kept_level() == "strong"
