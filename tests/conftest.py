@@ -1,4 +1,7 @@
-"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once."""
+"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once.
+
+Ctrl-C reaches the processes that tests start, however the tests themselves were started.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -18,6 +22,12 @@ import pytest
 _OWN = "JUDGE_DB"
 _LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
 _A_DAY = 24 * 3600  # longer than any run of the tests
+
+
+def pytest_configure() -> None:
+    """Let the processes that tests start hear Ctrl-C where we do not: by nohup, or in the background."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
 
 
 def pytest_sessionstart() -> None:

@@ -48,8 +48,10 @@ def cache(tmp_path_factory):
 
 
 @pytest.fixture(autouse=True)
-def _own_settings(pack, cache, monkeypatch):
-    """The person's own cache and settings stay out of it."""
+def _own_settings(pack, cache, tmp_path, monkeypatch):
+    """The person's own cache and settings stay out of it; what is written lands in a temporary folder."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))  # of the processes that are started there
     monkeypatch.setenv("JUDGE_CACHE", str(cache))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(pack / "problems"))
     for name in ("NO_COLOR", "COLUMNS", "FORCE_COLOR"):
@@ -81,7 +83,6 @@ def process() -> Callable[..., Outcome]:
             capture_output=True,
             encoding="utf-8",
             timeout=120,
-            cwd=ROOT,
             env={**os.environ, **settings},
         )
         return Outcome(ended.returncode, ended.stdout, ended.stderr)
@@ -90,9 +91,8 @@ def process() -> Callable[..., Outcome]:
 
 
 @pytest.fixture
-def submit(tmp_path, monkeypatch) -> Callable[..., str]:
-    """Write a submission into an own folder, which becomes the current one."""
-    monkeypatch.chdir(tmp_path)
+def submit(tmp_path) -> Callable[..., str]:
+    """Write a submission into the current folder, which is the test's own."""
 
     def write(source: str | bytes, name: str = "mine.py") -> str:
         path = tmp_path / name

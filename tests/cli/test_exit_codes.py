@@ -195,7 +195,7 @@ from judge.cli import main
 main()
 """
     command = [sys.executable, "-c", script]
-    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, capture_output=True, timeout=60, check=False)
     assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
 
 
@@ -207,7 +207,7 @@ def test_a_reader_that_has_left_is_141(words):
     reading, writing = os.pipe()
     os.close(reading)
     command = [sys.executable, "-m", "judge", *words.split()]
-    ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, timeout=60, check=False)
     os.close(writing)
     assert (ended.returncode, ended.stderr) == (141, b"")
 

@@ -204,15 +204,13 @@ from judge.cli import main
 main()
 """
     command = [sys.executable, "-c", script]
-    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, capture_output=True, timeout=60, check=False)
     assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
 
 
 def test_a_reader_that_leaves_is_no_fault():
     script = f"{sys.executable} -m judge show segment | head -n 1; echo ${{PIPESTATUS[0]}}"
-    ended = subprocess.run(
-        ["bash", "-c", script], capture_output=True, text=True, timeout=60, cwd=ROOT, check=True
-    )
+    ended = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=60, check=True)
     first, status = ended.stdout.splitlines()
     assert first.startswith("# ")
     assert status in ("0", "141")  # 0 where everything fitted into the pipe
@@ -228,7 +226,6 @@ def test_standard_output_that_is_closed_or_full(process):
             capture_output=True,
             text=True,
             timeout=60,
-            cwd=ROOT,
         )
         assert ended.returncode == 3, target
         assert ended.stderr.startswith("judge: cannot write (")

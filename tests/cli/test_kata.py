@@ -23,11 +23,6 @@ def refused(ended, *words):
         assert word in ended.err
 
 
-@pytest.fixture(autouse=True)
-def _own_folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.fixture
 def solved(judge, submit):
     """`middle` is in hand and solved."""
