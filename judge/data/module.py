@@ -127,7 +127,7 @@ def _solve(module: ModuleType, problem: Problem) -> Callable[..., Solved]:
             solved = function(*case, **bands)
             if type(solved) is not tuple or len(solved) != 2 or not _is_sentence(solved[1]):
                 raise TypeError(f"{solved!r} given where (answer, broken promise or None) is meant")
-        except Exception:
+        except (Exception, SystemExit, GeneratorExit):
             with blaming(problem, f"solve{_shortened(case)} fails"):
                 raise
         return Solved(*solved)

@@ -111,8 +111,8 @@ ENDING = [
     "raise SystemExit",
     "exit(5)",
     "raise GeneratorExit",
-    "def reference(a, b): exit(0)",
-    "def promise(a, b): exit(0)",
+    "def solve(a, b): exit(0)",
+    "def solve(a, b): raise GeneratorExit",
     "def pairs(draw, odd): exit(0)\nBUILDERS = {'pairs': pairs}",
 ]
 
