@@ -53,6 +53,8 @@ def kind(path: Path) -> bytes:
     """What is at a path."""
     if path.is_symlink():
         return f"-> {path.readlink()}".encode()
+    if path.is_fifo():
+        return b"a pipe"  # reading it would wait for a writer
     return b"a folder" if path.is_dir() else path.read_bytes()
 
 
