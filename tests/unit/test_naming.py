@@ -19,6 +19,8 @@ from judge.problem.find import find_problem
 from judge.problem.solutions import known_mistakes
 from judge.run import Settings
 
+pytestmark = pytest.mark.slow
+
 # Programs of one mistake in two hands; the first is recognised by the second alone.
 TWINS = [
     "segment/rounded-output-program.py",

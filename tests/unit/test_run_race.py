@@ -11,6 +11,8 @@ from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
 from judge.run import budget
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = """
 import sys
 rows = [tuple(map(float, line.split())) for line in sys.stdin.read().splitlines()[1:]]
