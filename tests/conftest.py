@@ -27,7 +27,7 @@ _A_DAY = 24 * 3600  # longer than any run of the tests
 
 
 def pytest_configure() -> None:
-    """Let the processes that tests start hear Ctrl-C where we do not: run by nohup, or in the background."""
+    """Let the processes that tests start hear Ctrl-C where we do not: by nohup, or in the background."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
 

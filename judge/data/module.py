@@ -80,7 +80,9 @@ def blaming(problem: Problem, what: str, place: Callable[[], str] | None = None)
     except SyntaxError as error:
         where = f"{problem.id}/problem.py:{error.lineno or 1}"
         raise ProblemError(f"syntax error: {error.msg}", where=where, remedy="repair this line") from error
-    except Exception as error:  # trusted, but anybody's: the person gets its line, --debug the traceback
+    except (Exception, SystemExit, GeneratorExit) as error:
+        # Trusted, but anybody's: the person gets its line, --debug the traceback; an exit() in it would else
+        # be the judge's, and its status that of an accepted submission.
         name = type(error).__name__
         raise ProblemError(
             f"{what}: {name}: {error}" if str(error) else f"{what}: {name}",
@@ -89,7 +91,7 @@ def blaming(problem: Problem, what: str, place: Callable[[], str] | None = None)
         ) from error
 
 
-def _place(error: Exception, problem: Problem) -> str:
+def _place(error: BaseException, problem: Problem) -> str:
     """The innermost line of the problem's own files that led to the error."""
     own = str(problem.folder)
     for frame in reversed(traceback.extract_tb(error.__traceback__)):
@@ -124,7 +126,7 @@ def _solve(module: ModuleType, problem: Problem) -> Callable[..., Solved]:
             solved = function(*case, **bands)
             if type(solved) is not tuple or len(solved) != 2 or not _is_sentence(solved[1]):
                 raise TypeError(f"{solved!r} given where (answer, broken promise or None) is meant")
-        except Exception:
+        except (Exception, SystemExit, GeneratorExit):
             with blaming(problem, f"solve{_shortened(case)} fails"):
                 raise
         return Solved(*solved)

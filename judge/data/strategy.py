@@ -10,9 +10,10 @@ from typing import Any
 
 from hypothesis import reject
 from hypothesis import strategies as st
+from hypothesis.errors import HypothesisException
 from msgspec import Struct
 
-from judge.data.draw import BuilderError, ChosenDraw, Draw, Rejected
+from judge.data.draw import ChosenDraw, Draw
 from judge.problem import Case
 
 
@@ -45,7 +46,9 @@ def strategy(builder: Callable[[Draw], Any]) -> st.SearchStrategy[Built]:
         source = HypothesisDraw(draw)
         try:
             case = builder(source)
-        except (Rejected, BuilderError):  # a shrunk choice may break what the recipe counts on
+        except HypothesisException:
+            raise
+        except Exception:  # a shrunk choice may break what the recipe counts on, as a divisor that becomes 0
             reject()
         return Built(case, tuple(source.choices))
 

@@ -18,11 +18,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from judge.data.build import bound_builder
-from judge.data.draw import Rejected, ReplayedDraw
+from judge.data.draw import ReplayedDraw
 from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
-from judge.errors import JudgeError, UsageError
+from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.model import Argument, Number, ParameterType
 from judge.problem.statement import EXAMPLES
@@ -111,7 +111,7 @@ def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: 
         return None
     try:
         case: Case = bound_builder(problem, module, group)(ReplayedDraw([int(word, 36) for word in words]))
-    except (Rejected, JudgeError, ArithmeticError, ValueError):  # choices of another builder, or invented
+    except Exception:  # choices of another builder, or invented: a builder counts on its own
         return None
     return case
 

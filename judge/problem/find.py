@@ -133,7 +133,7 @@ def _installed_roots() -> list[Path]:
         try:
             pack = point.load()
             root = Path(pack if isinstance(pack, str | Path) else pack.__path__[0])
-        except Exception as error:  # foreign code: whatever it raises is one clear line
+        except (Exception, SystemExit) as error:  # foreign code: whatever it raises is one clear line
             what = f"the pack {point.name!r} cannot be loaded: {type(error).__name__}: {error}"
             raise ProblemError(
                 what, where=f"entry point {point.value}", remedy="repair or uninstall it"

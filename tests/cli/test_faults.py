@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -106,6 +107,30 @@ def test_verify_reports_a_broken_problem_as_its_fault(judge):
     assert ended.status == 3
     assert "fault  bad-toml/problem.toml" in ended.out
     assert ended.lines[-1] == "1 fault  1 problem checked"
+
+
+ENDING = [
+    "raise SystemExit",
+    "exit(5)",
+    "raise GeneratorExit",
+    "def solve(a, b): exit(0)",
+    "def solve(a, b): raise GeneratorExit",
+    "def pairs(draw, odd): exit(0)\nBUILDERS = {'pairs': pairs}",
+]
+
+
+@pytest.mark.parametrize("ending", ENDING)
+@pytest.mark.parametrize("words", ["run middle mine.py", "data middle --out data", "stress middle mine.py"])
+def test_a_problem_that_ends_the_process_is_a_fault_and_not_accepted(words, ending, judge, submit, tmp_path):
+    shutil.copytree(PACK, tmp_path / "pack")
+    with (tmp_path / "pack" / "problems" / "middle" / "problem.py").open("a") as module:
+        module.write(f"\n{ending}\n")
+    submit(MEAN)
+    ended = judge(*words.split(), "--problems", tmp_path / "pack" / "problems")
+    assert (ended.status, ended.out) == (3, "")
+    assert ended.err.startswith("judge: middle/problem.")
+    assert ended.err.count("\n") == 1
+    assert "Exit" in ended.err
 
 
 def test_an_internal_fault_is_one_line(judge, monkeypatch):

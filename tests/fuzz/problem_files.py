@@ -1,7 +1,7 @@
 """Problems with bad files, and the commands that read them.
 
 The base is the shipped problems with a few cases a group, and the fixtures'. One problem, or the sets and
-skills beside them, is changed in one to three ways.
+skills beside them, is changed in one to three ways; a problem.py only by a line at its end.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from tables import changed_table
 
 _FIXTURES = ROOT / "tests" / "fixtures"
 _PACKS = (ROOT, _FIXTURES / "pack", _FIXTURES)  # each with its problems and solutions
+_MODULES = Path(__file__).parent / "odd" / "modules.txt"  # lines that a setter should not end a module with
 _ACCEPTED, _WRONG = 2, 3  # programs of a problem that come along
 _CASES = 3  # of a group
 _SHARED = ("sets/path.toml", "sets/junior.toml", "skills.toml")
@@ -161,10 +162,15 @@ def _target(chance: random.Random, files: dict[str, bytes], problem: str) -> str
     programs = [name for name in files if name.startswith(f"solutions/{problem}/")]
     if programs and chance.random() < 0.15:
         return chance.choice(programs)
+    if chance.random() < 0.1:
+        return f"problems/{problem}/problem.py"
     return f"problems/{problem}/{chance.choice(_OWN)}"
 
 
 def _changed(chance: random.Random, name: str, content: bytes) -> tuple[str, bytes]:
+    if name.endswith("problem.py"):
+        line = chance.choice(_MODULES.read_text(encoding="utf-8").splitlines())
+        return line, content + f"\n{line}\n".encode()
     if chance.random() < 0.15:
         return mangled_bytes(chance, content)
     text = content.decode("utf-8", "surrogateescape")

@@ -116,12 +116,18 @@ class Resident:
         )
 
     def run(
-        self, words: list[str], *, before: tuple[str, ...] = (), as_root: bool = False, **settings: str
+        self,
+        words: list[str],
+        *,
+        before: tuple[str, ...] = (),
+        as_root: bool = False,
+        seconds: float = SECONDS,
+        **settings: str,
     ) -> subprocess.CompletedProcess[str]:
         """The same, to its end."""
         process = self.popen(words, before=before, as_root=as_root, **settings)
         try:
-            out, err = process.communicate(timeout=SECONDS)
+            out, err = process.communicate(timeout=seconds)
         except BaseException:
             process.kill()
             process.communicate()

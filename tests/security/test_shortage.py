@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
 import subprocess
 import time
 import uuid
@@ -196,6 +197,56 @@ def test_what_the_kernel_kills_for_want_of_memory_is_no_fault_of_the_submission(
     assert found.verdicts("hungry") == ["JE"]
     (message,) = found.messages()
     assert message.startswith("the kernel has killed the submission's process: there is no memory left; use")
+
+
+@pytest.mark.parametrize(
+    ("said", "times", "isolation"),
+    [
+        ("Creating new namespace failed: Resource temporarily unavailable", 3, "full"),
+        ("Creating new namespace failed: Resource temporarily unavailable", 10_000, ""),
+        ("Out of memory", 3, "full"),
+        ("No permissions to create new namespace", 10_000, "strong"),
+    ],
+)
+def test_bubblewrap_fails_and_nothing_drops_in_silence(
+    resident: Resident, rights: list[str], said: str, times: int, isolation: str
+) -> None:
+    resident.require("full")
+    folder = resident.cache / f"bin-{uuid.uuid4().hex[:8]}"
+    folder.mkdir()
+    folder.chmod(0o777)
+    starts, fake = folder / "starts", folder / "bwrap"
+    fake.write_text(
+        f"#!/bin/sh\necho >> {starts}\n"
+        f"if [ $(wc -l < {starts}) -le {times} ]; then echo 'bwrap: {said}' >&2; exit 1; fi\n"
+        f'exec {shutil.which("bwrap")} "$@"\n'
+    )
+    fake.chmod(0o755)
+    search = f"{folder}:{os.environ['PATH']}"
+    with _nothing_kept(resident):
+        found = resident.judge(*rights[:4], "-j", "2", PATH=search)
+    if isolation:
+        assert (found.status, set(found.verdicts())) == (0, {"AC"}), found.messages()
+        assert {row["isolation"] for row in found.results.values()} == {isolation}
+        note = f"judge: isolation is 'strong', not 'full': bwrap: {said}; 'judge doctor' "
+        assert found.err.startswith(note if isolation == "strong" else "")
+        assert found.err.count("\n") == (isolation == "strong")
+    else:
+        assert (found.status, found.verdicts()) == (3, ["JE"] * 4), found.messages()
+        assert all("use a smaller -j, or raise the limit on processes" in text for text in found.messages())
+
+
+@contextlib.contextmanager
+def _nothing_kept(resident: Resident) -> Iterator[None]:
+    """As on a machine where `judge doctor` was never run."""
+    kept, away = resident.cache / "isolation", resident.cache / "away"
+    if kept.exists():
+        kept.rename(away)
+    try:
+        yield
+    finally:
+        if away.exists():
+            away.rename(kept)
 
 
 @pytest.mark.parametrize("level", ["full", "strong"])

@@ -1,10 +1,13 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import find, settings
 
 from judge.data.build import bound_builder, choices_of
 from judge.data.draw import RecordedDraw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.module import load_module
+from judge.data.strategy import strategy
+from judge.errors import ProblemError
 from judge.problem.find import find_problem
 
 
@@ -38,6 +41,17 @@ def test_nothing_to_choose_from():
         ReplayedDraw([0]).integer(2, 1)
     with pytest.raises(ValueError, match="nothing to choose from"):
         ReplayedDraw([0]).choice([])
+
+
+@pytest.mark.parametrize("fault", [ZeroDivisionError, KeyError, Rejected, ProblemError("no such figure")])
+def test_choices_that_a_builder_cannot_use_are_passed_over_in_a_search(fault):
+    def builder(draw):
+        if draw.integer(0, 9) < 4:
+            raise fault
+        return (draw.integer(0, 3),)
+
+    found = find(strategy(builder), lambda built: built.case[0] > 1, settings=settings(database=None))
+    assert (found.case, found.choices) == ((2,), (4, 2))
 
 
 @pytest.mark.parametrize("name", ["count", "segment", "ray-nearest", "exact-count"])

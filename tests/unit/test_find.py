@@ -111,7 +111,7 @@ class Point:
         self.pack = pack
 
     def load(self):
-        if isinstance(self.pack, Exception):
+        if isinstance(self.pack, BaseException):
             raise self.pack
         return self.pack
 
@@ -131,7 +131,7 @@ def test_installed_packs_are_asked_only_on_a_miss(pack, monkeypatch):
     assert asked == ["judge.problems"]
 
 
-@pytest.mark.parametrize("broken", [ImportError("no module more"), "/nowhere/at/all", 7])
+@pytest.mark.parametrize("broken", [ImportError("no module more"), SystemExit(0), "/nowhere/at/all", 7])
 def test_a_broken_pack_is_named(broken, monkeypatch):
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [Point(broken)])
     with pytest.raises(ProblemError, match=r"^entry point more.problems: the pack 'more' .*uninstall it$"):

@@ -1,12 +1,13 @@
 from __future__ import annotations
 
 import pytest
+from msgspec.structs import replace
 
 from judge.data.build import bound_builder, choices_of
 from judge.data.load import load_data
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode, problem_name
-from judge.errors import UsageError
+from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 
 CASE = (0, 0, 1, (0, 1), (80, 0))
@@ -56,6 +57,19 @@ def test_a_bad_id_is_one_clear_line(replay, words):
         decode(replay, problem, load_module(problem))
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 200
+
+
+@pytest.mark.parametrize("fault", [KeyError("x"), TypeError, ProblemError("it breaks its word")])
+def test_choices_that_break_a_builder_are_no_id_of_it(fault):
+    def broken(draw, **_parameters):
+        draw.integer(0, 9)
+        raise fault
+
+    problem = find_problem("count")
+    module = load_module(problem)
+    module = replace(module, builders=dict.fromkeys(module.builders, broken))
+    with pytest.raises(UsageError, match="check digits"):
+        decode("count:tangent:c1:000000", problem, module)
 
 
 @pytest.mark.parametrize(

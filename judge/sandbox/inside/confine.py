@@ -31,7 +31,6 @@ class Confinement:
 
     def __init__(self, config: dict[str, Any]) -> None:
         """Give up everything the fork server does not need. Raises OSError where the kernel refuses."""
-        self._server = os.getpid()
         self._threads: int = config["threads"]
         self._die_with_parent: Callable[[], None] = _nothing
         self._small: ChildFilter | None = None
@@ -68,8 +67,6 @@ class Confinement:
         if self._threads:
             _limit(resource.RLIMIT_NPROC, self._threads)
         self._die_with_parent()  # a fork does not inherit it
-        if os.getppid() != self._server:
-            os._exit(1)  # the fork server died before its death could be noticed
         if self._small is None:
             os.setpgid(0, 0)  # so that what it forks can be ended with it
         else:

@@ -1,0 +1,169 @@
+"""What the machine does to a submission is never taken for its own doing."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import tempfile
+
+import pytest
+from sandboxed import LIMITS, children, require
+
+from judge.errors import JudgeError, ShortageError, shortage, told
+from judge.sandbox import Stop, container, open_box, room
+from judge.sandbox.box import ForkServerBox
+from judge.sandbox.inside import again, wire
+
+SELF_KILLED = b"import os\ndef f(n):\n    if n == 1: os.kill(os.getpid(), 9)\n    return n\n"
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, monkeypatch):
+    require(level)
+    with open_box(SELF_KILLED, "f.py", level=level) as box:
+        calls = [(0,), (1,), (2,)]
+        assert box.call_many("f", calls, LIMITS).replies[-1].stop is Stop.EXITED
+        before = room.oom_kills()
+        monkeypatch.setattr(room, "oom_kills", lambda: before + 1)
+        with pytest.raises(ShortageError, match="killed the submission's process: there is no memory left"):
+            box.call_many("f", calls, LIMITS)
+        assert box.call_many("f", calls[:1], LIMITS).replies[0].answer == 0
+    with open_box(b"import os; os.kill(os.getpid(), 9)", "f.py", level=level) as box:
+        monkeypatch.undo()
+        monkeypatch.setattr(room, "oom_kills", lambda: before + 2)
+        with pytest.raises(ShortageError):
+            box.run_program(b"", LIMITS)
+
+
+@pytest.mark.parametrize("level", ["full", "strong"])
+def test_a_fork_server_that_is_gone_is_no_fault_of_who_cannot_reach_it(level, monkeypatch):
+    require(level)
+    monkeypatch.setattr(container, "GRACE_SECONDS", 0.1)
+    source = b"import time\ndef f(n):\n    time.sleep(n)\n    return n\n"
+    within = LIMITS._replace(wall_seconds=0.3)
+    with open_box(source, "f.py", level=level) as box:
+        assert box.call_many("f", [(0,)], within).replies[0].answer == 0
+        leader = box._holder.here()._process.pid
+        for member in _group(leader):
+            os.kill(member, signal.SIGSTOP)  # as a machine that swaps
+        with pytest.raises(ShortageError, match="the process that watches it has ended"):
+            box.call_many("f", [(0,)], within)
+        assert box.call_many("f", [(0,)], LIMITS).replies[0].answer == 0
+
+
+def _group(leader):
+    """The processes of the session that a container is."""
+    found = []
+    for name in os.listdir("/proc"):  # noqa: PTH208
+        if name.isdecimal():
+            try:
+                if os.getsid(int(name)) == leader or _parent(int(name)) == leader:
+                    found.append(int(name))
+            except OSError:
+                continue
+    return found
+
+
+def _parent(pid):
+    with open(f"/proc/{pid}/stat") as file:  # noqa: PTH123
+        return int(file.read().rpartition(")")[2].split()[1])
+
+
+@pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.NOT_KILLED])
+def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, monkeypatch):
+    real = ForkServerBox._ask
+
+    def disturbed(self, kind, *arguments):
+        done = real(self, kind, *arguments)
+        return done._replace(status=int(signal.SIGKILL), reason=reason) if kind == wire.INSPECT else done
+
+    monkeypatch.setattr(ForkServerBox, "_ask", disturbed)
+    with open_box(b"def f(n): return n", "f.py") as box:
+        with pytest.raises(ShortageError, match="judge it again, with a smaller -j if the machine is busy"):
+            box.inspect()
+        monkeypatch.undo()
+        assert box.inspect().fault is None
+
+
+def test_a_compiler_that_takes_all_its_time_is_a_compile_error(monkeypatch):
+    real = ForkServerBox._ask
+
+    def slow(self, kind, *arguments):
+        done = real(self, kind, *arguments)
+        return (
+            done._replace(status=int(signal.SIGKILL), reason=wire.FOR_CPU) if kind == wire.INSPECT else done
+        )
+
+    monkeypatch.setattr(ForkServerBox, "_ask", slow)
+    with open_box(b"def f(n): return n", "f.py") as box:
+        assert "the compiler did not survive it: used more than 10 s" in box.inspect().fault.message
+
+
+def test_on_linux_no_temporary_file_is_needed(monkeypatch):
+    def full(*_arguments, **_settings):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    for name in ("mkstemp", "TemporaryFile", "NamedTemporaryFile", "mkdtemp"):
+        monkeypatch.setattr(tempfile, name, full)
+    require("strong")
+    before = children()
+    with open_box(b"def f(n): return n", "f.py") as box:
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.run_program(b"", LIMITS).stop is Stop.ANSWERED
+    assert children() == before
+
+
+@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM])
+def test_a_file_for_a_request_is_asked_for_again(code, monkeypatch):
+    monkeypatch.setattr(again, "PAUSES", (0.0, 0.0))
+    real, failed = os.memfd_create, []
+
+    def scarce(*arguments):
+        if len(failed) < most:
+            failed.append(code)
+            raise OSError(code, os.strerror(code))
+        return real(*arguments)
+
+    with open_box(b"def f(n): return n", "f.py") as box:
+        box.inspect()
+        monkeypatch.setattr(os, "memfd_create", scarce)
+        most = 2
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert len(failed) == most
+        most = 1000
+        with pytest.raises(OSError, match=os.strerror(code)) as caught:
+            box.call_many("f", [(1,)], LIMITS)
+        assert shortage(caught.value).remedy
+
+
+def test_what_does_not_pass_is_not_tried_again(monkeypatch):
+    tried = []
+
+    def denied():
+        tried.append(1)
+        raise PermissionError(errno.EPERM, "no")
+
+    with pytest.raises(PermissionError):
+        again.again(denied)
+    assert len(tried) == 1
+
+
+@pytest.mark.parametrize(
+    ("fault", "line"),
+    [
+        (OSError(errno.EMFILE, "x"), "the judge has no file descriptor left; use a smaller -j, or raise the"),
+        (MemoryError(), "there is no memory left; use a smaller -j, end other programs, or raise the limit"),
+        (
+            RuntimeError("can't start new thread"),
+            "no further process or thread can be started; use",
+        ),
+        (OSError(errno.ENOSPC, "x"), "there is no space left for a file; free some"),
+        (JudgeError("it broke", remedy="mend it"), "it broke; mend it"),
+        (RuntimeError("it broke"), "internal fault: RuntimeError('it broke')"),
+        (OSError(errno.EPERM, "no"), "internal fault: PermissionError(1, 'no')"),
+    ],
+)
+def test_a_fault_is_told_as_the_shortage_it_is(fault, line):
+    assert told(fault).startswith(line)
+    assert isinstance(shortage(fault), ShortageError) is ("internal" not in line and "broke" not in line)
