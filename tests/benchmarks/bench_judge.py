@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import os
 import random
+import resource
 import statistics
 import subprocess
 import sys
@@ -85,10 +86,10 @@ def starts(cache: str, rounds: int) -> None:
 
 def cpu_of(command: tuple[str, ...], cache: str) -> float:
     """CPU seconds of a command and of all that it starts."""
-    before = os.times()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     process(command, cache)()
-    after = os.times()
-    return after.children_user + after.children_system - before.children_user - before.children_system
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def folder(cache: str, rounds: int) -> None:
