@@ -21,6 +21,8 @@ import pytest
 
 _OWN = "JUDGE_DB"
 _LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
+_TESTS = Path(__file__).parent
+_SLOW = ("security", "packaging", "mutation", "fuzz")
 _A_DAY = 24 * 3600  # longer than any run of the tests
 
 
@@ -38,6 +40,13 @@ def pytest_sessionstart() -> None:
                 found = entry.stat(follow_symlinks=False)
                 if found.st_uid == os.geteuid() and time.time() - found.st_mtime > _A_DAY:
                     shutil.rmtree(entry.path, ignore_errors=True)  # which follows no link
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark as slow what whole folders are for: attacks, distributions, changed solutions, invented input."""
+    for item in items:
+        if item.path.is_relative_to(_TESTS) and item.path.relative_to(_TESTS).parts[0] in _SLOW:
+            item.add_marker(pytest.mark.slow)
 
 
 @pytest.fixture(scope="session", autouse=True)

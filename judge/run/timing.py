@@ -20,7 +20,8 @@ CLEARLY_ABOVE = 1.35
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
-_DRIFT = 0.1  # by which a turn of now may differ from those before
+_DRIFT = 0.1  # by which two turns at one speed may differ
+_REMEMBERED = 30  # turns of the reference
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
 
@@ -50,25 +51,18 @@ class Pair(Struct, frozen=True):
 class Pace:
     """What the reference took in the races of this run, all on the same cases.
 
-    Where a turn of now takes as long as those before, the machine has not changed, and their median is the
-    reference's time for the rest of a race that is nowhere near the limit.
+    A machine has few speeds: where a turn of now takes as long as some of those before, they were at the
+    speed of now, and their median is the reference's time while nothing changes.
     """
 
     def __init__(self) -> None:
-        self._times: deque[float] = deque(maxlen=MOST_PAIRS)
+        self._times: deque[float] = deque(maxlen=_REMEMBERED)
 
     def add(self, seconds: float) -> float | None:
         """Note a turn of now; the reference's time, if there have been enough turns like it before."""
-        known = sorted(self._times)
+        alike = sorted(known for known in self._times if _alike(known, seconds))
         self._times.append(seconds)
-        if len(known) < _LEAST_PAIRS:
-            return None
-        median = quantile(known, 0.5)
-        if abs(seconds - median) > _DRIFT * median:
-            self._times.clear()  # the machine is another one now
-            self._times.append(seconds)
-            return None
-        return median
+        return quantile(alike, 0.5) if len(alike) >= _LEAST_PAIRS else None
 
 
 def race(
@@ -96,6 +90,9 @@ def race(
             pair = None if mine is None else Pair(mine, usual)
         if pair is None:
             break
+        if usual is not None and not _alike(pair.submission, pairs[0].submission):
+            pairs, usual = pairs[:1], None  # something has changed since the reference took its turn
+            continue
         pairs.append(pair)
         if usual is None and pace is not None:
             known = pace.add(pair.reference)
@@ -150,6 +147,11 @@ def is_clear(pairs: list[Pair], limit: float) -> bool:
     """Whether every pair is clearly below the limit, or every one clearly above it."""
     ratios = [pair.ratio for pair in pairs]
     return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
+
+
+def _alike(one: float, other: float) -> bool:
+    """Whether two times of one program on the same cases are of one speed of the machine."""
+    return abs(one - other) <= _DRIFT * other
 
 
 def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:

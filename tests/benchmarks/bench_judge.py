@@ -1,7 +1,8 @@
-"""The judge's three figures, as ratios within one run: python tests/benchmarks/bench_judge.py [ROUNDS]
+"""The judge's four figures, as ratios within one run: python tests/benchmarks/bench_judge.py [ROUNDS]
 
     help     `judge --help`, against a bare interpreter start
     run      `judge run` of an accepted function with a warm cache, against a bare interpreter start
+    folder   each further accepted submission of a folder, in CPU time of everything, against a bare start's
     answers  10,000 exact-count answers at 10^100, compiled for comparing, against the plain integer formula
 
 What is compared is measured in turn, round by round, and the median of the rounds' ratios is shown with the
@@ -12,6 +13,7 @@ from __future__ import annotations
 
 import os
 import random
+import resource
 import statistics
 import subprocess
 import sys
@@ -30,6 +32,7 @@ from judge.problem.find import find_problem  # noqa: E402
 ROUNDS = 15
 CASES = 10_000
 SIZE = 10**100
+FURTHER = 10  # submissions of a folder
 
 BARE = (sys.executable, "-c", "pass")
 BAREST = (sys.executable, "-I", "-S", "-c", "pass")
@@ -80,6 +83,33 @@ def starts(cache: str, rounds: int) -> None:
     ratios(figures, bases, rounds)
 
 
+def cpu_of(command: tuple[str, ...], cache: str) -> float:
+    """CPU seconds of a command and of all that it starts."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    process(command, cache)()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def folder(cache: str, rounds: int) -> None:
+    """The figure of a folder: what `FURTHER` more copies of an accepted solution cost, each."""
+    problem = find_problem("segment")
+    source = (problem.solutions / "accepted" / "geometric.py").read_bytes()
+    with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as many:
+        for place, count in ((one, 1), (many, 1 + FURTHER)):
+            for number in range(count):
+                Path(place, f"{number}.py").write_bytes(source)
+        words = (*JUDGE, "run", "-q", "--no-history", "segment")
+        each, ratio = [], []
+        for _ in range(rounds):
+            less, more = cpu_of((*words, one), cache), cpu_of((*words, many), cache)
+            bare = min(cpu_of(BAREST, cache) for _ in range(5))
+            each.append((more - less) / FURTHER)
+            ratio.append(each[-1] / bare)
+    shown = f"{statistics.median(ratio):6.1f} × a bare start, -I -S"
+    print(f"{'each further submission':<28} {shown:<41} {'':>6}   {statistics.median(each) * 1e3:7.1f} ms")
+
+
 def large_cases() -> Iterator[tuple[int, int, int, tuple[int, int], tuple[int, int]]]:
     """Circles and lines in integers of about 10^100."""
     draw = random.Random(2)
@@ -113,6 +143,7 @@ def main() -> None:
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else ROUNDS
     with tempfile.TemporaryDirectory() as cache:
         starts(cache, rounds)
+        folder(cache, rounds)
     answers(rounds)
 
 

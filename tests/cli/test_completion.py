@@ -18,6 +18,8 @@ from click.shell_completion import ShellComplete
 from judge.cli import complete
 from judge.cli.app import COMMANDS, app
 
+pytestmark = pytest.mark.slow
+
 SHELLS = ["bash", "zsh", "fish"]
 
 

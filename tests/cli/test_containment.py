@@ -13,6 +13,8 @@ from judge.problem.load import load_problem
 from judge.sandbox import LEVELS, Limits, levels
 from judge.sandbox.roots import find_roots
 
+pytestmark = pytest.mark.slow
+
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
 OFFERED = [level.name for level in levels() if level.available]
 

@@ -15,6 +15,8 @@ from cli_support import BROKEN, FLOOR, MEAN, ROOT
 
 from judge.cli.app import COMMANDS
 
+pytestmark = pytest.mark.slow
+
 FILES = {
     "mean.py": MEAN,
     "floor.py": FLOOR,

@@ -17,6 +17,8 @@ from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
 from judge.judging import session as judging
 
+pytestmark = pytest.mark.slow
+
 FAULTY = [
     "example-answer-text",
     "missing-key",

@@ -12,6 +12,8 @@ from judge.cli.kata import Kata
 from judge.judging.isolation import keep_level, kept_level
 from judge.sandbox import levels, probe
 
+pytestmark = pytest.mark.slow
+
 BEST = next(level.name for level in levels() if level.available)
 NOTE = "judge: isolation is 'strong', not 'full': bubblewrap is not installed; 'judge doctor' "
 

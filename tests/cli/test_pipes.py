@@ -13,6 +13,8 @@ from cli_support import FLOOR, MEAN, PACK, ROOT
 
 from judge.cli import submissions
 
+pytestmark = pytest.mark.slow
+
 
 def patient(*words: object, shell: str = "") -> subprocess.CompletedProcess[str]:
     """The command as a process of its own, which is given up when it hangs; `shell` goes on after it."""

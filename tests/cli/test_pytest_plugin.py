@@ -21,6 +21,8 @@ LOADED = () if _INSTALLED else ("-p", "judge.pytest_plugin")
 # Others' plug-ins are imported anew by each of these runs, and Hypothesis takes seconds.
 ALONE = ("-p", "no:cacheprovider", "-p", "no:hypothesispytest", "-p", "no:anyio")
 
+pytestmark = pytest.mark.slow
+
 MARKED = "import pytest\nfrom lib import middle\n"
 GROUPS = "@pytest.mark.judge_problem('middle')\ndef test_it(judge_group):\n    judge_group.check(middle)\n"
 

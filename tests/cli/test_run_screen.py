@@ -10,6 +10,8 @@ import time
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
+pytestmark = pytest.mark.slow
+
 ESCAPE = "\x1b"
 
 

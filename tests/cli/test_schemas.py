@@ -23,6 +23,8 @@ from judge.problem import Verdict
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
 
+pytestmark = pytest.mark.slow
+
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FIXTURES = str(ROOT / "tests" / "fixtures" / "problems")
 PROGRAM = "for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n"

@@ -13,6 +13,8 @@ from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata.history import History
 
+pytestmark = pytest.mark.slow
+
 TEAM = {f"team/{number:02}.py": (MEAN, FLOOR)[number % 2] + f"# {number}\n" for number in range(24)}
 FORMATS = {  # and what a line of each says of a submission
     "json": lambda line: json.loads(line)["submission"],

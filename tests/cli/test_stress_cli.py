@@ -9,6 +9,8 @@ from contextlib import contextmanager
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
+pytestmark = pytest.mark.slow
+
 SHORT = ("--for", "0.3s")
 
 

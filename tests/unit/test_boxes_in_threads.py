@@ -16,6 +16,8 @@ from judge.problem import Verdict
 from judge.run import Settings
 from judge.sandbox import LEVELS, Stop, open_box
 
+pytestmark = pytest.mark.slow
+
 THREADS = 4
 
 

@@ -14,6 +14,8 @@ from judge.problem.load import load_problem
 from judge.run import run_submission
 from judge.run.verify import verify_problem
 
+pytestmark = pytest.mark.slow
+
 PROBLEMS = Path(__file__).parents[2] / "problems"
 
 

@@ -17,6 +17,8 @@ from judge.errors import JudgeError, ShortageError, UsageError
 from judge.sandbox import Boxes, container, holder, levels, probe, refusal
 from judge.sandbox.inside.again import PAUSES
 
+pytestmark = pytest.mark.slow
+
 AGAIN = "Resource temporarily unavailable"
 PASSING = [
     f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1",

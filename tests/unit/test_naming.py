@@ -17,6 +17,8 @@ from judge.problem.solutions import known_mistakes
 from judge.run import Settings
 from judge.values import Usual, parse
 
+pytestmark = pytest.mark.slow
+
 # Programs of one mistake in two hands; the first is recognised by the second alone.
 TWINS = [
     "segment/rounded-output-program.py",

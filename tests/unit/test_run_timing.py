@@ -157,8 +157,16 @@ def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
     assert (theirs.turns, decision.ratio.pairs) == (MOST_PAIRS, MOST_PAIRS)
 
 
-def test_a_pace_begins_again_where_the_machine_has_changed():
+def test_a_pace_knows_every_speed_of_the_machine():
     pace = paced(0.01, 0.01, 0.01)
     assert pace.add(0.01) == 0.01
-    assert pace.add(0.02) is None
-    assert [pace.add(0.02) for _ in range(3)] == [None, None, 0.02]
+    assert [pace.add(0.02) for _ in range(4)] == [None, None, None, 0.02]
+    assert (pace.add(0.0099), pace.add(0.015)) == (0.01, None)
+
+
+@pytest.mark.parametrize("later", [(0.03,), (0.02, 0.03)])
+def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
+    mine, theirs = Counted(0.02, *later), Counted(0.01)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
+    assert theirs.turns == decision.ratio.pairs
+    assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out

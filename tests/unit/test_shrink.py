@@ -31,6 +31,8 @@ from judge.run.runner import runner_for
 from judge.sandbox import open_box
 from judge.topics.circles.simpler import levelled
 
+pytestmark = pytest.mark.slow
+
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
 # The most digits that a number of the smallest case may have; a number of its own where a mistake shows only

@@ -16,6 +16,8 @@ from judge.run.result import Mode
 from judge.run.stress import stress
 from judge.sandbox import open_box
 
+pytestmark = pytest.mark.slow
+
 EXACT = (find_problem("count").solutions / "accepted" / "exact.py").read_text()
 PROGRAM = (find_problem("count").solutions / "accepted" / "program.py").read_text()
 RENAMED = EXACT.replace("def line_count(", "def right(")

@@ -12,6 +12,8 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run.verify import verify_problem
 
+pytestmark = pytest.mark.slow
+
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 
 
