@@ -48,7 +48,15 @@ def _group(plain: Any, group: Group) -> GroupData:
     cases, targets = plain
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(group, [_tupled(each) for each in cases], list(_tupled(targets)))
+    frozen = [_frozen(each) if type(each) is list else each for each in targets]
+    return GroupData(group, [_tupled(each) for each in cases], frozen)
+
+
+def _frozen(plain: list[Any]) -> tuple[Any, ...]:
+    """`_tupled` of a target, most of which are five doubles each."""
+    if plain and type(plain[0]) is float:
+        return tuple(plain)
+    return tuple([_frozen(each) if type(each) is list else each for each in plain])
 
 
 def _tupled(plain: list[Any]) -> tuple[Any, ...]:
