@@ -74,7 +74,14 @@ def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | N
         cases = [tupled(each) for each in cases]
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(group, cases, list(tupled(targets)))
+    return GroupData(group, cases, [_frozen(each) if type(each) is list else each for each in targets])
+
+
+def _frozen(plain: list[Any]) -> tuple[Any, ...]:
+    """`tupled` of a target, most of which are five doubles each."""
+    if plain and type(plain[0]) is float:
+        return tuple(plain)
+    return tuple([_frozen(each) if type(each) is list else each for each in plain])
 
 
 def tupled(plain: list[Any]) -> tuple[Any, ...]:

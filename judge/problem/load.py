@@ -131,7 +131,8 @@ class _Reader:
             )
         type_ = self._type(table.type, (*path, "type"))
         if not type_.is_parameter:
-            self.fault((*path, "type"), f"no parameter can be {type_.noun}", "give it another type")
+            what = f"no parameter can be of the type {table.type}"
+            self.fault((*path, "type"), what, "an enclosure is an answer; an array is a whole parameter")
         return Parameter(table.name, type_, low, high, table.about)
 
     def _answer(self, table: schema.ProblemTable) -> Type:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from judge.values.decode import Written
+from judge.values.numbers import written_off
+
 
 class Wanted(NamedTuple):
     """One element: its target, the steps to it in the list's exact tree, and the elements of its run."""
@@ -42,7 +45,7 @@ def hot_pairs(raw: Any, target: Any) -> float | None:
             return None
         x, y = point
         if type(x) is not float or type(y) is not float:
-            return None
+            return _written_pairs(raw, target) if type(x) is Written else None
         lo, hi, nearest, residual, unit = tx
         if not lo <= x <= hi:
             return None
@@ -57,4 +60,17 @@ def hot_pairs(raw: Any, target: Any) -> float | None:
             away = (y - nearest) / unit - residual
             if away > worst or -away > worst:
                 worst = abs(away)
+    return worst
+
+
+def _written_pairs(raw: Any, target: Any) -> float | None:
+    """The same for points in decimals, as programs print them."""
+    worst = 0.0
+    for (x, y), (tx, ty) in zip(raw, target):  # noqa: B905  # the lengths are equal
+        for given, bounds in ((x, tx), (y, ty)):
+            off = written_off(given, bounds)
+            if off is None:
+                return None
+            if off > worst:
+                worst = off
     return worst

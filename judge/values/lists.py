@@ -48,7 +48,7 @@ class ListType(Type):
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
         self.measured = item.measured
-        self.is_parameter = item.is_parameter
+        self.is_parameter = item.is_parameter and not item.is_buffer
         self.depth = 1 + item.depth
         each = item.most + (item.depth > 0)
         self.most = LONGEST if high is None else high * each

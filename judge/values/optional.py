@@ -43,6 +43,7 @@ class OptionalType(Type):
         self.inner = inner
         self.text = f"{inner.text}?"
         self.measured = inner.measured
+        self.is_buffer = inner.is_buffer
         self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
         self.width = 1 if inner.width == 1 else None
         self.depth, self.most = inner.depth, inner.most

@@ -31,7 +31,7 @@ class TupleType(Type):
         self.text = self.noun = f"({', '.join(part.text for part in parts)})"
         self.plural = "tuples"
         self.measured = any(part.measured for part in parts)
-        self.is_parameter = all(part.is_parameter for part in parts)
+        self.is_parameter = all(part.is_parameter and not part.is_buffer for part in parts)
         self.may_begin_with_none = parts[0].may_begin_with_none
         self.is_plain = all(part.is_plain for part in parts)
         widths = [part.width for part in parts]

@@ -94,6 +94,7 @@ class Type:
     folder: Path | None = None  # a pack's own types, without which the text may mean nothing
 
     is_parameter = True  # whether a parameter may be of this type
+    is_buffer = False  # whether a submission receives a parameter's value as bytes
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values

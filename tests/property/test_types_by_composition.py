@@ -89,7 +89,7 @@ kinds = st.recursive(
     max_leaves=5,
 )
 answers = kinds.flatmap(lambda kind: st.tuples(st.just(kind.text), kind.exact))
-parameters = kinds.filter(lambda kind: "enclosure" not in kind.text).flatmap(
+parameters = kinds.filter(lambda kind: parse(kind.text).is_parameter).flatmap(
     lambda kind: st.tuples(st.just(kind.text), kind.values)
 )
 

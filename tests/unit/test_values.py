@@ -246,3 +246,40 @@ def test_a_type_is_its_text(text):
     assert pickle.loads(pickle.dumps(type_)) == type_
     assert type_ != parse("real")
     assert len({type_, parse(text)}) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "possible"),
+    [
+        ("[(number, point)]", True),
+        ("array(f64)?", True),
+        ("[array(f64)]", False),
+        ("(int, enclosure)", False),
+    ],
+)
+def test_some_types_are_those_of_answers_alone(text, possible):
+    assert parse(text).is_parameter is possible
+
+
+def test_points_of_a_value_and_of_a_target_are_mapped():
+    def swapped(pair):
+        return pair[1], pair[0]
+
+    assert parse("[(point, number)]").pairs((((1, 2), 3),), swapped) == (((2, 1), 3),)
+    assert parse("[circle]").pairs(((1, 2, 3),), swapped) == ((2, 1, 3),)
+    assert parse("ray").pairs(((1, 2), (3, 4)), swapped) == ((2, 1), (4, 3))
+    assert parse("vec3").pairs((1, 2, 3), swapped) == (1, 2, 3)
+    assert parse("(real, real)").pairs((1, 2), swapped) == (1, 2)
+    one, other = (1.0,) * 5, (2.0,) * 5
+    runs = [{"run": [(one, other)]}, {"any": [(other, one)]}]
+    mapped = parse("[vec2]").pairs(runs, swapped)
+    assert mapped == ({"run": [(other, one)]}, {"any": [(one, other)]})
+
+
+def test_a_radius_is_never_negative():
+    circle, inside = parse("circle"), (1, 2, 0)
+    assert circle.outside(inside, -5, 5) is None
+    assert circle.outside((1, 2, -1), -5, 5) == (-1, 0, 5)
+    assert parse("[integer-circle]").outside((inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
+    assert circle.fault("c", (1, 2)) == "c must be 3 numbers, not (1, 2)"
+    assert parse("integer-circle").fault("c", (1, 2, 3.0)) == "c has the float 3.0 where an int is meant"

@@ -41,6 +41,7 @@ class ArrayType(Type):
     plural = "arrays"
     width = None
     is_plain = False
+    is_buffer = True
     depth = 1
 
     def __init__(self, code: str, most: str = "") -> None:

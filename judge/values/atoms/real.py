@@ -53,7 +53,7 @@ class RealType(Type):
 
         def quick(raw: Raw, target: Target) -> float | None:
             if type(raw) is not float:
-                return None
+                return numbers.written_off(raw, target)
             lo, hi, nearest, residual, unit = target
             if not lo <= raw <= hi:
                 return None
