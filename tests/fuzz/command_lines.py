@@ -70,9 +70,9 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
     """Lay out the folder; one to three command lines, of which all but the last only leave a history."""
     _lay_out(folder)
     runs = []
-    if chance.random() < 0.4:
+    if chance.random() < 0.15:
         runs.append(_usual("run", "--json", "middle", "floor.py", "mean.py", "--no-shrink", "--no-name"))
-    if chance.random() < 0.2:
+    if chance.random() < 0.15:
         runs.append(_usual("init", "--json", "middle"))
     return [], [*runs, _odd(chance)]
 
