@@ -55,6 +55,7 @@ _LINKS = {
     "null": os.devnull,
     "zero": "/dev/zero",
 }
+_LOCKED = {"unreadable.py": 0o000, "readonly.py": 0o400, "sealed": 0o000, "locked": 0o500}
 _SHIPPED = ("count", "segment", "ray-nearest", "exact-count")
 _LOCALES: tuple[dict[str, str | None], ...] = (
     {"LANG": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
@@ -94,6 +95,8 @@ def _lay_out(folder: Path) -> None:
         path.write_bytes(source)
     (work / "folder" / "inner").mkdir(parents=True)
     os.mkfifo(work / "pipe")
+    for name, mode in _LOCKED.items():  # which binds nobody who is root
+        (work / name).touch(mode) if name.endswith(".py") else (work / name).mkdir(mode)
     for name, target in _LINKS.items():
         (work / name).symlink_to(target)
 

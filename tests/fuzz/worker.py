@@ -18,6 +18,7 @@ import os
 import pty
 import select
 import signal
+import stat
 import sys
 import tempfile
 import termios
@@ -210,6 +211,13 @@ def _reopen(streams: list[str], encoding: str) -> None:
         setattr(sys, f"__{name}__", stream)
 
 
+def _is_device(path: Any) -> bool:
+    try:
+        return stat.S_ISCHR(Path(path).stat().st_mode)
+    except (OSError, TypeError, ValueError):
+        return False
+
+
 def _guard(folders: list[str], report: int) -> None:
     """Refuse and report every change of a file outside these folders; devices may be opened."""
     roots = [os.path.realpath(folder) for folder in folders]
@@ -232,7 +240,7 @@ def _guard(folders: list[str], report: int) -> None:
             path, _, flags = arguments
             if not flags & _WRITING or isinstance(path, int):
                 return
-            paths = [path] if not os.fsdecode(os.path.realpath(path)).startswith("/dev/") else []
+            paths = [] if _is_device(path) else [path]
         else:
             paths = [arguments[index] for index in _CHANGES.get(event, ())]
         for path in paths:
