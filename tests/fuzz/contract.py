@@ -19,7 +19,7 @@ _LONGEST = 2_000  # characters of one of them
 _USAGE = 3  # lines that a usage error takes
 _MAY_BE_EMPTY = ("history", "list")  # commands that write an object for each thing there is
 _ASKED = "[y/N]: "  # where a question ends that a person was asked
-_NEVER = ("Traceback (most recent call last)", "internal fault")
+_NEVER = ("Traceback (most recent call last)", "internal fault", "\x1b[31mred", "\x1b]0;title")
 
 
 def faults(run: Run, ended: Ended) -> list[str]:

@@ -222,8 +222,8 @@ def _guard(folders: list[str], report: int) -> None:
     """Refuse and report every change of a file outside these folders; devices may be opened."""
     roots = [os.path.realpath(folder) for folder in folders]
 
-    def allowed(path: Any, *, itself: bool) -> bool:
-        """`itself`: a link is changed, not what it leads to."""
+    def allowed(path: Any, *, itself: bool, making: bool) -> bool:
+        """`itself`: a link is changed, not what it leads to. `making`: a folder."""
         if isinstance(path, int):
             return True
         try:
@@ -231,7 +231,7 @@ def _guard(folders: list[str], report: int) -> None:
             real = f"{os.path.realpath(folder)}/{name}" if itself else os.path.realpath(path)
         except (TypeError, ValueError):  # no name of a file
             return True
-        if not Path(real).parent.is_dir():  # that fails by itself
+        if not Path(real).parent.is_dir() or (making and os.path.lexists(path)):  # that fails by itself
             return True
         return any(real == root or real.startswith(root + os.sep) for root in roots)
 
@@ -244,7 +244,7 @@ def _guard(folders: list[str], report: int) -> None:
         else:
             paths = [arguments[index] for index in _CHANGES.get(event, ())]
         for path in paths:
-            if not allowed(path, itself=event in _OF_LINKS):
+            if not allowed(path, itself=event in _OF_LINKS, making=event == "os.mkdir"):
                 os.write(report, f"{event} {os.fsdecode(path)!r}\n".encode(errors="backslashreplace"))
                 raise PermissionError(13, "outside the folders of the fuzz", os.fsdecode(path))
 
