@@ -25,14 +25,14 @@ SHORTAGES = [
 
 @pytest.mark.parametrize(("fault", "line"), SHORTAGES)
 def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, judge, submit, monkeypatch):
-    real = session.run_submission
+    real = session.run_in
 
-    def short(problem, data, source, name, **settings):
+    def short(box, problem, data, source, name, *settings):
         if name == "team/b.py":
             raise fault
-        return real(problem, data, source, name, **settings)
+        return real(box, problem, data, source, name, *settings)
 
-    monkeypatch.setattr(session, "run_submission", short)
+    monkeypatch.setattr(session, "run_in", short)
     for name in ("a", "b", "c"):
         submit(MEAN, f"team/{name}.py")
     for jobs in ("1", "3"):
