@@ -134,12 +134,8 @@ KATAS = {
         [("ns", "[integer; 1..5]", -9, 9), ("flip", "truth", 0, 0)],
         [("([1, 2], False)", "[True, False]"), ("([4], True)", "[True]")],
         """
-        def reference(ns, flip):
-            return [(n % 2 == 1) != flip for n in ns]
-
-
-        def promise(ns, flip):
-            return None
+        def solve(ns, flip):
+            return [(n % 2 == 1) != flip for n in ns], None
 
 
         def drawn(draw):
@@ -158,12 +154,8 @@ KATAS = {
         [("n", "integer", 1, 500)],
         [("(6)", "[1, 2, 3, 6]")],
         """
-        def reference(n):
-            return [d for d in range(1, n + 1) if n % d == 0]
-
-
-        def promise(n):
-            return None
+        def solve(n):
+            return [d for d in range(1, n + 1) if n % d == 0], None
 
 
         def drawn(draw):
@@ -192,7 +184,7 @@ KATAS = {
         from judge.values import Real, Run
 
 
-        def reference(boxes):
+        def solve(boxes):
             keyed = sorted((x * x + y * y, at) for at, (x, y, _) in enumerate(boxes))
             answer = []
             for square, ties in groupby(keyed, lambda each: each[0]):
@@ -201,11 +193,7 @@ KATAS = {
                 tag = "odd" if square % 2 else "even"
                 ties = [(Real(root, 1), at, tag) for _, at in ties]
                 answer.append(Run(ties) if len(ties) > 1 else ties[0])
-            return answer
-
-
-        def promise(boxes):
-            return None
+            return answer, None
 
 
         def drawn(draw):
@@ -226,12 +214,8 @@ KATAS = {
         [("xs", "array(f64; 5000)", -9, 9)],
         [("([1.0, 0.0, -2.0])", "[1, 0, -1]")],
         """
-        def reference(xs):
-            return [(x > 0) - (x < 0) for x in xs]
-
-
-        def promise(xs):
-            return None
+        def solve(xs):
+            return [(x > 0) - (x < 0) for x in xs], None
 
 
         def drawn(draw):
@@ -258,12 +242,8 @@ KATAS = {
         from judge.values import Enclosure
 
 
-        def reference(n):
-            return Enclosure(Surd(0, 1, n), Fraction(1, 10**5))
-
-
-        def promise(n):
-            return None
+        def solve(n):
+            return Enclosure(Surd(0, 1, n), Fraction(1, 10**5)), None
 
 
         def drawn(draw):
