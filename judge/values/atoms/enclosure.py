@@ -16,6 +16,7 @@ from judge.values.decode import Fault, Given, Written, fault, items, near, numbe
 from judge.values.lines import Tokens
 from judge.values.numbers import double
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
+from judge.values.plain import number_fault
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Enclosure, Exact
 from judge.values.type import NOTHING_MEASURED, Question, Quick, Raw, Target, Type
@@ -132,6 +133,12 @@ class EnclosureType(Type):
         yield f"{what}[0] <= {down!r}"
         yield f"{up!r} <= {what}[1]"
         yield f"(Fraction({what}[1]) - Fraction({what}[0])) * {bottom} <= {top}"
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """Two numbers, as an example in a statement gives them."""
+        if type(value) is not tuple or len(value) != 2:
+            return f"{name} must be (lo, hi), not {value!r}"
+        return next((number_fault(name, each) for each in value if type(each) is not float), None)
 
     def form(self, value: Any, *, target: bool = False) -> str:
         """Two numbers."""
