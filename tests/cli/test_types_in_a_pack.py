@@ -18,6 +18,8 @@ TRUTH = '''\
 
 from judge.values.plain import PlainType
 
+pytestmark = pytest.mark.slow
+
 _SENT = {"True": True, "False": False}
 
 
