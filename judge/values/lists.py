@@ -16,6 +16,7 @@ from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run
 from judge.values.type import (
     LONGEST,
+    MANY_LENGTHS,
     NOTHING_MEASURED,
     Draws,
     Number,
@@ -47,11 +48,12 @@ class ListType(Type):
         self.low, self.high = low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
-        self.measured = item.measured
+        self.measured, self.settled = item.measured, item.settled
         self.is_parameter = item.is_parameter and not item.is_buffer
         self.depth = 1 + item.depth
         each = item.most + (item.depth > 0)
         self.most = LONGEST if high is None else high * each
+        self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.element
         self.noun, self.plural = f"a list of {item.plural}", "lists"
         self.variable = self.several

@@ -42,11 +42,11 @@ class OptionalType(Type):
             raise ValueError("as text it does not say whether all of it is none or only its first part")
         self.inner = inner
         self.text = f"{inner.text}?"
-        self.measured = inner.measured
+        self.measured, self.settled = inner.measured, inner.settled
         self.is_buffer = inner.is_buffer
         self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
         self.width = 1 if inner.width == 1 else None
-        self.depth, self.most = inner.depth, inner.most
+        self.depth, self.most, self.lengths = inner.depth, inner.most, inner.lengths
         self.noun = f"{inner.noun} or None"
         self.plural, self.element = inner.plural, inner.element
         self.variable = inner.variable

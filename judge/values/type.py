@@ -48,6 +48,7 @@ Number = int | float
 
 NOTHING_MEASURED = -1.0
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
+MANY_LENGTHS = 1000  # of a list without a bound, and of an array
 _ANSWERS = 3  # of several that are right, which are shown
 
 
@@ -96,12 +97,14 @@ class Type:
     is_parameter = True  # whether a parameter may be of this type
     is_buffer = False  # whether a submission receives a parameter's value as bytes
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
+    settled = True  # whether an example shows the right answer, and not one of many that differ widely
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
     may_begin_with_none = False  # whether the first token of a value may be `none`
     width: int | None = 1  # tokens on a line; None where that varies
     depth = 0  # levels of lists and tuples
     most = 1  # items of all levels in the longest answer, where the type bounds them
+    lengths = 1  # that the longest of its lists may have, as many as are told apart
     noun = "a value"  # what is meant, "a number"
     plural = "values"  # "a list of numbers"
     element = ("item", "items")  # what one and several of them in a list are called

@@ -12,6 +12,7 @@ from functools import cached_property
 from math import inf, nextafter
 from typing import TYPE_CHECKING, Any
 
+from judge.values.atoms.real import RealType
 from judge.values.decode import Fault, Given, Written, fault, items, near, number
 from judge.values.lines import Tokens
 from judge.values.numbers import double
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from judge.values.interval import Roots
 
 _DIGITS = 40
+_END = RealType()
 
 
 class EnclosureType(Type):
@@ -32,6 +34,7 @@ class EnclosureType(Type):
     noun = "(lo, hi)"
     plural = "enclosures"
     is_parameter = False
+    settled = False
     width = 2
     depth = 1
     most = 2
@@ -140,6 +143,14 @@ class EnclosureType(Type):
     def flat(self, value: Any, *, target: bool = False) -> Iterator[float]:
         """Both ends."""
         return iter(value[:2]) if target else map(double, value)
+
+    # -- an answer in a worked example ---------------------------------------------------------------
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """Two numbers."""
+        if type(value) is not tuple or len(value) != 2:
+            return f"{name} must be {self.noun}, not {value!r}"
+        return next((wrong for each in value if (wrong := _END.fault(name, each))), None)
 
 
 def _order(question: Question, place: Place, end: Fraction) -> int:
