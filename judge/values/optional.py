@@ -104,6 +104,12 @@ class OptionalType(Type):
             message = f"{self.inner.wanted(target)} wanted, None given"
         raise Mismatch(f"{place.prefix()}{message}", place.name())
 
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """As the inner type has it."""
+        if value is not None:
+            return self.inner.missed(value, target, misses, place)
+        return Mismatch(f"{place.prefix()}{self.wanted(target)} wanted, None given", place.name())
+
     def take(self, tokens: Tokens) -> Raw:
         """`none`, or what the inner type takes."""
         ahead = tokens.ahead

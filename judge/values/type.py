@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
+from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, Self
 
@@ -211,14 +212,17 @@ class Type:
         """`matched`, where any of several targets may do."""
         if type(target) is not dict or "any" not in target:
             return self.matched(value, target, question, place)
-        first: Mismatch | None = None
+        misses = []
         for step, each in enumerate(target["any"]):
             try:
                 return self.held(value, each, question, Place(place, step, ""))
             except Mismatch as why:
-                first = first or why
-        assert first is not None
-        raise first
+                misses.append(why)
+        raise self.missed(value, target, misses, place)
+
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """What is told of a value that is none of several right ones: how far the nearest of them is off."""
+        return min(misses, key=lambda why: inf if why.errors[0] is None else why.errors[0])
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """How many ulps the value is off at most, NOTHING_MEASURED if there is nothing; raises Mismatch."""
