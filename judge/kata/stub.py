@@ -133,7 +133,7 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     values = zip(problem.parameters, example.case, strict=True)
     arguments = [parameter.type.literal(value) for parameter, value in values]
     if not problem.answer.settled:
-        return [*_filled(f"{problem.entry}(", arguments, ")"), f"may return {wanted!r}", ""]
+        return list(_filled(f"{problem.entry}(", arguments, f") may return {wanted!r}"))
     call = list(_filled(f"{opened}{problem.entry}(", arguments, f"){closed}"))
     return [*(f"{'...' if at else '>>>'} {row}" for at, row in enumerate(call)), repr(wanted)]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
+from typing import Any
 
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
@@ -54,7 +55,7 @@ def failing_cases(
     for kind, anchor in places.items():
         run = latest[kind]
         solved = next((each.when for each in runs if each.id > run.id and each.solved), None)
-        yield _case(run, anchor, times[kind], solved, artist, advice)
+        yield _case(run, anchor, times[kind], solved, problem, artist, advice)
 
 
 def left_out(runs: Sequence[Run], places: Mapping[Kind, str]) -> int:
@@ -71,6 +72,7 @@ def _case(
     anchor: str,
     times: int,
     solved: datetime | None,
+    problem: Problem | None,
     artist: _Artist | None,
     advice: Mapping[str, str],
 ) -> FailingCase:
@@ -88,7 +90,7 @@ def _case(
         times=times,
         overcome=solved,
         kind=_kind(first, smallest=smallest),
-        facts=tuple(_facts(run, shown, first, small)),
+        facts=tuple(_facts(run, shown, first, small, problem)),
         drawings=tuple(_drawings(picture, anchor)) if picture else (),
         marks=_marks(picture) if picture else (),
         explained=tuple(Explained(name, advice[name]) for name in mistake_names(run) if name in advice),
@@ -108,10 +110,10 @@ def _kind(first: CaseRecord, *, smallest: bool) -> str:
 
 
 def _facts(
-    run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None
+    run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None, problem: Problem | None
 ) -> Iterable[tuple[str, str, str]]:
     if shown.input:
-        yield "input", arguments(with_points(shown.input)), "code"
+        yield "input", arguments(_as_called(problem, shown.input)), "code"
     if shown.expected is not None and shown.input:
         yield "wanted", _cut(shown.expected), "wanted"
         yield "got", _cut(shown.got or "no answer"), "got"
@@ -122,6 +124,16 @@ def _facts(
         yield "note", _cut(small.message), ""
     if shown.replay:
         yield "again", shown_command("judge", "replay", shown.replay, file=run.submission), "code"
+
+
+def _as_called(problem: Problem | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The arguments with lists and tuples as their types have them; as they look if it has changed."""
+    if problem is not None and list(values) == [parameter.name for parameter in problem.parameters]:
+        case = case_of(values)
+        typed = zip(problem.parameters, case, strict=True)
+        if all(parameter.type.fault(parameter.name, value) is None for parameter, value in typed):
+            return problem.named(case)
+    return with_points(values)
 
 
 def _cut(text: str) -> str:
