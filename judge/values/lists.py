@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from judge.values.decode import ITERATORS, SETS, fault, items
+from judge.values.decode import collecting, fault, items
 from judge.values.elements import Wanted, elements, hot_pairs
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
@@ -152,9 +152,7 @@ class ListType(Type):
             what = f"a {self.one}" if self.one != "item" else self.shown_item(raw)
             return f"{what} where {meant}"
         wrong = fault(raw)
-        if wrong.type in SETS:
-            return wrong.where(meant, "a set has no order, and list(...) gives it none; collect a list")
-        return wrong.where(meant, "wrap it in list(...)" if wrong.type in ITERATORS else "")
+        return wrong.where(meant, collecting(wrong.type))
 
     def shown_item(self, raw: Raw) -> str:
         """One item, as its type shows it."""

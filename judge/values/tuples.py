@@ -85,7 +85,8 @@ class TupleType(Type):
         name = place.name()
         if found is None:
             wrong = fault(raw)
-            remedy = "return a point as (x, y)" if self.is_vector and wrong.type.startswith("complex") else ""
+            is_point = self.is_vector and wrong.type.startswith("complex")
+            remedy = f"return a point as {self.noun}" if is_point else ""
             meant = f"{name} is meant to be {self.noun}" if name else f"{self.noun} is meant"
             raise Unreadable(wrong.where(meant, remedy))
         if len(found) != len(self.parts):

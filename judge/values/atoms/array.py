@@ -132,7 +132,7 @@ class ArrayType(Type):
             name = place.name()
             meant = f"{name} is meant to be {self.text}" if name else f"{self.text} is meant"
             wrong = decode.fault(raw)
-            raise Unreadable(wrong.where(meant, "wrap it in list(...)" * (wrong.type in decode.ITERATORS)))
+            raise Unreadable(wrong.where(meant, decode.collecting(wrong.type)))
         if len(found) > self._longest:
             raise Unreadable(
                 f"{place.prefix()}{len(found)} items given where at most {self._longest} are meant"
