@@ -269,7 +269,8 @@ class ListType(Type):
         if self._is_points:
             names: Sequence[str] = self.item.names  # type: ignore[attr-defined]
             return f"k {' '.join(f'{name}1' for name in names)} …"
-        return f"k and then k times {self.item.hint(Words())}"
+        item = self.item.hint(Words())
+        return f"k and then k times ({item})" if self.item.depth else f"k and then k times {item}"
 
     def printed_one(self, target: Target) -> Iterator[str]:
         """The length and the items' tokens."""

@@ -180,6 +180,7 @@ def test_a_problem_has_its_own_words():
         ("[int]", "2 1", "k = 2 needs 2 more, 1 given"),
         ("([int], int)", "5 1 2", "the line ends too early"),
         ("([int], int)", "1 1 2 3", '"3" after the answer'),
+        ("([(int, real)], int)", "0", "it holds k and then k times (an int, a number), an int"),
         (HITS, "-1", "k = -1 where 0 or more items are meant"),
     ],
 )
