@@ -7,6 +7,8 @@ import shutil
 import pytest
 from other_topics import BY_ID, KATAS, PROBLEMS, TABLE, checked
 
+from judge.testing import judge_problem
+
 FAST = ("--no-shrink", "--no-name", "--no-history", "--group", "examples")
 
 # The body of the function, and what is told of it on the first of the worked examples.
@@ -97,6 +99,24 @@ def test_what_is_told_of_wrong_answers(kata, judge, submit):
         assert message in failure["message"]
         assert failure["case"] == 1
     kata.sound(ended.out)
+
+
+@pytest.mark.parametrize("kata", TABLE, ids=lambda kata: kata.id)
+def test_routines_of_other_code_are_held_against_the_exact_answers(kata):
+    judged = judge_problem(kata.id)
+    judged.check(routine(kata, kata.accepted))
+    with pytest.raises(AssertionError) as failed:
+        judged.check(routine(kata, kata.wrong))
+    assert str(failed.value).startswith(f"{kata.id}: {kata.entry} fails ")
+    assert "    wanted  " in str(failed.value)
+    kata.sound(str(failed.value))
+
+
+def routine(kata, path):
+    """The function of a solution."""
+    names = {}
+    exec(path.read_text(encoding="utf-8"), names)
+    return names[kata.entry]
 
 
 def given(kata):

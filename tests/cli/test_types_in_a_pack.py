@@ -235,6 +235,7 @@ def test_a_kata_is_sound_by_the_setters_own_check(name, folder, judge):
     assert (ended.status, ended.err) == (0, ""), ended.out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KATAS)
 def test_a_mistake_is_told_shrunk_named_and_kept(name, folder, judge, tmp_path):
     wrong, kept = folder / "solutions" / name / "wrong" / "mistaken.py", tmp_path / "test_kept.py"
@@ -271,7 +272,7 @@ def test_a_mistake_is_told_shrunk_named_and_kept(name, folder, judge, tmp_path):
 def test_fresh_cases_are_judged_too(name, folder, judge):
     for program, status in (("accepted/right.py", 0), ("wrong/mistaken.py", 1)):
         file = folder / "solutions" / name / program
-        ended = judge("stress", "--problems", folder / "problems", name, file, "--for", "1s", "--seed", 1)
+        ended = judge("stress", "--problems", folder / "problems", name, file, "--for", "0.3s", "--seed", 1)
         assert ended.status == status, ended.out + ended.err
 
 
