@@ -138,7 +138,6 @@ KATAS = {
             return [(n % 2 == 1) != flip for n in ns], None
 
 
-
         def drawn(draw):
             ns = tuple(draw.integer(-9, 9) for _ in range(draw.integer(1, 5)))
             return ns, draw.boolean()
@@ -179,7 +178,6 @@ KATAS = {
             return answer, None
 
 
-
         def drawn(draw):
             words = ("big", "small")
             boxes = [(draw.integer(-3, 3), draw.integer(-3, 3), draw.choice(words)) for _ in range(4)]
@@ -200,7 +198,6 @@ KATAS = {
         """
         def solve(xs):
             return [(x > 0) - (x < 0) for x in xs], None
-
 
 
         def drawn(draw):

@@ -12,11 +12,11 @@ from functools import cached_property
 from math import inf, nextafter
 from typing import TYPE_CHECKING, Any
 
-from judge.values.atoms.real import RealType
 from judge.values.decode import Fault, Given, Written, fault, items, near, number
 from judge.values.lines import Tokens
 from judge.values.numbers import double
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
+from judge.values.plain import number_fault
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Enclosure, Exact
 from judge.values.type import NOTHING_MEASURED, Question, Quick, Raw, Target, Type
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from judge.values.interval import Roots
 
 _DIGITS = 40
-_END = RealType()
 
 
 class EnclosureType(Type):
@@ -136,6 +135,12 @@ class EnclosureType(Type):
         yield f"{up!r} <= {what}[1]"
         yield f"(Fraction({what}[1]) - Fraction({what}[0])) * {bottom} <= {top}"
 
+    def fault(self, name: str, value: Any) -> str | None:
+        """Two numbers, as an example in a statement gives them."""
+        if type(value) is not tuple or len(value) != 2:
+            return f"{name} must be (lo, hi), not {value!r}"
+        return next((number_fault(name, each) for each in value if type(each) is not float), None)
+
     def form(self, value: Any, *, target: bool = False) -> str:
         """Two numbers."""
         return "enclosure"
@@ -143,14 +148,6 @@ class EnclosureType(Type):
     def flat(self, value: Any, *, target: bool = False) -> Iterator[float]:
         """Both ends."""
         return iter(value[:2]) if target else map(double, value)
-
-    # -- an answer in a worked example ---------------------------------------------------------------
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """Two numbers."""
-        if type(value) is not tuple or len(value) != 2:
-            return f"{name} must be {self.noun}, not {value!r}"
-        return next((wrong for each in value if (wrong := _END.fault(name, each))), None)
 
 
 def _order(question: Question, place: Place, end: Fraction) -> int:
