@@ -10,7 +10,8 @@ import msgspec
 
 from judge.errors import ProblemError, nearest
 from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
-from judge.problem.tomlfile import read_text, toml_of
+from judge.problem.text import read_text
+from judge.problem.tomlfile import toml_of
 
 T = TypeVar("T")
 

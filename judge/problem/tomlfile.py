@@ -12,10 +12,10 @@ from typing import Any, NoReturn, TypeVar
 import msgspec
 
 from judge.errors import ProblemError, nearest
-from judge.problem import schema
 from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
 from judge.problem.model import Problem
-from judge.reading import read_ordinary_text
+from judge.problem.schema import ProblemTable, enum_values, fields_at
+from judge.problem.text import read_text
 
 T = TypeVar("T")
 
@@ -46,10 +46,10 @@ class TomlFile:
         line = line_of(path, key_lines(self._text))
         raise ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)
 
-    def table(self) -> schema.ProblemTable:
+    def table(self) -> ProblemTable:
         """The file in its shape; its values are not yet checked."""
         raw = toml_of(self._text, self._name, parse_float=Decimal)
-        return self.shaped(raw, schema.ProblemTable, ())
+        return self.shaped(raw, ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
         """What stands at `path`, in that shape."""
@@ -69,7 +69,7 @@ class TomlFile:
         if unknown := re.fullmatch(r"Object contains unknown field `(.*)`", what):
             self._unknown_key(unknown[1], path)
         if invalid := re.fullmatch(r"Invalid enum value '(.*)'", what, re.DOTALL):
-            values = schema.enum_values(path)
+            values = enum_values(path)
             self.fault(
                 path, f"{path[-1]} = {invalid[1]!r} is unknown", meant(invalid[1], values, "use one of")
             )
@@ -79,12 +79,12 @@ class TomlFile:
         self.fault(path, f"{_dotted(path)}: {what[:1].lower()}{what[1:]}", "correct its value")
 
     def _unknown_key(self, key: str, path: KeyPath) -> NoReturn:
-        known = schema.fields_at(path)
+        known = fields_at(path)
         self.fault((*path, key), f"unknown key {key!r}", meant(key, known, "the keys are"))
 
     def _missing_key(self, key: str, path: KeyPath, table: dict[str, Any]) -> NoReturn:
         """A key that is missing is most often there, misspelt."""
-        stray = nearest(key, set(table) - set(schema.fields_at(path)))
+        stray = nearest(key, set(table) - set(fields_at(path)))
         if stray is not None:
             self.fault((*path, stray), f"unknown key {stray!r}", f"did you mean {key!r}?")
         self.fault(path, f"the key {key!r} is missing in {_dotted(path)}", f"add {key} = …")
@@ -118,21 +118,6 @@ def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> 
     raise ProblemError(
         f"no TOML: {what}", where=where, remedy="repair this line" if ":" in where else "repair it"
     )
-
-
-def read_text(path: Path) -> str:
-    """The text of one of a problem's files. Raises ProblemError."""
-    where = f"{path.parent.name}/{path.name}"
-    try:
-        return read_ordinary_text(path)
-    except FileNotFoundError:
-        raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
-    except UnicodeDecodeError as error:
-        what = f"byte {error.start} is not UTF-8"
-        raise ProblemError(what, where=where, remedy="save the file as UTF-8") from None
-    except OSError as error:
-        what = f"cannot be read: {error.strerror}"
-        raise ProblemError(what, where=where, remedy=f"make {path} a readable file") from None
 
 
 def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:
