@@ -20,7 +20,7 @@ from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
 from judge.problem import Case, Example, Group, Problem, Tolerance
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 from judge.problem.tomlfile import group_place
 from judge.values import Exact, Rejection, Target
 

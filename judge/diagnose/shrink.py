@@ -26,7 +26,7 @@ from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
 from judge.run.result import Failure
 from judge.run.runner import Runner

@@ -35,8 +35,7 @@ from msgspec.structs import replace
 from judge.errors import nearest
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import Group, GrowthRule, Limits
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES, Group, GrowthRule, Limits
 
 MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 _MOST_SIZE = 10**9

@@ -21,8 +21,8 @@ from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.growing import MOST_INPUT_MB, GrowingKeys
 from judge.problem.lines import KeyPath
-from judge.problem.model import Group, Limits, Parameter, Problem, ShownSkill, TimeRule
-from judge.problem.statement import EXAMPLES, read_statement
+from judge.problem.model import EXAMPLES, Group, Limits, Parameter, Problem, ShownSkill, TimeRule
+from judge.problem.statement import read_statement
 from judge.problem.tomlfile import TomlFile, meant
 from judge.values import Tolerance, Type, TypeFault, Words, parse
 

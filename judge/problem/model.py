@@ -19,6 +19,8 @@ Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
+EXAMPLES = "examples"  # the builder whose cases are the statement's worked examples
+
 
 def case_of(arguments: Mapping[str, Any]) -> Case:
     """The case of arguments by parameter name, also where JSON has made lists of tuples."""

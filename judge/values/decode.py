@@ -64,6 +64,17 @@ class Written(Struct, frozen=True):
         return Fraction(self.text)
 
 
+def written_off(given: Any, bounds: tuple[float, float, float, float, float]) -> float | None:
+    """How far off a decimal is, in ulps, where its double shows that it is accepted; None otherwise."""
+    if type(given) is not Written:
+        return None
+    lo, hi, nearest, residual, unit = bounds
+    y = given.approx
+    if not lo < y < hi:
+        return None
+    return abs((y - nearest) / unit - residual) if nearest else 0.0
+
+
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
 

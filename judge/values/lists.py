@@ -7,11 +7,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import ITERATORS, SETS, fault, items
-from judge.values.elements import Wanted, elements
+from judge.values.elements import Wanted, elements, hot_pairs
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
 from judge.values.list_values import ListValues
-from judge.values.numbers import hot_pairs
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run

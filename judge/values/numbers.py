@@ -1,4 +1,4 @@
-"""Deciding numbers against the five doubles of their targets, and saying how far off one is.
+"""Deciding one number against the five doubles of its target, and saying how far off it is.
 
 A target is (lo, hi, nearest, residual, ulp): a double y is accepted where lo <= y <= hi; `nearest` is the
 correctly rounded double of the exact x, `ulp` is ulp(x) and residual = (x − nearest)/ulp(x).
@@ -10,7 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import inf, nextafter
 from sys import float_info
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from judge.values.decode import Given, Written, near
 from judge.values.tolerance import Tolerance
@@ -39,17 +39,6 @@ def accepts(given: Given, bounds: Bounds, leaf: LeafOf) -> bool:
         return False
     between = nextafter(lo, -inf) < given < nextafter(hi, inf)
     return (between or _beyond_doubles(bounds)) and _exactly(given, leaf)
-
-
-def written_off(given: Any, bounds: Bounds) -> float | None:
-    """`ulps_off` of a decimal whose double alone shows that it is accepted; None for anything else."""
-    if type(given) is not Written:
-        return None
-    lo, hi, nearest, residual, unit = bounds
-    y = given.approx
-    if not lo < y < hi:
-        return None
-    return abs((y - nearest) / unit - residual) if nearest else 0.0
 
 
 def _beyond_doubles(bounds: Bounds) -> bool:
@@ -92,50 +81,3 @@ def off(where: str, found: Errors) -> str:
     absolute, relative, ulps = found
     share = "" if relative is None or ulps is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
     return f"{where} is off by {absolute:.2g}{share}"
-
-
-def hot_pairs(raw: Any, target: Any) -> float | None:
-    """How far off the worst of these points' numbers is, in ulps, if they are doubles that are all accepted.
-
-    -1.0 for no points; None, TypeError or ValueError where one must look closer, as at AnyOf in the target.
-    """
-    if type(raw) is not list or len(raw) != len(target):
-        return None
-    if not raw:
-        return -1.0
-    worst = 0.0
-    # The usual answer costs two comparisons a number, and its error; so this loop is written to be quick.
-    for point, (tx, ty) in zip(raw, target):  # noqa: B905  # the lengths are equal
-        if type(point) is not list or len(point) != 2:
-            return None
-        x, y = point
-        if type(x) is not float or type(y) is not float:
-            return _written_pairs(raw, target) if type(x) is Written else None
-        lo, hi, nearest, residual, unit = tx
-        if not lo <= x <= hi:
-            return None
-        if nearest:
-            away = (x - nearest) / unit - residual
-            if away > worst or -away > worst:
-                worst = abs(away)
-        lo, hi, nearest, residual, unit = ty
-        if not lo <= y <= hi:
-            return None
-        if nearest:
-            away = (y - nearest) / unit - residual
-            if away > worst or -away > worst:
-                worst = abs(away)
-    return worst
-
-
-def _written_pairs(raw: Any, target: Any) -> float | None:
-    """The same for points in decimals, as programs print them."""
-    worst = 0.0
-    for (x, y), (tx, ty) in zip(raw, target):  # noqa: B905  # the lengths are equal
-        for given, bounds in ((x, tx), (y, ty)):
-            off = written_off(given, bounds)
-            if off is None:
-                return None
-            if off > worst:
-                worst = off
-    return worst
