@@ -3,7 +3,7 @@
     1. The failing case is called alone. If it is right then, its message says so, and that is all.
     2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
-    4. What was found is polished, value by value (polish.py).
+    4. What was found, or the failing case itself, is polished, value by value (polish.py).
 
 Cases that no recipe built are judged under the tolerance of the problem's plainest group, and only count if
 the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget.
@@ -34,7 +34,7 @@ from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
-_SORTS = 8  # of right answers, above which a wanted 5 is like a wanted 3
+_SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -133,8 +133,9 @@ class _Search:
         found = self._climbed(plain)
         if found is not None:
             best = min(best, polished(self._trial, found, plain), key=_measure)
-        if best is self._first and best.measure[0] - items_of(best.case) > SIMPLE:
-            best = self._by_parameters()
+        if best is self._first:
+            if best.measure[0] - items_of(best.case) > SIMPLE:
+                best = self._by_parameters()
             polish_under = plain if plain.tolerance == self._group.tolerance else self._group
             best = min(best, polished(self._trial, best, polish_under), key=_measure)
         return self._told(self._confirmed(best))

@@ -81,7 +81,7 @@ class Trial:
         *,
         coarse: bool = False,
     ) -> None:
-        """`coarse` says that ints and lengths tell no two mistakes apart, as where there are many of them."""
+        """`coarse` says that ints, words and lengths tell no two mistakes apart: there are many of them."""
         self.problem = runner.problem
         self.module = module
         self.verdict = verdict
@@ -273,9 +273,15 @@ def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) ->
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"
+    elif got.startswith("word ") and got != wanted:  # so is every other word
+        got = "another word"
     if coarse:
-        wanted, got = wanted.rstrip("-0123456789"), got.rstrip("-0123456789")
+        wanted, got = _roughly(wanted), _roughly(got)
     return wanted, got, "off" if outcome.where else "other"
+
+
+def _roughly(sort: str) -> str:
+    return "a word" if sort.startswith("word ") else sort.rstrip("-0123456789")
 
 
 def sort_of(outline: Outline) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from enum import Enum
 from typing import Any
 
 import msgspec
@@ -145,9 +144,3 @@ def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
     known = _TABLES | _TABLES_OF_GROUPS if names[:1] == ["groups"] else _TABLES
     table = known[names[0] if named else names[-1]] if names else ProblemTable
     return table.__struct_fields__
-
-
-def enum_values(path: tuple[str | int, ...]) -> tuple[str, ...]:
-    """The words that the key at `path` may have."""
-    kinds: dict[str | int, type[Enum]] = {"tier": Tier}
-    return tuple(member.value for member in kinds[path[-1]])

@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
 from judge.sandbox import bundle, launch, refusal, shared
+from judge.sandbox.boundary import Limits
 from judge.sandbox.inside import wire
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
@@ -231,30 +232,29 @@ class Container:
         kind: bytes,
         stdio: Sequence[int],
         payload: bytes,
-        *,
-        cpu_ns: int,
-        wall_ns: int,
-        waiting_ns: int,
+        limits: Limits,
         memory: int,
-        output: int,
         series: int = 1,
         on_series: OnSeries | None = None,
     ) -> Done:
         """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
 
-        `cpu_ns`, `wall_ns` and `output` are each series' own, `waiting_ns` and `memory` the process's.
+        `memory` is the bytes that the process may have in all, more than the limit of the submission.
         """
         if self._process is None:
             raise Lost
         self.await_ready()
         start = wire.replies_at(len(payload))
+        output = limits.output_bytes
         stop = start + wire.reply_room(output, series)
         if stop > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
             )
         self.region.prepare(payload)
-        times = (cpu_ns, wall_ns, waiting_ns)
+        times = [
+            round(each * 1e9) for each in (limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds)
+        ]
         frame = wire.REQUEST.pack(kind, *times, memory, output, len(payload), stop, series)
         try:
             self._line.send(frame, stdio)
@@ -264,7 +264,7 @@ class Container:
         marks: list[Mark] = []
         began = time.monotonic_ns()
         while True:
-            answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
+            answer = self._receive(limits.wall_seconds + GRACE_SECONDS)
             if answer.startswith(wire.LACKING):
                 raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
             if answer.startswith(wire.ENDED):

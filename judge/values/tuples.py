@@ -28,7 +28,7 @@ class TupleType(Type):
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
         self._is_planar = self.names[:2] == COORDINATES[:2] and self.names[2:3] != COORDINATES[2:]
         self.is_vector = self.names == COORDINATES[: len(parts)]
-        self.text = self.noun = f"({', '.join(part.text for part in parts)})"
+        self.text = f"({', '.join(part.text for part in parts)})"
         self.plural = "tuples"
         self.measured = any(part.measured for part in parts)
         self.settled = all(part.settled for part in parts)
@@ -43,6 +43,7 @@ class TupleType(Type):
         self._alias = alias
         self._spelled = f"tuple[{', '.join(part.annotation for part in parts)}]"
         self.annotation = alias or self._spelled
+        self.noun = f"a {self._spelled}"  # as the file to begin with spells it
         if self.is_vector:
             self.noun = f"({', '.join(self.names)})"
             self.plural, self.element = "points", ("point", "points")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 import textwrap
@@ -12,53 +13,9 @@ import pytest
 
 ROOT = Path(__file__).parent.parent.parent
 
-# The one file that a new atom takes; CONTRIBUTING shows it.
-TRUTH = '''\
-"""`truth`: True or False; on a line, yes or no."""
-
-from judge.values.plain import PlainType
-
-_SENT = {"True": True, "False": False}
-
-
-class Truth(PlainType):
-    """A bool."""
-
-    text = "truth"
-    noun = "True or False"
-    plural = "truths"
-    annotation = "bool"
-    samples = (False, True)
-
-    def why_not(self, value):
-        """Exactly a bool."""
-        return None if type(value) is bool else f"{value!r} where True or False is meant"
-
-    def value_of(self, raw):
-        """A bool arrives as a wrong type would: by its name and its text."""
-        if type(raw) is bool:
-            return raw
-        if type(raw) is dict and raw.get("type") == "bool" and raw.get("text") in _SENT:
-            return _SENT[raw["text"]]
-        raise ValueError("no bool")
-
-    def sent(self, value):
-        """As it arrives."""
-        return {"type": "bool", "text": str(value)}
-
-    def text_of(self, value):
-        """As a token."""
-        return "yes" if value else "no"
-
-    def value_from(self, token):
-        """Of a token."""
-        if token not in ("yes", "no"):
-            raise ValueError("no yes and no no")
-        return token == "yes"
-
-
-TYPE = Truth
-'''
+# The one file that a new atom takes, as the manual has it.
+_PAGE = (ROOT / "judge" / "manual" / "new-type.md").read_text(encoding="utf-8")
+TRUTH = re.search(r"^## `problems/types/truth\.py`$.*?^```py\n(.*?)^```$", _PAGE, re.MULTILINE | re.DOTALL)[1]
 
 TOML = """\
 title = "{title}"

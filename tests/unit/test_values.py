@@ -124,7 +124,7 @@ WRONG = [
     ("[vec2]", [vector((1, 2))], [1.0, 2.0], "a point where a list of points is meant"),
     ("[(vec2, int)]", [(vector((1, 2)), 0)], [[[1.0, 9.0], 0]], "part 1 of item 1: y is off by 7"),
     (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' wanted, 'exit' given"),
-    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where (real, int, word(enter|touch|exit)) is meant"),
+    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is meant"),
     (HITS, [TIE], [[2.0, 0, word("exit")]] * 2, "part 2 of item 2: 1 wanted, 0 given"),
     ("int", AnyOf([1, 2]), 3, "1 or 2 wanted, 3 given"),
     ("(int, int?)", (7, AnyOf([1, 2])), [7, 3], "part 2: 1 or 2 wanted, 3 given"),
@@ -220,6 +220,9 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
     [
         ("complex", "'complex' is unknown", "use one of count, points"),
         ("interger", "'interger' is unknown", "did you mean 'integer'?"),
+        ("float", "'float' is unknown", "did you mean 'real'?"),
+        ("[str]", "'[str]' is no type: 'str' is unknown", "did you mean 'word(a|b)'?"),
+        ("list of ints", "'list' is unknown", "did you mean '[T]'?"),
         ("[reel]", "'[reel]' is no type: 'reel' is unknown", "did you mean 'real'?"),
         ("[int", "'[int' is no type: its end where ']' is meant", "[T; low..high]"),
         ("int int", "'int' comes after its end", ""),
@@ -242,6 +245,16 @@ def test_texts_that_are_no_types(text, what, remedy):
         parse(text)
     assert what in raised.value.what
     assert remedy in raised.value.remedy
+
+
+def test_a_topics_types_are_offered_to_those_alone_who_mean_one():
+    with pytest.raises(TypeFault) as raised:
+        parse("complex")
+    assert "word" in raised.value.remedy
+    assert "circle" not in raised.value.remedy
+    with pytest.raises(TypeFault) as raised:
+        parse("circel")
+    assert raised.value.remedy == "did you mean 'circle'?"
 
 
 @pytest.mark.parametrize(

@@ -60,12 +60,13 @@ class ArrayType(Type):
             raise ValueError(f"an array holds one of {', '.join(_CODES)}")
         if most and not (most.isdecimal() and len(most) < 10 and int(most) <= _MOST):
             raise ValueError(f"an array holds at most {_MOST} items")
-        self.text = self.noun = f"array({code}; {most})" if most else f"array({code})"
+        self.text = f"array({code}; {most})" if most else f"array({code})"
         self._code = _CODES[code]
         self._longest = int(most) if most else _MOST
         self._real = RealType() if code == "f64" else None
         self.measured = self._real is not None
         self.annotation = "array[float]" if self._real else "array[int]"
+        self.noun = "an array of numbers" if self._real else "an array of ints"
         if self._real:
             self.rounded = f"[{self._real.rounded.format('item')} for item in {{0}}]"
         else:
