@@ -51,11 +51,11 @@ def failing_cases(
     """
     times = Counter(kind_of(run) for run in runs if _failed(run))
     latest = {kind_of(run): run for run in runs if _failed(run)}
-    artist = _Artist(problem) if problem else None
+    artist = _Artist(problem)
     for kind, anchor in places.items():
         run = latest[kind]
         solved = next((each.when for each in runs if each.id > run.id and each.solved), None)
-        yield _case(run, anchor, times[kind], solved, problem, artist, advice)
+        yield _case(run, anchor, times[kind], solved, artist, advice)
 
 
 def left_out(runs: Sequence[Run], places: Mapping[Kind, str]) -> int:
@@ -72,15 +72,14 @@ def _case(
     anchor: str,
     times: int,
     solved: datetime | None,
-    problem: Problem | None,
-    artist: _Artist | None,
+    artist: _Artist,
     advice: Mapping[str, str],
 ) -> FailingCase:
     record = read_record(run)
     first, small = record.failure or CaseRecord(""), record.counterexample
     smallest = small is not None and small.replay is not None
     shown = small if small is not None and smallest else first
-    picture = artist.picture(shown, first.group) if artist else None
+    picture = artist.picture(shown, first.group)
     return FailingCase(
         anchor=anchor,
         title=run.mistake or _title(run, first),
@@ -90,7 +89,7 @@ def _case(
         times=times,
         overcome=solved,
         kind=_kind(first, smallest=smallest),
-        facts=tuple(_facts(run, shown, first, small, problem)),
+        facts=tuple(_facts(run, shown, first, small, artist.problem)),
         drawings=tuple(_drawings(picture, anchor)) if picture else (),
         marks=_marks(picture) if picture else (),
         explained=tuple(Explained(name, advice[name]) for name in mistake_names(run) if name in advice),
@@ -152,29 +151,32 @@ def _marks(picture: Picture) -> tuple[str, ...]:
 
 
 class _Artist:
-    """Draws cases of one problem; its reference is loaded with the first of them."""
+    """Draws cases of one problem, which may be gone; its reference is loaded with the first of them."""
 
-    def __init__(self, problem: Problem) -> None:
-        self._problem = problem
+    def __init__(self, problem: Problem | None) -> None:
+        self.problem = problem
         self._module: ProblemModule | None = None
 
     def picture(self, case: CaseRecord, group: str | None) -> Picture | None:
         """The picture of a case, or None where there is none: the problem may have changed since."""
-        known = self._problem.group(group) if group else None
-        names = [parameter.name for parameter in self._problem.parameters]
-        if known is None or not case.input or list(case.input) != names:
+        problem = self.problem
+        known = problem.group(group) if problem and group else None
+        if problem is None or known is None or not case.input:
+            return None
+        names = [parameter.name for parameter in problem.parameters]
+        if list(case.input) != names:
             return None
         values = case_of(case.input)
         try:
             if self._module is None:
-                self._module = load_module(self._problem)
+                self._module = load_module(problem)
             draw = self._module.topic.picture
             if draw is None:
                 return None
-            proof = Validator(self._problem, self._module.solve).proof(values)
+            proof = Validator(problem, self._module.solve).proof(values)
             if proof.fault:
                 return None
         except JudgeError:  # a problem that is broken now: its runs are told of all the same
             return None
-        given = reread(self._problem.answer, case.got)
-        return draw(Shown(self._problem, case.input, proof.answer, case.expected, case.got, given))
+        given = reread(problem.answer, case.got)
+        return draw(Shown(problem, case.input, proof.answer, case.expected, case.got, given))
