@@ -39,7 +39,7 @@ RETURNED = {
     ],
     "by-size": [
         ("{(1, 'odd')}, 1", "a set where part 1 is meant to be a list of tuples: a set has no order"),
-        ("[1, 2, 0], 1", "1 where item 1 of part 1 is meant to be (int, word(even|odd))"),
+        ("[1, 2, 0], 1", "1 where item 1 of part 1 is meant to be "),
         ("[(1, 'odd'), (1, 'odd'), (0, 'odd')], 1", "part 1 of item 2 of part 1: 2 wanted, 1 given"),
         ("[(2, 'odd'), (1, 'odd'), (0, '')], 1", "part 2 of item 3 of part 1: '' where even or odd is meant"),
         ("[(0, 'odd')] * 9, 1", "part 1: 9 items given where at most 8 are meant"),
