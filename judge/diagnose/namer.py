@@ -25,7 +25,7 @@ NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 class Namer:
     """Says which known mistake explains a result; the known-wrong programs are judged when first needed.
 
-    `settings` say how they are judged, `workers` how many at once; `progress` opens what is told of it. Safe
+    `settings` say how they are judged, `workers` how many at once; `progress` opens a bar for it. Safe
     to use from several threads; `notes` are sentences for the person.
     """
 

@@ -92,7 +92,7 @@ class Group(Struct, frozen=True):
     count: int
     points: int
     tolerance: Tolerance
-    kills: tuple[str, ...]  # the mistakes it is there for
+    kills: tuple[str, ...]  # the mistakes it should catch
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: Limits | None = None  # its own

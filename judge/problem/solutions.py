@@ -4,7 +4,7 @@
     solutions/<id>/slow/one-by-one.py       right, and too slow
     solutions/<id>/wrong/off-by-one.py      a mistake that people make; off-by-one-….py are variants of it
 
-A program begins with what a person is told of it: its name (an idea, or a mistake), and below that why it
+A program begins with what the judge says about it: its name (an idea, or a mistake), and below that why it
 works, or what is wrong and what to do instead. In Python that is its docstring. A pack may come without any.
 """
 
