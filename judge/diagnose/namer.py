@@ -11,8 +11,7 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.diagnose.answers import Behaviour, behaviour
 from judge.diagnose.known import Progress, known_behaviours
-from judge.diagnose.naming import Known, best_match
-from judge.diagnose.twins import as_match, twins, wrong_answers
+from judge.diagnose.naming import Known, as_match, best_match, twins, wrong_answers
 from judge.problem import Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run.matrix import Matrix, kill_matrix

@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from enum import Enum
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from msgspec import Struct
 
@@ -42,7 +42,9 @@ class Kind(Enum):
             return verdict is Verdict.AC
         if self is Kind.SLOW:
             return verdict is Verdict.TLE
-        return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+        if self is Kind.WRONG:
+            return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+        assert_never(self)
 
     @property
     def wanted(self) -> str:
