@@ -25,7 +25,7 @@ from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
-from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial, sort_of
+from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Clock, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
@@ -66,7 +66,7 @@ def shrink(
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
-    budget = Budget(budget_seconds, clock)
+    budget = SearchBudget(budget_seconds, clock)
     coarse = _has_many_answers(problem, data)
     trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
     case = group_data.cases[failure.case - 1]

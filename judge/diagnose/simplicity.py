@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from judge.problem.model import Case, Number
 
-Measure = tuple[int, int, tuple[float, ...]]
+Simplicity = tuple[int, int, tuple[float, ...]]
 
 _NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
@@ -55,7 +55,7 @@ def digits(number: Number) -> int:
     return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
-def measure(case: Case, special: int = 0) -> Measure:
+def measure(case: Case, special: int = 0) -> Simplicity:
     """What to compare two cases by; the smaller is the simpler one. An item of a list weighs as a digit does.
 
     `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).

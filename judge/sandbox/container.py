@@ -34,7 +34,7 @@ REASON_BYTES = 2000
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
-class Mark(NamedTuple):
+class SeriesEnd(NamedTuple):
     """The end of a series but the last, as the fork server measured and sealed it."""
 
     cpu_ns: int
@@ -51,7 +51,7 @@ class Lost(Exception):  # noqa: N818 - it never reaches a person
     """
 
     def __init__(
-        self, replies: bytes = b"", marks: Sequence[Mark] = (), wall_ns: int = 0, *, asked: bool = True
+        self, replies: bytes = b"", marks: Sequence[SeriesEnd] = (), wall_ns: int = 0, *, asked: bool = True
     ) -> None:
         super().__init__()
         self.asked = asked
@@ -69,7 +69,7 @@ class Done(NamedTuple):
     wall_ns: int
     peak_bytes: int
     started: int  # whether the child came as far as running foreign code
-    marks: tuple[Mark, ...] = ()  # one for each series that ended before
+    marks: tuple[SeriesEnd, ...] = ()  # one for each series that ended before
 
 
 OnSeries = Callable[[], None]  # told of each series that has ended but the last
@@ -261,7 +261,7 @@ class Container:
         except OSError:
             self.close()
             raise Lost(asked=False) from None
-        marks: list[Mark] = []
+        marks: list[SeriesEnd] = []
         began = time.monotonic_ns()
         while True:
             answer = self._receive(limits.wall_seconds + GRACE_SECONDS)
@@ -274,7 +274,7 @@ class Container:
                 data = self.replies(payload, output, series)
                 self.close()
                 raise Lost(data, marks, time.monotonic_ns() - began)
-            marks.append(Mark(*wire.MARK.unpack_from(answer)[1:]))
+            marks.append(SeriesEnd(*wire.MARK.unpack_from(answer)[1:]))
             began = time.monotonic_ns()
             if on_series:
                 on_series()

@@ -147,7 +147,7 @@ def integer_of(token: str) -> int | None:
 
 
 def number_fault(name: str, value: Any) -> str | None:
-    """Why a value is no number, as it is told of a parameter; None for an int."""
+    """Why a parameter's value is no number, as a message says it; None for an int."""
     if type(value) is int:
         return None
     return f"{name} has {value!r}, a {type(value).__name__}, where a number is meant"

@@ -74,3 +74,36 @@ def test_nobody_prints_but_who_talks_to_a_person():
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
     }
     assert {name for name in prints if name.split("/")[0] not in {"cli", "report"}} == set()
+
+
+def public_kinds(tree: ast.Module):
+    """The classes and the names of types that a module makes."""
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            yield node.name
+        elif isinstance(node, ast.Assign):
+            yield from (each.id for each in node.targets if isinstance(each, ast.Name))
+
+
+WORDS = [
+    *(
+        "Figure",
+        "Given",
+        "Target",
+        "Parameter",
+        "Exact",
+        "Measure",
+        "Budget",
+        "Limits",
+        "Level",
+        "Box",
+        "Mark",
+    ),
+    *("Place", "Job", "Terms", "Result"),
+]
+
+
+@pytest.mark.parametrize("name", WORDS)
+def test_a_name_stands_for_one_thing(name):
+    makers = [file for file, tree in FILES.items() if name in public_kinds(tree)]
+    assert len(makers) == 1
