@@ -50,7 +50,7 @@ class Parameter(Struct, frozen=True, cache_hash=True):
     about: str
 
 
-class Limits(Struct, frozen=True):
+class GroupLimits(Struct, frozen=True):
     """The bounds of one test group: all its calls together, or its one program."""
 
     cpu_seconds: float
@@ -92,10 +92,10 @@ class Group(Struct, frozen=True):
     count: int
     points: int
     tolerance: Tolerance
-    kills: tuple[str, ...]  # the mistakes it is there for
+    kills: tuple[str, ...]  # the mistakes it should catch
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
-    limits: Limits | None = None  # its own
+    limits: GroupLimits | None = None  # its own
 
 
 class ShownSkill(Struct, frozen=True):
@@ -128,7 +128,7 @@ class Problem(Struct, frozen=True):
     answer: Type
     parameters: tuple[Parameter, ...]
     bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
-    limits: Limits
+    limits: GroupLimits
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
@@ -140,7 +140,7 @@ class Problem(Struct, frozen=True):
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
 
-    def limits_of(self, group: Group) -> Limits:
+    def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""
         return group.limits or self.limits
 

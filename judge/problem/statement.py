@@ -16,7 +16,7 @@ from typing import Any
 
 from judge.errors import ProblemError, nearest
 from judge.problem.model import EXAMPLES, Argument, Case, Example, Problem
-from judge.problem.tomlfile import read_text
+from judge.problem.text import read_text
 from judge.values import Type
 
 _BRIEF = 80  # characters of what is wrong
