@@ -24,6 +24,7 @@ from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
+from judge.diagnose.simplicity import items_of
 from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Clock, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
@@ -80,7 +81,12 @@ def shrink(
 
 
 def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
-    """Whether the right answers are of more sorts than a mistake could be looked for in."""
+    """Whether the right answers are of more sorts than a mistake could be looked for in.
+
+    Lists that may have many lengths are, even where the data have few of them: the smallest case is shorter.
+    """
+    if problem.answer.lengths > _SORTS:
+        return True
     right = problem.answer.right
     sorts = {sort_of(right(target)) for group in data.groups for target in group.targets}
     return len(sorts) > _SORTS
@@ -128,7 +134,7 @@ class _Search:
         if found is not None:
             best = min(best, polished(self._trial, found, plain), key=_measure)
         if best is self._first:
-            if best.measure[0] > SIMPLE:
+            if best.measure[0] - items_of(best.case) > SIMPLE:
                 best = self._by_parameters()
             polish_under = plain if plain.tolerance == self._group.tolerance else self._group
             best = min(best, polished(self._trial, best, polish_under), key=_measure)

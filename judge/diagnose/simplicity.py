@@ -22,6 +22,11 @@ def numbers_of(case: Case) -> Iterator[Number]:
             yield argument
 
 
+def items_of(case: Case) -> int:
+    """How many items its lists and points have, however deep in it: as many in all cases of one shape."""
+    return sum(len(argument) + items_of(argument) for argument in case if isinstance(argument, tuple))
+
+
 def with_numbers(case: Case, numbers: Iterator[Number]) -> Case:
     """The case with other numbers in their places."""
     return tuple(
@@ -51,11 +56,11 @@ def digits(number: Number) -> int:
 
 
 def measure(case: Case, special: int = 0) -> Simplicity:
-    """What to compare two cases by; the smaller is the simpler one.
+    """What to compare two cases by; the smaller is the simpler one. An item of a list weighs as a digit does.
 
     `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).
     """
-    total = _SPECIAL * special
+    total = _SPECIAL * special + items_of(case)
     negative = 0
     magnitudes = []
     for number in numbers_of(case):

@@ -265,3 +265,10 @@ def near(value: int | float | Fraction) -> float:
         return float(value)
     except OverflowError:
         return float("inf") if value > 0 else float("-inf")
+
+
+def collecting(type_name: str) -> str:
+    """What to do about a value of that type where a list is meant, or nothing."""
+    if type_name in SETS:
+        return "a set has no order, and list(...) gives it none; collect a list"
+    return "wrap it in list(...)" if type_name in ITERATORS else ""

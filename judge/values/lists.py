@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from judge.values.decode import ITERATORS, SETS, fault, items
+from judge.values.decode import collecting, fault, items
 from judge.values.elements import Wanted, elements, hot_pairs
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
@@ -16,6 +16,7 @@ from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run
 from judge.values.type import (
     LONGEST,
+    MANY_LENGTHS,
     NOTHING_MEASURED,
     Question,
     Quick,
@@ -46,11 +47,12 @@ class ListType(ListValues, Type):
         self.low, self.high = low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
-        self.measured = item.measured
+        self.measured, self.settled = item.measured, item.settled
         self.is_parameter = item.is_parameter and not item.is_buffer
         self.depth = 1 + item.depth
         each = item.most + (item.depth > 0)
         self.most = LONGEST if high is None else high * each
+        self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.element
         self.noun, self.plural = f"a list of {item.plural}", "lists"
         self.variable = self.several
@@ -140,9 +142,7 @@ class ListType(ListValues, Type):
             what = f"a {self.one}" if self.one != "item" else self.shown_item(raw)
             return f"{what} where {meant}"
         wrong = fault(raw)
-        if wrong.type in SETS:
-            return wrong.where(meant, "a set has no order, and list(...) gives it none; collect a list")
-        return wrong.where(meant, "wrap it in list(...)" if wrong.type in ITERATORS else "")
+        return wrong.where(meant, collecting(wrong.type))
 
     def shown_item(self, raw: Raw) -> str:
         """One item, as its type shows it."""
@@ -259,7 +259,8 @@ class ListType(ListValues, Type):
         if self._is_points:
             names: Sequence[str] = self.item.names  # type: ignore[attr-defined]
             return f"k {' '.join(f'{name}1' for name in names)} …"
-        return f"k and then k times {self.item.hint(Words())}"
+        item = self.item.hint(Words())
+        return f"k and then k times ({item})" if self.item.depth else f"k and then k times {item}"
 
     def printed_one(self, target: Target) -> Iterator[str]:
         """The length and the items' tokens."""

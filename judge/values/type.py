@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
+from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -49,6 +50,7 @@ Quick = Callable[[Raw, Target], float | None]
 
 NOTHING_MEASURED = -1.0
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
+MANY_LENGTHS = 1000  # of a list without a bound, and of an array
 _ANSWERS = 3  # of several that are right, which are shown
 
 
@@ -89,12 +91,14 @@ class Type(ParameterValues):
     is_parameter = True  # whether a parameter may be of this type
     is_buffer = False  # whether a submission receives a parameter's value as bytes
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
+    settled = True  # whether an example shows the right answer, and not one of many that differ widely
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
     may_begin_with_none = False  # whether the first token of a value may be `none`
     width: int | None = 1  # tokens on a line; None where that varies
     depth = 0  # levels of lists and tuples
     most = 1  # items of all levels in the longest answer, where the type bounds them
+    lengths = 1  # that the longest of its lists may have, as many as are told apart
     noun = "a value"  # what is meant, "a number"
     plural = "values"  # "a list of numbers"
     element = ("item", "items")  # what one and several of them in a list are called
@@ -201,14 +205,17 @@ class Type(ParameterValues):
         """`matched`, where any of several targets may do."""
         if type(target) is not dict or "any" not in target:
             return self.matched(value, target, question, place)
-        first: Mismatch | None = None
+        misses = []
         for step, each in enumerate(target["any"]):
             try:
                 return self.held(value, each, question, Place(place, step, ""))
             except Mismatch as why:
-                first = first or why
-        assert first is not None
-        raise first
+                misses.append(why)
+        raise self.missed(value, target, misses, place)
+
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """What is told of a value that is none of several right ones: how far the nearest of them is off."""
+        return min(misses, key=lambda why: inf if why.errors[0] is None else why.errors[0])
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """How many ulps the value is off at most, NOTHING_MEASURED if there is nothing; raises Mismatch."""

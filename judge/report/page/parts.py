@@ -200,3 +200,8 @@ class Page(Struct, frozen=True):
     skills: tuple[SkillLine, ...]
     problems: tuple[ProblemPart, ...]
     verdicts: tuple[Verdict, ...]  # those that occur, to be explained
+
+    @property
+    def drawn(self) -> bool:
+        """Whether there is a picture on it."""
+        return any(case.drawings for part in self.problems for case in part.cases)

@@ -24,7 +24,17 @@ from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.plain import integer_of
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
-from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type
+from judge.values.type import (
+    MANY_LENGTHS,
+    NOTHING_MEASURED,
+    Draws,
+    Number,
+    Question,
+    Quick,
+    Raw,
+    Target,
+    Type,
+)
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -42,6 +52,7 @@ class ArrayType(Type):
     width = None
     is_plain = False
     is_buffer = True
+    lengths = MANY_LENGTHS
     depth = 1
 
     def __init__(self, code: str, most: str = "") -> None:
@@ -122,7 +133,7 @@ class ArrayType(Type):
             name = place.name()
             meant = f"{name} is meant to be {self.text}" if name else f"{self.text} is meant"
             wrong = decode.fault(raw)
-            raise Unreadable(wrong.where(meant, "wrap it in list(...)" * (wrong.type in decode.ITERATORS)))
+            raise Unreadable(wrong.where(meant, decode.collecting(wrong.type)))
         if len(found) > self._longest:
             raise Unreadable(
                 f"{place.prefix()}{len(found)} items given where at most {self._longest} are meant"
