@@ -202,6 +202,11 @@ def test_lines_of_nested_answers():
     [
         ("int", 1.0, "1.0 where an int is meant"),
         ("real", 1, "1 where a Real is meant"),
+        (
+            "real",
+            Real(0.1, 1),
+            "Real(x=0.1, unit=1) holds a float; write Fraction(x) where a double is the exact number",
+        ),
         ("word(lit|dark)", "dim", "'dim' where lit or dark is meant"),
         ("[vec2; 0..2]", [vector((1, 2))] * 3, "3 points where at most 2 are meant"),
         ("(int, int)", (1, 2, 3), "3 parts where 2 are meant"),

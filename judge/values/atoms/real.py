@@ -45,6 +45,8 @@ class RealType(Type):
 
         if type(exact) is not Real:
             raise Unfit(f"{exact!r} where a Real is meant")
+        if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
+            raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
         return tuple(measure(Surd.of(exact.x), tolerance, Surd.of(exact.unit), roots))
 
     @cached_property
