@@ -49,10 +49,10 @@ def test_a_list_names_the_broken_ones_and_shows_the_others(judge):
 def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
     real = judging.run_in
 
-    def faulty(box, problem, data, source, name, *how):
+    def faulty(box, problem, data, source, name, **how):
         if name == "team/a.py":
             raise ProblemError("the reference fails", where="middle/problem.py:9")
-        return real(box, problem, data, source, name, *how)
+        return real(box, problem, data, source, name, **how)
 
     monkeypatch.setattr(judging, "run_in", faulty)
     submit(MEAN, "team/a.py")

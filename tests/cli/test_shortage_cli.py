@@ -27,10 +27,10 @@ SHORTAGES = [
 def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, judge, submit, monkeypatch):
     real = session.run_in
 
-    def short(box, problem, data, source, name, *settings):
+    def short(box, problem, data, source, name, **how):
         if name == "team/b.py":
             raise fault
-        return real(box, problem, data, source, name, *settings)
+        return real(box, problem, data, source, name, **how)
 
     monkeypatch.setattr(session, "run_in", short)
     for name in ("a", "b", "c"):
