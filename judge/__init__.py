@@ -1,7 +1,42 @@
 """A judge and kata kit for circle-line geometry.
 
-Imports point one way: cli → report → run → compare, data → spec → exact. `sandbox` knows nothing of
-problems, `exact` knows nothing of judging.
+    import judge
+
+    result = judge.judge("count", pathlib.Path("mine.py"))
+
+`judge.judging` holds that and what goes with it; nothing of it is imported before it is asked for. Imports
+point one way: cli → judging → report → kata → topics → diagnose → run → data → problem → drawing, values →
+exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging, and none of them but
+`topics` what a problem is about.
+
+A type checker reads `__init__.pyi`.
 """
 
+from __future__ import annotations
+
+TYPE_CHECKING = False  # typing's takes longer to import than all of this
+if TYPE_CHECKING:
+    from typing import Any
+
 __version__ = "0.1.0"
+__all__ = ["Job", "Result", "Terms", "__version__", "judge"]
+
+_FROM = {
+    "Job": "judge.judging.job",
+    "Result": "judge.run.result",
+    "Terms": "judge.judging.job",
+    "judge": "judge.judging.public",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import what `judge` has to offer when it is asked for: `import judge` costs nothing."""
+    if name not in _FROM:
+        raise AttributeError(f"module 'judge' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(_FROM[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

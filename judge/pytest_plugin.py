@@ -1,8 +1,8 @@
 """The pytest plug-in: each test group of a problem as a test of its own.
 
-    @pytest.mark.judge_problem("segment")
-    def test_intersection(judge_group):
-        judge_group.check(my_intersection)
+    @pytest.mark.judge_problem("count")
+    def test_count(judge_group):
+        judge_group.check(my_count)
 
 It is loaded at the start of every pytest run wherever judge is installed, so nothing of judge is imported
 until a test asks for it.
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _MARKER = "judge_problem"
 _FIXTURE = "judge_group"
-_USE = f"write @pytest.mark.{_MARKER}('segment'), or any problem that 'judge list' shows"
+_USE = f"write @pytest.mark.{_MARKER}('count'), or any problem that 'judge list' shows"
 _PROBLEMS = pytest.StashKey[dict[Any, "JudgeProblem"]]()  # each is read and built once a session
 
 

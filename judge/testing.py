@@ -2,8 +2,8 @@
 
     from judge.testing import judge_problem
 
-    def test_intersection():
-        judge_problem("segment").check(my_intersection)
+    def test_count():
+        judge_problem("count").check(my_count)
 
 The routine is called in this process, so it is trusted; `judge run` contains what is not. What it does to
 Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
@@ -13,34 +13,25 @@ test of its own; see `judge.pytest_plugin`.
 
 from __future__ import annotations
 
-import decimal
 import os
-import sys
-import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
-from typing import Any
 
 from msgspec import Struct
 
-from judge.compare.check import check
-from judge.data import GroupData, ProblemData, load_data
-from judge.diagnose.mistakes import known_mistakes
-from judge.errors import UsageError, nearest
+from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.errors import UsageError
+from judge.judging.routine import Held, Routine, held
+from judge.problem import Group, Problem
+from judge.problem.choose import chosen_groups
+from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
-from judge.run.result import GroupResult, Mode
-from judge.run.tally import Tally
-from judge.sandbox import Stop
-from judge.sandbox.encode import encode
-from judge.spec import Case, Group, Problem
-from judge.spec.find import find_problem
-
-Routine = Callable[..., Any]
+from judge.run.result import GroupResult
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
 
@@ -71,10 +62,7 @@ class JudgeProblem:
 
     def group(self, name: str) -> JudgeGroup:
         """One of its test groups. Raises UsageError if it has none of that name."""
-        if name not in self.groups:
-            meant = nearest(name, self.groups)
-            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(self.groups)}"
-            raise UsageError(f"{self.problem.id} has no group {name!r}", remedy=remedy)
+        chosen_groups(self.problem, [name])
         return JudgeGroup(self, name)
 
     def check(self, routine: Routine, groups: str | Iterable[str] | None = None) -> None:
@@ -82,25 +70,24 @@ class JudgeProblem:
 
         It takes the problem's parameters in their order, numbers as int or float and points as pairs of
         them, and returns what `judge show` says. Wrap another signature:
-        `check(lambda cx, cy, r, A, B: mine(Circle(cx, cy, r), Line(A, B)))`.
+        `check(lambda x, y, A, B: mine(Point(x, y), [A, B]))`.
 
         Raises:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
                 such group, what was wanted and got, how many cases of each group fail, and the known mistakes
-                that the group is there for.
+                that the group should catch.
             UsageError: there is no such group, or none is named: nothing would be held against anything.
             ProblemError: the problem is broken.
         """
         __tracebackhide__ = True  # pytest shows the caller's line
         chosen = self.groups if groups is None else (groups,) if isinstance(groups, str) else tuple(groups)
-        for name in chosen:
-            self.group(name)
+        chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        judged = [_judged(self.data, each, routine) for each in self.data.groups if each.group.name in chosen]
-        failed = next((each for each in judged if each.tally.failure is not None), None)
+        judged = held(self.data, routine, chosen)
+        failed = next((each for each in judged if each.failure is not None), None)
         if failed is not None:
-            results = [each.tally.result() for each in judged]
+            results = [each.result for each in judged]
             text = _text(_lines(self.problem, routine, failed, results))
             raise AssertionError(text) from failed.raised
 
@@ -136,92 +123,10 @@ class JudgeGroup(Struct, frozen=True):
         return group
 
 
-class _Judged(Struct, frozen=True):
-    """A group, judged, and the first exception of the routine if that is its first failure."""
-
-    tally: Tally
-    raised: Exception | None
-
-
-def _judged(data: ProblemData, group: GroupData, routine: Routine) -> _Judged:
-    tally = Tally(data, group, Mode.FUNCTION)
-    first: Exception | None = None
-    with _as_it_was():
-        replies = list(_replies(routine, group.cases))
-    for index, (reply, target) in enumerate(zip(replies, group.targets, strict=True)):
-        if isinstance(reply, _Raised):
-            if tally.failure is None:
-                first = reply.fault
-            tally.stopped(index, Stop.EXCEPTION, reply.told)
-        else:
-            outcome = check(data.problem.answer, reply, target, tally.exact(index))
-            tally.compared(index, outcome, reply)
-    return _Judged(tally, first)
-
-
-class _Raised(Struct, frozen=True):
-    """What is told of an exception of the routine; the first one itself, which holds all that it saw."""
-
-    told: str
-    fault: Exception | None
-
-
-def _replies(routine: Routine, cases: Sequence[Case]) -> Iterator[Any]:
-    """The encoded answers; a case that raises is lost and the others are called, as `judge run` has it."""
-    first = True
-    for case in cases:
-        try:
-            reply = encode(routine(*case))
-        except Exception as fault:
-            reply = _Raised(_told(fault), fault if first else None)
-            first = False
-        yield reply
-
-
-@contextmanager
-def _as_it_was() -> Iterator[None]:
-    """Undo at the end what was done to the state that the whole process shares.
-
-    So that no test group depends on the one before it, nor the caller's next test on any.
-    """
-    with ExitStack() as undone:
-        undone.enter_context(decimal.localcontext())
-        undone.enter_context(warnings.catch_warnings())
-        # Who imports these only now finds them new: there is nothing to undo.
-        if random := sys.modules.get("random"):
-            undone.callback(random.setstate, random.getstate())
-        if numpy := sys.modules.get("numpy"):
-            undone.enter_context(numpy.errstate())
-        if numpy_random := sys.modules.get("numpy.random"):
-            undone.callback(numpy_random.set_state, numpy_random.get_state())
-        undone.callback(sys.set_int_max_str_digits, sys.get_int_max_str_digits())
-        undone.callback(sys.setrecursionlimit, sys.getrecursionlimit())  # first: the others need room too
-        yield
-
-
-def _told(fault: Exception) -> str:
-    try:
-        what = " ".join(str(fault).split())
-    except Exception:  # a text of its own that fails: what was raised matters more
-        what = "(its text cannot be shown)"
-    place = _place(fault.__traceback__)
-    return f"{type(fault).__name__}{': ' if what else ''}{what}{f' ({place})' if place else ''}"
-
-
-def _place(step: TracebackType | None) -> str:
-    """The innermost line that led to an exception, as editors open it."""
-    place = ""
-    while step is not None:
-        code = step.tb_frame.f_code
-        place = "" if code.co_filename == __file__ else f"{code.co_filename}:{step.tb_lineno}"
-        step = step.tb_next
-    return place
-
-
 def _lines(
-    problem: Problem, routine: Routine, failed: _Judged, results: Sequence[GroupResult]
+    problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult]
 ) -> Iterator[Line]:
-    failure = failed.tally.failure
+    failure = failed.failure
     assert failure is not None
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
@@ -236,18 +141,18 @@ def _lines(
         columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
         rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
         yield from (line(), *Table(columns, rows).lines(_WIDTH))
-    yield from _hints(problem, failed.tally.group.group)
+    yield from _hints(problem, failed.group)
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:
-    """The known mistakes that the failing group is there for."""
+    """The known mistakes that the failing group should catch."""
     sentences: dict[str, str] = {}
     for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
         sentences.setdefault(mistake.name, mistake.sentence)
     if not group.kills:
         return
     yield line()
-    yield line(f"  {group.name} is there for")
+    yield line(f"  {group.name} should catch")
     for name in group.kills:
         text = f"{name}: {sentences[name]}" if name in sentences else name
         yield from hanging(Span(""), Span(text), _WIDTH, indent=4, column=4)

@@ -1,4 +1,7 @@
-"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once."""
+"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once.
+
+Ctrl-C reaches the processes that tests start, however the tests themselves were started.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -17,7 +21,15 @@ import pytest
 
 _OWN = "JUDGE_DB"
 _LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
+_TESTS = Path(__file__).parent
+_SLOW = ("security", "packaging", "mutation", "fuzz")
 _A_DAY = 24 * 3600  # longer than any run of the tests
+
+
+def pytest_configure() -> None:
+    """Let the processes that tests start hear Ctrl-C where we do not, in the background or under nohup."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
 
 
 def pytest_sessionstart() -> None:
@@ -30,11 +42,28 @@ def pytest_sessionstart() -> None:
                     shutil.rmtree(entry.path, ignore_errors=True)  # which follows no link
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark as slow what whole folders are for: attacks, distributions, changed solutions, invented input."""
+    for item in items:
+        if item.path.is_relative_to(_TESTS) and item.path.relative_to(_TESTS).parts[0] in _SLOW:
+            item.add_marker(pytest.mark.slow)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _session_history(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Processes that tests start inherit it, so it is set before the first test. pytest clears it away."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(_OWN, str(tmp_path_factory.mktemp("history") / "history.sqlite3"))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _compiled_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Hundreds of processes import the judge; compiled it is, if not beside its files then elsewhere."""
+    with pytest.MonkeyPatch.context() as patch:
+        if os.environ.get("PYTHONDONTWRITEBYTECODE"):
+            patch.delenv("PYTHONDONTWRITEBYTECODE")
+            patch.setenv("PYTHONPYCACHEPREFIX", str(tmp_path_factory.mktemp("compiled")))
         yield
 
 

@@ -2,12 +2,14 @@
 
     app.py          the commands' table, loading a command when it is used, and how everything ends
     commands/       one module a command
-    options.py      options and look-ups that several commands share
+    options.py      options that several commands share; judging_options.py: those of the ones that judge
     submissions.py  reading the files to judge; target.py: the files that options write
-    containment.py, naming.py, diagnosis.py, regression.py, picture.py, recording.py, outputs.py
-                    what `judge run` and its kin do around the judging of a submission
+    judging.py      what `judge run` and `judge watch` ask of `judge.judging`
+    regression.py, picture.py, recording.py, outputs.py
+                    what becomes of a result
     kata.py         the kata in hand
-    board.py        the screen of `judge watch`
+    watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
+    wish.py         what is asked for
     complete.py     what a shell completes
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.

@@ -27,6 +27,7 @@ from click.shell_completion import (
 )
 
 from judge.errors import JudgeError
+from judge.language import PATTERN, SUFFIX
 
 if TYPE_CHECKING:  # at run time click's older versions have no parameters there
     _ParamType = click.ParamType[Any]
@@ -105,7 +106,7 @@ class _Offered(_ParamType):
 
 def _problems(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> Items:
     """Ids of problems; installed packs are searched, which takes longer, only where no other one fits."""
-    from judge.spec.find import near_problem_folders, problem_folders
+    from judge.problem.find import near_problem_folders, problem_folders
 
     extra = ctx.params.get("folders") or ()
     given = ctx.params.get(parameter.name or "")
@@ -120,7 +121,7 @@ def _problems(ctx: click.Context, parameter: click.Parameter, incomplete: str) -
 
 def _groups(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
     """The test groups of the problem that was typed before."""
-    from judge.spec.find import find_problem
+    from judge.problem.find import find_problem
 
     typed = [ctx.params.get(each.name or "") for each in ctx.command.params if _name(each) == "PROBLEM"]
     # Behind an option that still lacks its value click has not looked: there the words are as they came.
@@ -148,12 +149,14 @@ def _kind(kind: str) -> Offer:
     return lambda _ctx, _parameter, incomplete: [CompletionItem(incomplete, type=kind)]
 
 
+_KIND = SUFFIX.removeprefix(".")  # of what is to be completed: a program's file
 _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "PROBLEM"): _problems,
     ("argument", "GROUP"): _groups,
     ("argument", "SET"): _sets,
     ("argument", "COMMAND"): _schemas,
-    ("argument", "FILE"): _kind("py"),
+    ("argument", "FILE"): _kind(_KIND),
+    ("argument", "DIR"): _kind("dir"),
     ("option", "G"): _groups,
     ("option", "DIR"): _kind("dir"),
 }
@@ -162,7 +165,14 @@ _OFFERS: dict[tuple[str, str], Offer] = {
 # -- the shells ------------------------------------------------------------------------------------------
 
 
-class _Bash(BashComplete):
+class _Files(ShellComplete):
+    """A script that leaves the completion of programs' files to the shell."""
+
+    def source_vars(self) -> Any:
+        return {**super().source_vars(), "kind": _KIND, "pattern": PATTERN, "suffix": SUFFIX}
+
+
+class _Bash(_Files, BashComplete):
     """bash takes `--group=x` for three words, and a word may be empty: they come a line each."""
 
     source_template = """\
@@ -174,11 +184,11 @@ class _Bash(BashComplete):
         case $kind in
             dir) compopt -o dirnames 2>/dev/null ;;
             file) compopt -o default 2>/dev/null ;;
-            py)
+            %(kind)s)
                 compopt -o filenames -o plusdirs 2>/dev/null
                 while read -r name; do
                     COMPREPLY+=("$name")
-                done < <(compgen -f -X '!*.py' -- "$2") ;;
+                done < <(compgen -f -X '!%(pattern)s' -- "$2") ;;
             plain) COMPREPLY+=("$value") ;;
         esac
     done <<< "$response"
@@ -201,7 +211,7 @@ def _plain(word: str) -> str:
     return "".join(split_arg_string(word))
 
 
-class _Zsh(ZshComplete):
+class _Zsh(_Files, ZshComplete):
     source_template = """\
 #compdef %(prog_name)s
 
@@ -215,7 +225,7 @@ class _Zsh(ZshComplete):
         case $kind in
             dir) _path_files -/ ;;
             file) _files ;;
-            py) _files -g '*.py' ;;
+            %(kind)s) _files -g '%(pattern)s' ;;
             plain)
                 if [[ $about == _ ]]; then
                     bare+=("$value")
@@ -236,7 +246,7 @@ fi
 """
 
 
-class _Fish(FishComplete):
+class _Fish(_Files, FishComplete):
     source_template = """\
 function %(complete_func)s
     set -l response (env %(complete_var)s=fish_complete COMP_WORDS=(commandline -cp | string collect) \\
@@ -249,8 +259,8 @@ function %(complete_func)s
                 __fish_complete_directories $metadata[2]
             case file
                 __fish_complete_path $metadata[2]
-            case py
-                __fish_complete_path $metadata[2] | string match -r '^.*(?:/|\\.py)(?:\\t.*)?$'
+            case %(kind)s
+                __fish_complete_path $metadata[2] | string match -r '^.*(?:/|\\%(suffix)s)(?:\\t.*)?$'
             case plain
                 echo $metadata[2]
         end

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from judge.errors import UsageError
-from judge.spec import Problem
-from judge.spec.hints import Hint, read_hints
+from judge.problem import Problem
+from judge.problem.hints import Hint, read_hints
 
 
 def hints_of(problem: Problem) -> tuple[Hint, ...]:

@@ -10,8 +10,10 @@ from msgspec import Struct
 
 from judge.data.atomic import new_file, replace_file
 from judge.errors import UsageError
-from judge.spec import Problem
-from judge.spec.find import find_problem
+from judge.problem import Problem
+from judge.problem.find import find_problem, shipped_problems
+from judge.report.layout import Style
+from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.kata.history import Current
@@ -31,8 +33,8 @@ def kata_in_hand(db: Path | None) -> Current:
     return current
 
 
-def file_in_hand(db: Path | None) -> tuple[str, str]:
-    """The problem of the kata in hand and its file, as a person would name it from here.
+def file_in_hand(db: Path | None) -> tuple[Current, str]:
+    """The kata in hand, and its file as a person would name it from here.
 
     Raises:
         UsageError: there is no kata in hand, or its file is gone.
@@ -43,12 +45,36 @@ def file_in_hand(db: Path | None) -> tuple[str, str]:
         what = f"the file of the kata in hand, {current.problem}, is not there"
         remedy = f"'judge init {current.problem}' begins it"
         raise UsageError(what, where=name, remedy=remedy)
-    return current.problem, name
+    return current, name
 
 
 def problem_in_hand(name: str | None, folders: Sequence[Path], db: Path | None) -> Problem:
     """The problem of that name; where none is named, that of the kata in hand. Raises UsageError."""
-    return find_problem(kata_in_hand(db).problem if name is None else name, folders)
+    return problem_of(kata_in_hand(db), folders) if name is None else find_problem(name, folders)
+
+
+def problem_of(current: Current, folders: Sequence[Path]) -> Problem:
+    """The problem of the kata in hand, which keeps the folder it was found in. Raises UsageError."""
+    try:
+        return find_problem(current.problem, with_folder_of(current, folders))
+    except UsageError as fault:
+        if not current.problems or Path(current.problems).is_dir():
+            raise
+        what = f"the problem of the kata in hand, {current.problem}, is not there"
+        remedy = "name the folder that it is in now with --problems"
+        raise UsageError(what, where=current.problems, remedy=remedy) from fault
+
+
+def with_folder_of(current: Current | None, folders: Sequence[Path]) -> tuple[Path, ...]:
+    """The folders to look in, the one of the kata in hand last."""
+    kept = Path(current.problems) if current and current.problems else None
+    return (*folders, kept) if kept is not None and kept.is_dir() else tuple(folders)
+
+
+def folder_to_keep(problem: Problem) -> str:
+    """Where a kata's problem must be looked for later: nothing where every judge finds it by itself."""
+    folder = problem.folder.parent.absolute()
+    return "" if folder == shipped_problems() else str(folder)
 
 
 class Kata(Struct, frozen=True):
@@ -68,7 +94,7 @@ def take_up(kata: Kata, db: Path | None) -> None:
     from judge.kata.history import History
 
     with History.open(db) as history:
-        history.take_up(kata.problem.id, str(kata.path))
+        history.take_up(kata.problem.id, str(kata.path), folder_to_keep(kata.problem))
 
 
 def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
@@ -97,14 +123,13 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
 
 
-def next_problem(after: str, folders: Sequence[Path], db: Path | None) -> Problem | None:
-    """The problem of the path that comes after that one and is not passed; failing that, the first one.
+def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Problem | None:
+    """The problem that comes after that one and is not passed; failing that, the first one of all.
 
     None where all others are passed.
     """
     from judge.kata.standing import State
 
-    katas = the_path(folders, db)[1]
     names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
     for problem, standing in [*katas[at:], *katas[:at]]:
@@ -122,7 +147,13 @@ def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, lis
     path = find_set(USUAL, folders)
     with History.open(db, reading=True) as history:
         found = standings(history.runs())
-    return path, [(find_problem(name, folders), found.get(name, Standing())) for name in path.problems]
+    return path, [(problem, found.get(problem.id, Standing())) for problem in path.problems]
+
+
+def tell_faults(chosen: PracticeSet) -> None:
+    """Write a line for each problem that may be missing from the set."""
+    for fault in chosen.faults:
+        note(str(fault), Style.BAD)
 
 
 def shown(path: str | Path) -> str:

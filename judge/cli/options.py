@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
-
-from judge.errors import UsageError, nearest
-from judge.spec import Group, Problem
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -40,22 +36,9 @@ db_option: Callable[[F], F] = click.option(
 )
 
 
-def chosen_groups(problem: Problem, names: Sequence[str]) -> tuple[Group, ...]:
-    """The problem's groups of those names, all of them where none is named.
-
-    Raises:
-        UsageError: the problem has no group of that name.
-    """
-    known = [group.name for group in problem.groups]
-    for name in names:
-        if name not in known:
-            meant = nearest(name, known)
-            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
-            raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
-    return tuple(group for group in problem.groups if not names or group.name in names)
-
-
 def write_json(value: object) -> None:
     """Write one object on one line of standard output."""
+    import json  # a person at a terminal does without
+
     sys.stdout.write(json.dumps(value, allow_nan=False) + "\n")
     sys.stdout.flush()

@@ -6,43 +6,19 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import click
 from msgspec import Struct
 
+from judge.cli.judging_options import GITHUB, JSON, TEXT
 from judge.cli.options import write_json
-from judge.cli.picture import Drawing
 from judge.cli.submissions import Submission, read_submissions
-from judge.cli.target import Target
+from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
-from judge.report.kata import pointer_lines
-from judge.report.layout import line
-from judge.report.results import lines_beside, result_lines, summary_lines, verdict_lines
-from judge.report.screen import out
-from judge.run import Result, exit_code, judge_fault
 
-TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
-
-format_option = click.option(
-    "--format",
-    "form",
-    metavar="FORMAT",
-    type=click.Choice(FORMATS),
-    help="text, json (as --json) or github: annotations at the file's lines.",
-)
-junit_option = click.option(
-    "--junit",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Write the results into a JUnit XML file too.",
-)
-
-
-def chosen_format(form: str | None, *, as_json: bool) -> str:
-    """The format that the options come to. Raises UsageError where they contradict each other."""
-    if as_json and form not in (None, JSON):
-        raise UsageError(f"--json and --format {form} contradict each other", remedy="leave one out")
-    return JSON if as_json else form or TEXT
+if TYPE_CHECKING:
+    from judge.cli.picture import Drawing
+    from judge.run.result import Result
 
 
 class OnScreen(Struct, frozen=True):
@@ -53,6 +29,11 @@ class OnScreen(Struct, frozen=True):
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several."""
+        from judge.report.kata import pointer_lines
+        from judge.report.layout import line
+        from judge.report.results import lines_beside, result_lines, verdict_lines
+        from judge.report.screen import out
+
         screen = out()
         if not self.brief:
             drawn = drawing.lines(screen, beside=lines_beside(result, screen.width))
@@ -64,6 +45,9 @@ class OnScreen(Struct, frozen=True):
 
     def close(self, results: Sequence[Result]) -> None:
         """The table of several."""
+        from judge.report.results import summary_lines
+        from judge.report.screen import out
+
         if len(results) > 1:
             screen = out()
             screen.show(summary_lines(results, screen.width))
@@ -82,7 +66,7 @@ class Outputs:
     """
 
     def __init__(self, form: str, screen: OnScreen, junit: Path | None) -> None:
-        self._junit = Target(junit, "--junit", "JUnit XML", _is_junit) if junit else None
+        self._junit = OutFile(junit, "--junit", "JUnit XML", _is_junit) if junit else None
         if self._junit:
             self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else
@@ -105,6 +89,8 @@ class Outputs:
         """
         if isinstance(fault, UsageError | OSError) or self.on_screen:
             return
+        from judge.run.execute import judge_fault
+
         self.expected = self.expected or read_submissions(files)
         for submission in self.expected[len(self._results) :]:
             self._write(judge_fault(problem, submission.name, told(fault)), "")
@@ -112,6 +98,8 @@ class Outputs:
 
     def close(self) -> ExitCode:
         """Write what comes last; what the results come to."""
+        from judge.run.result import exit_code
+
         if self._form == TEXT:
             self._screen.close(self._results)
         self._save()

@@ -5,26 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
 from msgspec import Struct
 
-from judge.cli.target import Target
-from judge.data import ProblemData
-from judge.errors import UsageError, told
+from judge.cli.target import svg_target
+from judge.data.model import ProblemData
+from judge.errors import told
+from judge.problem import Problem
+from judge.problem.model import case_of
+from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, note
-from judge.run import Result
-from judge.spec import Case, Problem
+from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from judge.diagnose.picture import Picture
-
-svg_option = click.option(
-    "--svg",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Draw the failing case of a submission into an SVG file.",
-)
+    from judge.drawing import Picture
 
 
 class Drawing(Struct, frozen=True):
@@ -36,23 +30,24 @@ class Drawing(Struct, frozen=True):
 
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
-        from judge.diagnose.picture import compose  # late: an accepted submission does without
-
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
         if failure is None or group is None:
             return None
         found = self.result.counterexample or {}
         heading = f"{group.name}, case {failure.case}"
-        values, wanted, got = failure.input, failure.expected, failure.got
+        values, wanted, got, given = failure.input, failure.expected, failure.got, failure.given
         if found.get("input"):
             heading, values = "counterexample", found["input"]
             wanted, got = found.get("expected"), found.get("got")
+            given = self.result.counterexample_given
         if not values:
             return None
-        case: Case = tuple(tuple(v) if isinstance(v, list) else v for v in values.values())
-        exact, _ = self.data.exact(case, group)
-        return compose(self.problem, values, exact, wanted=wanted, got=got, heading=heading)
+        draw = self.data.module.topic.picture
+        if draw is None:
+            return None
+        exact, _ = self.data.exact(case_of(values), group)
+        return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
 
     def lines(self, screen: Screen, *, beside: int) -> list[Line]:
         """The drawing for a terminal, low enough that so many other lines are seen with it.
@@ -75,24 +70,11 @@ class Drawing(Struct, frozen=True):
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
         if path is None:
             return
-        from judge.diagnose.picture.svg import to_svg
+        from judge.drawing.svg import to_svg
 
         picture = self.picture()
         if picture is None:
-            text = f"nothing to draw, {path} is not written: no case of a circle and a line failed"
+            text = f"nothing to draw, {path} is not written: no case failed that can be drawn"
             note(text)
             return
-        _target(path).write(to_svg(picture).encode())
-
-
-def check_svg(path: Path | None, submissions: int) -> None:
-    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
-    if path is None:
-        return
-    if submissions > 1:
-        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
-    _target(path).check()
-
-
-def _target(path: Path) -> Target:
-    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+        svg_target(path).write(to_svg(picture).encode())

@@ -7,19 +7,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
 from judge.cli.submissions import Submission
 from judge.errors import told
 from judge.report.screen import note
-from judge.run import Result
+from judge.run.result import Result
 
 if TYPE_CHECKING:
     from judge.kata.history import History
-
-no_history_option = click.option(
-    "--no-history", "unrecorded", is_flag=True, help="Do not keep the runs in the history."
-)
 
 
 class Recording:
@@ -28,7 +22,7 @@ class Recording:
     A result is added before it is shown: whoever has seen it finds it there, even if the judge is killed at
     that moment. A commit hands it to the system, which outlives the judge (see `judge.kata.database`).
 
-    A history that fails is told of once and then left alone: exit status and verdicts are what they would be
+    A history that fails gets one note and is then left alone: exit status and verdicts are what they would be
     without it.
     """
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
+from judge.language import NAME, PATTERN, is_program
 from judge.reading import read_ordinary, read_pipe
 
 _LARGEST = 4 * 2**20  # bytes; no person writes more
@@ -36,20 +37,22 @@ def read_submissions(names: Iterable[str]) -> list[Submission]:
 
 def _files(name: str) -> list[str]:
     if not name:  # which would be the current folder
-        raise UsageError("no such file", where="''", remedy="name a Python file")
+        raise UsageError("no such file", where="''", remedy=f"name a {NAME} file")
     try:
         is_folder = stat.S_ISDIR(Path(name).stat().st_mode)
         if not is_folder:
             return [name]
         # Not glob, to which a folder that may not be read is an empty one.
-        found = sorted(path for path in Path(name).iterdir() if path.suffix == ".py" and path.is_file())
+        found = sorted(path for path in Path(name).iterdir() if is_program(path) and path.is_file())
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
         raise UsageError("no such file", where=repr(name)) from fault
     if not found:
         raise UsageError(
-            "this folder holds no *.py file", where=name, remedy="name a file, or a folder of submissions"
+            f"this folder holds no {PATTERN} file",
+            where=name,
+            remedy="name a file, or a folder of submissions",
         )
     return [str(path) for path in found]
 
@@ -63,7 +66,7 @@ def _read(name: str) -> bytes:
         elif stat.S_ISREG(mode):
             source = read_ordinary(path, _LARGEST + 1)
         else:
-            raise UsageError("this is no ordinary file", where=name, remedy="name a Python file")
+            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     if len(source) > _LARGEST:

@@ -16,7 +16,7 @@ from judge.reading import read_ordinary
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 
 
-class Target(Struct, frozen=True):
+class OutFile(Struct, frozen=True):
     """The file at `path` that `option` names.
 
     What is there already is written over only if it is empty or `ours` says of its first bytes that it is
@@ -53,6 +53,18 @@ class Target(Struct, frozen=True):
     def _is_ours(self) -> bool:
         start = read_ordinary(self.path, _LOOKED_AT)
         return not start.strip() or self.ours(start)
+
+
+def svg_target(path: Path) -> OutFile:
+    """The file that `--svg` names."""
+    return OutFile(path, "--svg", "SVG", lambda start: b"<svg" in start)
+
+
+def check_svg(path: Path, submissions: int) -> None:
+    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
+    if submissions > 1:
+        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
+    svg_target(path).check()
 
 
 def check_place(path: Path, option: str) -> None:

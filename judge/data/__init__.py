@@ -1,7 +1,23 @@
-"""Test data: building cases, proving promises, pinning and caching them."""
+"""Test data: building cases, proving promises, pinning and caching them.
 
-from judge.data.cache import cache_folder
-from judge.data.load import load_data
-from judge.data.model import GroupData, ProblemData
+The names below are imported when they are asked for: who needs only one of the files need not wait for all.
+"""
 
-__all__ = ["GroupData", "ProblemData", "cache_folder", "load_data"]
+from __future__ import annotations
+
+from typing import Any
+
+_FROM = {
+    "GroupData": "model",
+    "ProblemData": "model",
+    "cache_folder": "cache",
+    "load_data": "load",
+}
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name not in _FROM:
+        raise AttributeError(f"module 'judge.data' has no attribute {name!r}")
+    return getattr(import_module(f"judge.data.{_FROM[name]}"), name)

@@ -31,7 +31,7 @@ def replace_file(path: Path, content: bytes) -> None:
 
     Where a link leads, so that it stays one. A file that is replaced passes on its permissions.
     """
-    place = Path(os.path.realpath(path))  # unlike Path.resolve it takes a circle of links for a file
+    place = Path(os.path.realpath(path))  # unlike Path.resolve it takes a loop of links for a file
     with _written_beside(place, content, _mode(place)) as temporary:
         temporary.replace(place)
 

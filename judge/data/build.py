@@ -1,4 +1,4 @@
-"""Building a problem's cases from its builders, and their targets from its exact reference.
+"""Building a problem's cases from its builders, and their targets from its exact answers.
 
 Case i of a group is drawn from the seed text `seed/group/i/attempt`; attempts go on until one is neither
 rejected by its builder, nor out of bounds, nor against the promise, nor already in the group. So a case
@@ -8,65 +8,71 @@ depends on nothing but the group's own declaration and the cases before it.
 from __future__ import annotations
 
 import inspect
+import marshal
 from collections import Counter
 from collections.abc import Callable, Container
 from functools import partial
 from typing import Any
 
-from judge.compare.answers import Answer, Count, Parameter, Points
-from judge.compare.check import Rejection, check
-from judge.compare.targets import compile_answer
 from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
-from judge.spec import AnswerKind, Case, Example, Group, Problem, Tolerance
-from judge.spec.statement import EXAMPLES
-from judge.spec.tomlfile import group_place
+from judge.problem import Case, Example, Group, Problem, Tolerance
+from judge.problem.model import EXAMPLES
+from judge.problem.tomlfile import group_place
+from judge.values import Exact, Rejection, Target
 
-_ANSWERS: dict[AnswerKind, type[Answer]] = {
-    AnswerKind.COUNT: Count,
-    AnswerKind.POINTS: Points,
-    AnswerKind.PARAMETER: Parameter,
-}
 _ATTEMPTS = 1_000  # for one case
+
+SolvedCase = tuple[Case, Exact]
 
 
 def build(
     problem: Problem, module: ProblemModule, seed: int | None = None, progress: Progress | None = None
 ) -> list[GroupData]:
-    """Every group's data. Raises ProblemError, also where a worked example contradicts the reference."""
-    _check_examples(problem, module)
+    """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
+    examples = _solved_examples(problem, module)
     total = sum(group.count for group in problem.groups)
     done = 0
     built = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        cases = build_cases(problem, module, group)
-        with blaming(problem, f"group {group.name!r}: the reference fails"):
-            targets = [compile_answer(_answer(problem, module, case), group.tolerance) for case in cases]
-        built.append(GroupData(group, cases, targets))
-        done += len(cases)
+        solved = examples if group.builder == EXAMPLES else build_cases(problem, module, group)
+        _check_size(problem, group, [case for case, _ in solved])
+        targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
+        built.append(GroupData(group, [case for case, _ in solved], targets))
+        done += len(solved)
         if progress is not None:
             progress(done, total)
     return built
 
 
-def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[Case]:
-    """The cases of one group, each of them proved. Raises ProblemError."""
-    validator = Validator(problem, module.promise)
-    if group.builder == EXAMPLES:
-        return [_example_case(each, validator, problem) for each in problem.examples]
+def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[SolvedCase]:
+    """The cases of one group and their exact answers, each of them proved. Raises ProblemError."""
+    validator = Validator(problem, module.solve)
     builder = bound_builder(problem, module, group)
-    cases: dict[Case, None] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
+    cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
     what = f"group {group.name!r}: the builder {group.builder!r} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
             draws = partial(_seeded, group, number)
-            case = new_case(problem, group, builder, validator, draws, number + 1, cases)
-            cases[case] = None
-    return list(cases)
+            case, answer = new_case(problem, group, builder, validator, draws, number + 1, cases)
+            cases[case] = answer
+    return list(cases.items())
+
+
+def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
+    """Hold a group's cases, as a function receives them, against the limit on its input."""
+    sent = len(marshal.dumps([tuple(arguments) for arguments in problem.calls(cases)]))
+    most = problem.limits.input_bytes
+    if sent > most:
+        raise ProblemError(
+            f"group {group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
+            where=group_place(problem, group.name, "count"),
+            remedy="raise input_mb in [limits], or make fewer or smaller cases",
+        )
 
 
 def case_seed(group: Group, number: int, attempt: int) -> str:
@@ -82,11 +88,21 @@ def choices_of(
     group: Group, builder: Callable[[Draw], Any], number: int, case: Case
 ) -> tuple[int, ...] | None:
     """The choices that case `number` (from 0) of the group was built from; None if it was not."""
+    attempt = attempt_of(group, builder, number, case)
+    if attempt is None:
+        return None
+    draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
+    builder(draw)
+    return tuple(draw.choices)
+
+
+def attempt_of(group: Group, builder: Callable[[Draw], Any], number: int, case: Case) -> int | None:
+    """The attempt that made case `number` (from 0) of the group; None if it was not made there."""
+    shown = repr(case)  # 1 and 1.0 are two cases here
     for attempt in range(_ATTEMPTS):
-        draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
         try:
-            if repr(builder(draw)) == repr(case):  # 1 and 1.0 are two cases here
-                return tuple(draw.choices)
+            if repr(builder(SeededDraw(case_seed(group, number, attempt)))) == shown:
+                return attempt
         except Rejected:
             continue
     return None
@@ -100,10 +116,10 @@ def new_case(
     draws: Callable[[int], Draw],
     number: int,
     taken: Container[Case] = (),
-) -> Case:
-    """Case `number` (from 1) of a group, proved and not `taken`; `draws` gives the source for each attempt.
+) -> SolvedCase:
+    """Case `number` (from 1) of a group and its exact answer: the case is proved and not `taken`.
 
-    Raises ProblemError where none of the attempts makes a case.
+    `draws` gives the source for each attempt. Raises ProblemError where none of the attempts makes a case.
     """
     failures: Counter[str] = Counter()
     latest: dict[str, str] = {}  # for each reason, what the last such fault was
@@ -122,14 +138,15 @@ def new_case(
         if fault := validator.bounds(case):
             failures["out of bounds"] += 1
             latest["out of bounds"] = f" ({fault})"
-        elif fault := validator.promise(case):
+            continue
+        proof = validator.promise(case)
+        if proof.fault:
             failures["against the promise"] += 1
-            latest["against the promise"] = f" ({fault})"
+            latest["against the promise"] = f" ({proof.fault})"
         elif case in taken:
             failures["already in the group"] += 1
         else:
-            proved: Case = case
-            return proved
+            return case, proof.answer
     reason, times = failures.most_common(1)[0]
     raise ProblemError(
         f"group {group.name!r}: the builder {group.builder!r} gives no case {number} of {group.count} "
@@ -161,56 +178,62 @@ def _check_parameters(builder: Builder, parameters: dict[str, Any], problem: Pro
         signature.bind(None, **parameters)
     except TypeError as error:
         names = [name for name in list(signature.parameters)[1:] if name not in parameters]
-        unknown = next((name for name in parameters if name not in signature.parameters), None)
+        takes_any = any(each.kind is each.VAR_KEYWORD for each in signature.parameters.values())
+        strange = [name for name in parameters if name not in signature.parameters and not takes_any]
+        unknown = strange[0] if strange else None
         meant = nearest(unknown, names) if unknown is not None else None
         listed = ", ".join(list(signature.parameters)[1:]) or "none"
+        why = f"it has none called {unknown!r}" if unknown is not None else error
         raise ProblemError(
-            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {error}",
+            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {why}",
             where=group_place(problem, group.name, "parameters"),
             remedy=f"did you mean {meant!r}?" if meant else f"its parameters are {listed}",
         ) from None
 
 
-def _example_case(example: Example, validator: Validator, problem: Problem) -> Case:
-    where = f"{problem.id}/statement.md:{example.line}"
-    with blaming(problem, "the promise fails on an example"):
-        fault = validator.fault(example.case)
-    if fault:
-        raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
-    return example.case
+def _solved_examples(problem: Problem, module: ProblemModule) -> list[SolvedCase]:
+    """The worked examples and their exact answers, proved; each shows a right answer. Raises ProblemError.
 
-
-def _check_examples(problem: Problem, module: ProblemModule) -> None:
-    """Hold every worked example against the reference, whether or not a group judges by them."""
+    They are looked at whether or not a group judges by them.
+    """
     group = next((each for each in problem.groups if each.builder == EXAMPLES), problem.groups[0])
-    validator = Validator(problem, module.promise)
+    validator = Validator(problem, module.solve)
+    solved = []
     for example in problem.examples:
-        _check_example(problem, module, example, _example_case(example, validator, problem), group.tolerance)
+        where = f"{problem.id}/statement.md:{example.line}"
+        proof = validator.proof(example.case)
+        if proof.fault:
+            what = f"the example is invalid: {proof.fault}"
+            raise ProblemError(what, where=where, remedy="correct the example")
+        _check_example(problem, example, proof.answer, group.tolerance, where)
+        solved.append((example.case, proof.answer))
+    return solved
 
 
 def _check_example(
-    problem: Problem, module: ProblemModule, example: Example, case: Case, tolerance: Tolerance
+    problem: Problem, example: Example, answer: Exact, tolerance: Tolerance, where: str
 ) -> None:
-    with blaming(problem, "the reference fails on an example"):
-        answer = _answer(problem, module, case)
-        target = compile_answer(answer, tolerance)
-    outcome = check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
+    target = target_of(problem, answer, tolerance)
+    outcome = problem.answer.check(_as_json(example.wanted), target, lambda: (answer, tolerance))
     if isinstance(outcome, Rejection):
         raise ProblemError(
-            f"the example contradicts the reference: {outcome.message}",
-            where=f"{problem.id}/statement.md:{example.line}",
-            remedy="correct the example's answer, or the reference",
+            f"the example contradicts solve: {outcome.message}",
+            where=where,
+            remedy="correct the example's answer, or solve",
         )
 
 
-def _answer(problem: Problem, module: ProblemModule, case: Case) -> Answer:
-    """The reference's answer, which must be of the problem's kind."""
-    answer = module.reference(*case)
-    if type(answer) is not _ANSWERS[problem.answer]:
-        raise TypeError(f"a {_ANSWERS[problem.answer].__name__} is wanted, not {answer!r}")
-    return answer
+def target_of(problem: Problem, answer: Exact, tolerance: Tolerance) -> Target:
+    """What an answer is held against. Raises ProblemError where `solve` gave one of another type."""
+    try:
+        return problem.answer.target(answer, tolerance)
+    except Exception:
+        with blaming(problem, "solve's answer cannot be used"):
+            raise
 
 
 def _as_json(value: Any) -> Any:
-    """A literal as a submission's answer arrives: tuples are lists."""
+    """A literal as a submission's answer arrives: tuples are lists, and a word says that it is one."""
+    if isinstance(value, str):
+        return {"word": value}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value

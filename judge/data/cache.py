@@ -15,13 +15,13 @@ from pathlib import Path
 
 from judge.data.kept import VARIABLE, KeptFile
 from judge.errors import ProblemError
+from judge.problem import Problem
 from judge.reading import read_ordinary
-from judge.spec import Problem
 
 FORMAT = 2  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_CODE = ("exact", "compare", "data", "spec")  # the packages that the data depend on
+_CODE = ("exact", "values", "data", "problem", "topics")  # the packages that the data depend on
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder
 
 
@@ -50,13 +50,23 @@ def cache_folder() -> Path:
 
 def data_key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the data are made from."""
+    return content_key(f"{FORMAT}/{seed}", [*own_files(problem), *code_files(_CODE)])
+
+
+def own_files(problem: Problem) -> list[Path]:
+    """The files of the problem's folder that its data are made from, and the pack's own types."""
     own = [path for pattern in _OWN_FILES for path in sorted(problem.folder.glob(pattern))]
-    return content_key(f"{FORMAT}/{seed}", [*own, *code_files(_CODE)])
+    return own + sorted((problem.folder.parent / "types").glob("*.py"))
 
 
 def code_files(packages: Iterable[str]) -> list[Path]:
     """The source files of the judge's packages of those names."""
     return [path for package in packages for path in sorted((_PACKAGE / package).rglob("*.py"))]
+
+
+def all_code_files() -> list[Path]:
+    """The source files of the judge."""
+    return sorted(_PACKAGE.rglob("*.py"))
 
 
 def content_key(start: str, files: Iterable[Path]) -> str:

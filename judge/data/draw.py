@@ -16,6 +16,8 @@ from collections.abc import Sequence
 from random import Random
 from typing import Never, Protocol, TypeVar, final
 
+from judge.errors import ProblemError
+
 T = TypeVar("T")
 
 _BLOCK_BITS = 512  # of one SHA-512 digest
@@ -23,6 +25,16 @@ _BLOCK_BITS = 512  # of one SHA-512 digest
 
 class Rejected(Exception):  # noqa: N818 - a signal, not a fault
     """These choices make no case; the builder is asked again with others."""
+
+
+class BuilderError(ProblemError):
+    """A builder made something else than it says: a mistake in it or in its parameters."""
+
+
+def require(condition: bool, what: str) -> None:
+    """Raise BuilderError unless `condition` holds; `what` says what should have been true."""
+    if not condition:
+        raise BuilderError(f"its check fails: {what}", remedy="check its parameters in problem.toml")
 
 
 class Draw(Protocol):

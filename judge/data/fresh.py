@@ -1,7 +1,8 @@
 """Fresh cases without end: every group's builder with new parameters, round after round.
 
     series r.g    group g in round r: BUILT cases drawn from the seed text `seed/r/g`, each of them proved as
-                  pinned data, and after each IMAGES_EACH of its mirror images (where the problem has them)
+                  pinned data, and after each up to IMAGES_EACH cases that follow from it (where the problem's
+                  topic knows any)
 
 So a series depends on the seed, the round and the group alone, and can be built again.
 """
@@ -15,20 +16,25 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.compare.targets import AnyTarget, compile_answer
-from judge.data.build import bound_builder, new_case
+from judge.data.build import bound_builder, new_case, target_of
 from judge.data.draw import Draw, QuickDraw, RecordedDraw
-from judge.data.images import SYMMETRIES
 from judge.data.model import GroupData
 from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import UsageError
-from judge.spec import Case, Group, Problem
-from judge.spec.statement import EXAMPLES
-from judge.spec.tomlfile import group_place
+from judge.problem import Case, Group, Problem
+from judge.problem.model import EXAMPLES
+from judge.problem.tomlfile import group_place
+from judge.problem.topic import Image
+from judge.values import Target
 
 BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
 IMAGES_EACH = 3
+
+
+def _is_fresh(group: Group) -> bool:
+    """Whether fresh cases of the group are worth building."""
+    return group.builder != EXAMPLES and group.size is None
 
 
 class Series(Struct, frozen=True):
@@ -47,14 +53,15 @@ class Fresh:
         self._problem = problem
         self.module = module
         self.seed = seed
-        self._validator = Validator(problem, module.promise)
+        self._validator = Validator(problem, module.solve)
         # The statement's examples are what they are.
-        self.groups = tuple(group for group in groups if group.builder != EXAMPLES)
+        self.groups = tuple(each for each in groups if _is_fresh(each))
         self._builders = [bound_builder(problem, module, group) for group in self.groups]
         if not self.groups:
-            names = ", ".join(group.name for group in problem.groups if group.builder != EXAMPLES)
+            names = ", ".join(group.name for group in problem.groups if _is_fresh(group))
             raise UsageError(
-                "the examples are no builder's: there are no others", remedy=f"name one of {names}"
+                "these groups have no fresh cases: the examples are no builder's, big cases take too long",
+                remedy=f"name one of {names}",
             )
 
     def series(self) -> Iterator[Series]:
@@ -84,28 +91,28 @@ class Fresh:
         seed = self._text(number, group)
         draw, chance = QuickDraw(seed), QuickDraw(f"images/{seed}")
         cases: list[Case] = []
-        targets: list[AnyTarget] = []
+        targets: list[Target] = []
         starts = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
             for place in range(BUILT):
-                case = new_case(self._problem, group, builder, self._validator, lambda _: draw, place + 1)
-                target = compile_answer(self.module.reference(*case), group.tolerance)
+                case, answer = new_case(
+                    self._problem, group, builder, self._validator, lambda _: draw, place + 1
+                )
+                target = target_of(self._problem, answer, group.tolerance)
                 starts.append(len(cases))
                 cases.append(case)
                 targets.append(target)
-                if self.module.images is not None:
-                    self._add_images(case, target, chance, cases, targets)
+                for image, image_target in self._images(case, target, chance):
+                    cases.append(image)
+                    targets.append(image_target)
         return Series(number, GroupData(group, cases, targets), starts)
 
-    def _add_images(
-        self, case: Case, target: AnyTarget, chance: Draw, cases: list[Case], targets: list[AnyTarget]
-    ) -> None:
-        """Add some of the case's images, those that are within the bounds."""
-        assert self.module.images is not None
-        first, step = chance.integer(0, 6), chance.integer(1, 6)
-        chosen = [SYMMETRIES[(first + step * place) % 7] for place in range(IMAGES_EACH)]  # 7 is prime
-        for image, mirrored in self.module.images(case, target, chosen):
-            if self._validator.bounds(image) is None:
-                cases.append(image)
-                targets.append(mirrored)
+    def _images(self, case: Case, target: Target, chance: Draw) -> Iterator[Image]:
+        """Some cases that follow from this one, those that are within the bounds."""
+        images = self.module.topic.images
+        if images is None:
+            return
+        for image in images(self._problem, case, target, chance, IMAGES_EACH):
+            if self._validator.bounds(image[0]) is None:
+                yield image

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from judge.compare.targets import from_json, to_json
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
-from judge.spec import Case, Group, Problem
+from judge.errors import ProblemError
+from judge.problem import Group, Problem
+
+if TYPE_CHECKING:
+    from judge.data.module import ProblemModule
 
 
 def load_data(
@@ -15,47 +18,72 @@ def load_data(
 ) -> ProblemData:
     """Every group's cases and targets, in the order of the groups.
 
-    With `seed`, each group's own seed is derived from it. `progress` is told of cases while they are built.
+    With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
     Without `cache` they are built afresh and not kept. Raises ProblemError.
     """
     store = DataCache(problem, seed) if cache else None
     if store is not None:
         kept = _from_plain(store.read(), problem, seed)
         if kept is not None:
-            return ProblemData(problem, kept)
+            return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
     from judge.data.build import build
     from judge.data.module import load_module
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
-    note = store.write(_as_plain(groups)) if store is not None else None
+    note = store.write(_as_plain(groups, problem, module)) if store is not None else None
     return ProblemData(problem, groups, (note,) if note else (), module)
 
 
-def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
-    return {data.group.name: [data.cases, [to_json(target) for target in data.targets]] for data in groups}
+def _as_plain(groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule) -> dict[str, Any]:
+    from judge.data.rebuilt import as_seeds
+
+    return {
+        data.group.name: [data.cases, data.targets]
+        if data.group.size is None
+        else as_seeds(data, problem, module)
+        for data in groups
+    }
 
 
-def _from_plain(plain: Any, problem: Problem, seed: int | None) -> tuple[GroupData, ...] | None:
-    """The groups that `_as_plain` wrote, or None if this is anything else."""
+def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
+    """The data that `_as_plain` wrote, or None if this is anything else."""
+    module = None
+    groups = []
     try:
-        return tuple(_group(plain[each.name], problem, reseeded(each, seed)) for each in problem.groups)
-    except (KeyError, TypeError, ValueError, IndexError):  # whatever a foreign file can hold
+        for each in problem.groups:
+            if each.size is not None and module is None:
+                from judge.data.module import load_module  # big cases are built again
+
+                module = load_module(problem)
+            groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
+    except (KeyError, TypeError, ValueError, IndexError, ProblemError):  # whatever a foreign file can hold
         return None
+    return ProblemData(problem, tuple(groups), module=module)
 
 
-def _group(plain: Any, problem: Problem, group: Group) -> GroupData:
-    cases, targets = plain
+def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | None) -> GroupData:
+    cases: Any
+    if group.size is not None and module is not None:
+        from judge.data.rebuilt import from_seeds
+
+        cases, targets = from_seeds(plain, problem, module, group), plain["targets"]
+    else:
+        cases, targets = plain
+        cases = [tupled(each) for each in cases]
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(
-        group,
-        [_case(each) for each in cases],
-        [from_json(problem.answer, each) for each in targets],
-    )
+    return GroupData(group, cases, [_frozen(each) if type(each) is list else each for each in targets])
 
 
-def _case(plain: list[Any]) -> Case:
-    """JSON has no tuples: a point comes back as a list."""
-    return tuple([tuple(each) if type(each) is list else each for each in plain])
+def _frozen(plain: list[Any]) -> tuple[Any, ...]:
+    """`tupled` of a target, most of which are five doubles each."""
+    if plain and type(plain[0]) is float:
+        return tuple(plain)
+    return tuple([_frozen(each) if type(each) is list else each for each in plain])
+
+
+def tupled(plain: list[Any]) -> tuple[Any, ...]:
+    """What came back from JSON as lists is made of tuples, as a case and its values are."""
+    return tuple([tupled(each) if type(each) is list else each for each in plain])

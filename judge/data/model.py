@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.spec import Case, Group, Problem, Tolerance
-from judge.spec.statement import EXAMPLES
+from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem.model import EXAMPLES
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
-    from judge.compare.targets import AnyTarget
     from judge.data.module import ProblemModule
+    from judge.values import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 
@@ -25,7 +24,7 @@ class GroupData(Struct, frozen=True):
 
     group: Group
     cases: list[Case]
-    targets: list[AnyTarget]
+    targets: list[Target]
 
 
 class ProblemData:
@@ -45,18 +44,21 @@ class ProblemData:
         self.notes = notes
         self._module = module
 
-    def exact(self, case: Case, group: Group) -> tuple[Answer, Tolerance]:
-        """The exact answer to a case of that group, and its tolerance.
+    def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
+        """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
 
-        Only a rejection's reason and an answer within a hair of the edge need it, so problem.py is loaded
-        here on the first use. Raises ProblemError.
+        Only a rejection's reason and an answer within a hair of the edge need it.
         """
-        from judge.data.module import blaming, load_module
+        return self.module.solve(*case).answer, group.tolerance
+
+    @property
+    def module(self) -> ProblemModule:
+        """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
+        from judge.data.module import load_module
 
         if self._module is None:
             self._module = load_module(self.problem)
-        with blaming(self.problem, "the reference fails"):
-            return self._module.reference(*case), group.tolerance
+        return self._module
 
 
 def reseeded(group: Group, seed: int | None) -> Group:

@@ -1,12 +1,14 @@
-"""Loading `problems/<id>/problem.py`: the exact reference, the promise and the builders.
+"""Loading `problems/<id>/problem.py`: the exact answers, the builders and the topic.
 
-    reference(*case) -> Answer           the exact answer (judge.compare.answers)
-    promise(*case) -> str | None         how the case breaks the statement's promise, or None
+    solve(*case) -> (answer, broken)     the exact answer (judge.values.tree), and a sentence that says what
+                                         of the statement's promise the case breaks, or None; it raises
+                                         nothing for such a case
     BUILDERS = {"name": function}        function(draw, **parameters) -> case
-    IMAGES = mirror_images               optional: cases that follow from one (judge.data.images), for stress
+    TOPIC = Topic(...)                   optional: what is known of its topic (judge.problem.topic)
 
-It is the setter's own code and is trusted. A problem.py that needs the bands of its problem.toml takes them
-from `judge.spec.load.bands_beside(__file__)`. Whatever it raises becomes a ProblemError with its line.
+`solve` is given the `[bands]` of problem.toml where it asks for them: `def solve(a, b, *, bands)`.
+
+The file is the setter's own code and is trusted. Whatever it raises becomes a ProblemError with its line.
 """
 
 from __future__ import annotations
@@ -17,28 +19,36 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
-from judge.spec import Case, Problem
-from judge.spec.tomlfile import read_text
+from judge.problem import Case, Problem
+from judge.problem.text import read_text
+from judge.problem.topic import Topic
 
 if TYPE_CHECKING:
-    from judge.compare.answers import Answer
-    from judge.data.images import Images
+    from judge.values import Exact
 
 Builder = Callable[..., Case]
 
+_LONGEST = 100  # characters of a case that a fault shows
+
+
+class Solved(NamedTuple):
+    """A case's exact answer, and what of the promise the case breaks; None where it keeps the promise."""
+
+    answer: Exact
+    broken: str | None
+
 
 class ProblemModule(Struct, frozen=True):
-    """What a problem.py defines."""
+    """What a problem.py defines; `solve` takes a case's arguments alone, and raises ProblemError."""
 
-    reference: Callable[..., Answer]
-    promise: Callable[..., str | None]
+    solve: Callable[..., Solved]
     builders: Mapping[str, Builder]
-    images: Images | None = None
+    topic: Topic = Topic()
 
 
 def load_module(problem: Problem) -> ProblemModule:
@@ -52,15 +62,7 @@ def load_module(problem: Problem) -> ProblemModule:
         code = compile(source, str(path), "exec", dont_inherit=True)
         sys.modules[module.__name__] = module  # dataclasses look their own module up
         exec(code, module.__dict__)
-    loaded = ProblemModule(
-        reference=_function(module, "reference", problem),
-        promise=_function(module, "promise", problem),
-        builders=_builders(module, problem),
-        images=_function(module, "IMAGES", problem) if hasattr(module, "IMAGES") else None,
-    )
-    _check_arity(loaded.reference, "reference", problem)
-    _check_arity(loaded.promise, "promise", problem)
-    return loaded
+    return ProblemModule(_solve(module, problem), _builders(module, problem), _topic(module, problem))
 
 
 @contextmanager
@@ -99,15 +101,47 @@ def _place(error: BaseException, problem: Problem) -> str:
     return f"{problem.id}/problem.py"
 
 
-def _function(module: ModuleType, name: str, problem: Problem) -> Callable[..., Any]:
-    function = getattr(module, name, None)
+def _solve(module: ModuleType, problem: Problem) -> Callable[..., Solved]:
+    """The module's `solve`, given the bands if it takes them, its result looked at."""
+    function = getattr(module, "solve", None)
+    names = ", ".join(each.name for each in problem.parameters)
     if not callable(function):
         raise ProblemError(
-            f"problem.py defines no function {name!r}",
+            "problem.py defines no function 'solve'",
             where=f"{problem.id}/problem.py",
-            remedy=f"define {name}({', '.join(each.name for each in problem.parameters)})",
+            remedy=f"define solve({names}) -> (answer, broken promise or None)",
         )
-    return cast("Callable[..., Any]", function)
+    signature = inspect.signature(function)
+    bands = {"bands": problem.bands} if "bands" in signature.parameters else {}
+    try:
+        signature.bind(*[None] * len(problem.parameters), **bands)
+    except TypeError:
+        raise ProblemError(
+            f"solve does not take the {len(problem.parameters)} parameters of problem.toml",
+            where=f"{problem.id}/problem.py:{_line(function)}",
+            remedy=f"define solve({names}{', *, bands' if bands else ''})",
+        ) from None
+
+    def solve(*case: Any) -> Solved:
+        try:
+            solved = function(*case, **bands)
+            if type(solved) is not tuple or len(solved) != 2 or not _is_sentence(solved[1]):
+                raise TypeError(f"{solved!r} given where (answer, broken promise or None) is meant")
+        except (Exception, SystemExit, GeneratorExit):
+            with blaming(problem, f"solve{_shortened(case)} fails"):
+                raise
+        return Solved(*solved)
+
+    return solve
+
+
+def _shortened(case: tuple[Any, ...]) -> str:
+    text = f"({', '.join(map(repr, case))})"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+
+
+def _is_sentence(broken: Any) -> bool:
+    return broken is None or (isinstance(broken, str) and broken != "")
 
 
 def _builders(module: ModuleType, problem: Problem) -> Mapping[str, Builder]:
@@ -121,16 +155,17 @@ def _builders(module: ModuleType, problem: Problem) -> Mapping[str, Builder]:
     return builders
 
 
-def _check_arity(function: Callable[..., Any], name: str, problem: Problem) -> None:
-    wanted = len(problem.parameters)
-    try:
-        inspect.signature(function).bind(*[None] * wanted)
-    except TypeError:
+def _topic(module: ModuleType, problem: Problem) -> Topic:
+    topic = getattr(module, "TOPIC", None)
+    if topic is None:
+        return Topic()
+    if not isinstance(topic, Topic):
         raise ProblemError(
-            f"{name} does not take the {wanted} parameters of problem.toml",
-            where=f"{problem.id}/problem.py:{_line(function)}",
-            remedy=f"define {name}({', '.join(each.name for each in problem.parameters)})",
-        ) from None
+            f"TOPIC is {topic!r}, which is no Topic",
+            where=f"{problem.id}/problem.py",
+            remedy="make it of judge.problem.topic.Topic, or remove it",
+        )
+    return topic
 
 
 def _line(function: Callable[..., Any]) -> int:

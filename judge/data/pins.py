@@ -1,6 +1,6 @@
 """Pinned hashes: a problem's hashes.json holds one for each group, so that data cannot drift unseen.
 
-{"schema": 1, "groups": {"tangent": "<sha256 of the cases and their targets, as canonical JSON>"}}
+{"schema": 1, "groups": {"grid": "<sha256 of the cases and their targets, as canonical JSON>"}}
 """
 
 from __future__ import annotations
@@ -10,12 +10,11 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from judge.compare.targets import to_json
 from judge.data.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
+from judge.problem import Problem
 from judge.reading import read_ordinary
-from judge.spec import Problem
 
 SCHEMA = 1
 _REMEDY = "write it with: judge verify {} --pin"
@@ -23,7 +22,7 @@ _REMEDY = "write it with: judge verify {} --pin"
 
 def hash_of(data: GroupData) -> str:
     """The group's hash, in hexadecimal; the same on every machine."""
-    plain = [[data.cases, [to_json(target) for target in data.targets]]]
+    plain = [[data.cases, data.targets]]
     return hashlib.sha256(json.dumps(plain, separators=(",", ":")).encode()).hexdigest()
 
 

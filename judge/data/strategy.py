@@ -14,7 +14,7 @@ from hypothesis.errors import HypothesisException
 from msgspec import Struct
 
 from judge.data.draw import ChosenDraw, Draw
-from judge.spec import Case
+from judge.problem import Case
 
 
 class Built(Struct, frozen=True):

@@ -19,13 +19,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from enum import IntEnum
-from operator import sub
 
-from judge.compare import AnyTarget, CountTarget, ParameterTarget
-from judge.compare.outline import Outline
+from judge.values import Outline, Type, Usual
+from judge.values.likeness import CLOSE, SAME, largest
 
-_CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
-_SAME = 0.05  # of the larger error: numbers that differ by less are the same
+_ENDED = "ended"
 _SAME_POWERS = 1.5  # powers of ten between two errors of digits that pass for the same
 
 
@@ -38,13 +36,14 @@ class Alike(IntEnum):
 
 
 class WrongAnswer:
-    """A wrong answer to one case, to hold others against."""
+    """A wrong answer to one case, to hold others against; `right` is the outline of the right one."""
 
-    def __init__(self, given: Outline, target: AnyTarget) -> None:
+    def __init__(self, given: Outline, right: Outline, answer: Type, usual: Usual) -> None:
         self._given = given
-        self._target = target
-        self._wanted = wanted_numbers(target)
-        self._kind = _kind_of(given, target, self._wanted)
+        self._right = right
+        self._answer = answer
+        self._usual = usual
+        self._kind = self._kind_of(given)
         self._known: dict[Outline, Alike] = {given: Alike.ALL}
 
     def alike(self, other: Outline) -> Alike:
@@ -55,7 +54,7 @@ class WrongAnswer:
         return found
 
     def _compared(self, other: Outline) -> Alike:
-        kind = _kind_of(other, self._target, self._wanted)
+        kind = self._kind_of(other)
         if _ENDED in (kind, self._kind):
             return Alike.KIND  # nobody knows what would have come after the exception
         if kind != self._kind:
@@ -65,89 +64,27 @@ class WrongAnswer:
         numbers, others = self._given[1], other[1]
         if not numbers or len(numbers) != len(others) or not all(map(math.isfinite, (*numbers, *others))):
             return Alike.KIND
-        if _same_numbers(numbers, others, self._wanted):
+        if _same_numbers(numbers, others, self._right[1]):
             return Alike.ALL
-        if kind == "digits" and _same_powers(numbers, others, self._wanted):
+        if kind == "digits" and _same_powers(numbers, others, self._right[1]):
             return Alike.KIND
         return Alike.NOTHING
 
-
-def _kind_of(given: Outline, target: AnyTarget, wanted: Sequence[float]) -> str:
-    form, numbers = given
-    if form.startswith(("raised ", "stopped ")):
-        return _ENDED
-    if isinstance(target, CountTarget):
-        return _count_kind(form, numbers)
-    if isinstance(target, ParameterTarget):
-        return _parameter_kind(form, numbers, wanted)
-    return _points_kind(form, numbers, wanted)
-
-
-_ENDED = "ended"
-_COUNTS = (0.0, 1.0, 2.0)
-
-
-def _count_kind(form: str, numbers: Sequence[float]) -> str:
-    if form in ("count", "type float") and (not numbers or numbers[0] not in _COUNTS):
-        return "sentinel"
-    return f"{numbers[0]:.0f}" if form == "count" else form
-
-
-def _parameter_kind(form: str, numbers: Sequence[float], wanted: Sequence[float]) -> str:
-    if form == "type float":  # inf or nan
-        return "sentinel"
-    if form != "number":
-        return form
-    (t,) = numbers
-    if not wanted:
-        return "invented" if 0.0 <= t < math.inf else "sentinel"
-    if not math.isfinite(t):
-        return "sentinel"
-    if abs(t - wanted[0]) <= _CLOSE * max(abs(t), abs(wanted[0])):
-        return "digits"
-    if t < 0.0:
-        return "negative"
-    return "less" if t < wanted[0] else "more"
-
-
-def _points_kind(form: str, numbers: Sequence[float], wanted: Sequence[float]) -> str:
-    name, _, count = form.partition(" ")
-    if name != "points":
-        return form
-    if 2 * int(count) != len(wanted):
-        return f"{'fewer' if 2 * int(count) < len(wanted) else 'more'} {count}"
-    size = max(map(abs, (*numbers, *wanted)))
-    if _largest(numbers, wanted) <= _CLOSE * size:
-        return "digits"
-    turned = (*wanted[2:], *wanted[:2])
-    if len(wanted) == 4 and _largest(numbers, turned) <= _SAME * _largest(wanted, turned):
-        return "reordered"
-    return "elsewhere"
+    def _kind_of(self, given: Outline) -> str:
+        if given[0].startswith(("raised ", "stopped ")):
+            return _ENDED
+        return self._answer.kind(given, self._right, self._usual)
 
 
 def _same_numbers(numbers: Sequence[float], others: Sequence[float], wanted: Sequence[float]) -> bool:
     """Whether two answers of a kind are the same, as far as one can expect of different programs."""
-    between = _largest(numbers, others)
+    between = largest(numbers, others)
     if len(wanted) != len(numbers):  # as two points where one is wanted
-        return between <= _CLOSE * max(map(abs, (*numbers, *others, *wanted)))
-    return between <= _SAME * max(_largest(numbers, wanted), _largest(others, wanted))
+        return between <= CLOSE * max(map(abs, (*numbers, *others, *wanted)))
+    return between <= SAME * max(largest(numbers, wanted), largest(others, wanted))
 
 
 def _same_powers(numbers: Sequence[float], others: Sequence[float], wanted: Sequence[float]) -> bool:
     """Whether two small errors are of about the same size."""
-    errors = _largest(numbers, wanted), _largest(others, wanted)
+    errors = largest(numbers, wanted), largest(others, wanted)
     return min(errors) > 0.0 and abs(math.log10(errors[0] / errors[1])) <= _SAME_POWERS
-
-
-def wanted_numbers(target: AnyTarget) -> tuple[float, ...]:
-    """The numbers of the right answer, correctly rounded."""
-    if isinstance(target, CountTarget):
-        return () if target.value is None else (float(target.value),)
-    if isinstance(target, ParameterTarget):
-        return () if target.t is None else (target.t[2],)
-    return tuple(number[2] for point in target.points for number in point)
-
-
-def _largest(numbers: Sequence[float], others: Sequence[float]) -> float:
-    """The largest difference of two numbers in the same place."""
-    return max(map(abs, map(sub, numbers, others)), default=0.0)

@@ -6,13 +6,15 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.spec import Case
+from judge.problem import Case
+from judge.values import Raw
 
 
 class Counterexample(Struct, frozen=True):
     """A case and how it fails.
 
-    `input` maps a parameter's name to its number or `[x, y]`; `group` is the test group whose tolerance
+    `input` maps a parameter's name to its value; `given` is the answer itself, as the
+    submission sent it; `group` is the test group whose tolerance
     decides. `replay` is the id to judge just this case by; it is None where the case fails only after other
     calls, and then `message` says so. `calls` counts what the search asked of the submission.
     """
@@ -25,6 +27,13 @@ class Counterexample(Struct, frozen=True):
     message: str
     replay: str | None
     calls: int = 0
+    given: Raw = None
+
+    @classmethod
+    def from_json(cls, found: dict[str, Any]) -> Counterexample:
+        """The counterexample that `as_json` wrote; it must have a replay id."""
+        case = tuple(tuple(value) if isinstance(value, list) else value for value in found["input"].values())
+        return cls(case, found["replay"].split(":")[1], **found)
 
     def as_json(self) -> dict[str, Any]:
         """The counterexample's object in the published form."""

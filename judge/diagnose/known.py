@@ -8,17 +8,16 @@ from __future__ import annotations
 
 import hashlib
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from msgspec import Struct
-
-from judge.data import ProblemData, cache_folder
-from judge.data.cache import code_files, content_key, data_key, kept_stem
+from judge.data.cache import cache_folder, code_files, content_key, data_key, kept_stem
 from judge.data.kept import KeptFile
-from judge.diagnose.mistakes import Mistake
-from judge.run import Result, Settings, run_submission
+from judge.data.model import ProblemData
+from judge.diagnose.answers import Answers, Behaviour, behaviour
+from judge.problem.solutions import Solution
 from judge.run.parallel import in_order
+from judge.run.settings import Settings
 
 FORMAT = 2  # raise it when the form of the file changes
 
@@ -27,25 +26,10 @@ _CODE = ("run", "sandbox")  # beside the packages that the data depend on
 _WHAT = "the known mistakes' answers"
 
 
-class Answers(Struct, frozen=True):
-    """What a program answered wrongly in one group, by case from 0; before `reached` all is known."""
-
-    reached: int
-    wrong: Mapping[int, tuple[str, tuple[float, ...]]]
-
-
-Behaviour = Mapping[str, Answers]  # by the group's name
-
-
-def behaviour(result: Result) -> Behaviour:
-    """What judging has found out about a program."""
-    return {group.name: Answers(group.reached, group.wrong) for group in result.groups}
-
-
 def known_behaviours(
     data: ProblemData,
     seed: int | None,
-    mistakes: Sequence[Mistake],
+    mistakes: Sequence[Solution],
     *,
     settings: Settings,
     workers: int = 1,
@@ -63,7 +47,9 @@ def known_behaviours(
     if not missing:
         return [kept[key] for key in keys], None
 
-    def judge(mistake: Mistake) -> Behaviour:
+    from judge.run.execute import run_submission
+
+    def judge(mistake: Solution) -> Behaviour:
         name = mistake.path.name
         return behaviour(run_submission(data.problem, data, mistake.source, name, settings=settings))
 

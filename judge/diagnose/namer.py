@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 
 from msgspec.structs import replace
 
-from judge.data import ProblemData
-from judge.diagnose.known import Behaviour, Progress, behaviour, known_behaviours
-from judge.diagnose.mistakes import Mistake, known_mistakes
-from judge.diagnose.naming import Known, best_match
-from judge.run import GroupResult, Pitfall, Result, Settings
+from judge.data.model import ProblemData
+from judge.diagnose.answers import Behaviour, behaviour
+from judge.diagnose.known import Progress, known_behaviours
+from judge.diagnose.naming import Known, as_match, best_match, twins, wrong_answers
+from judge.problem import Verdict
+from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run.matrix import Matrix, kill_matrix
-from judge.spec import Verdict
+from judge.run.result import GroupResult, Pitfall, Result
+from judge.run.settings import Settings
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 
@@ -22,7 +24,7 @@ NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 class Namer:
     """Says which known mistake explains a result; the known-wrong programs are judged when first needed.
 
-    `settings` say how they are judged, `workers` how many at once; `progress` opens what is told of it. Safe
+    `settings` say how they are judged, `workers` how many at once; `progress` opens a bar for it. Safe
     to use from several threads; `notes` are sentences for the person.
     """
 
@@ -41,7 +43,7 @@ class Namer:
         self._workers = workers
         self._progress = progress
         self._lock = threading.Lock()
-        self._known: tuple[list[Mistake], list[Known]] | None = None
+        self._known: tuple[list[Solution], list[Known]] | None = None
 
     def named(self, result: Result) -> Result:
         """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
@@ -51,9 +53,13 @@ class Namer:
         if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
             return result
         mistakes, known = self._programs()
-        match = best_match(behaviour(result), known, self._data.groups)
+        does = behaviour(result)
+        match = best_match(does, known, self._data.groups, self._data.problem.answer)
         if match is None:
-            return result
+            places = twins(does, known)
+            match = as_match(does, places, known)
+        if match is None:
+            return result.noting(_why_not(does, [mistakes[place] for place in places])) if places else result
         found = [mistakes[place] for place in match.places]
         names = tuple(mistake.name for mistake in found)
         advice = tuple(mistake.advice for mistake in found)
@@ -71,10 +77,12 @@ class Namer:
             ],
         )
 
-    def _programs(self) -> tuple[list[Mistake], list[Known]]:
+    def _programs(self) -> tuple[list[Solution], list[Known]]:
         with self._lock:
             if self._known is None:
-                mistakes = known_mistakes(self._data.problem)
+                programs, faults = read_solutions(self._data.problem, Kind.WRONG)
+                self.notes += [f"a known mistake is left out: {fault}" for fault in faults]
+                mistakes = usual_first(programs)
                 with self._progress() as advance:
                     behaviours, note = known_behaviours(
                         self._data,
@@ -88,6 +96,16 @@ class Namer:
                 known = [Known(each.name, does) for each, does in zip(mistakes, behaviours, strict=True)]
                 self._known = mistakes, known
             return self._known
+
+
+def _why_not(does: Behaviour, alike: Sequence[Solution]) -> str:
+    """Why a submission that answers exactly as known-wrong programs do is given no name."""
+    files = ", ".join(f"wrong/{mistake.path.name}" for mistake in alike)
+    if len({mistake.name for mistake in alike}) > 1:
+        return f"the mistake is not named: {files} all answer as this does, and make different ones"
+    count = wrong_answers(does)
+    told = "1 wrong answer is" if count == 1 else f"{count} wrong answers are"
+    return f"the mistake is not named: it answers as {files} does, but {told} too few to be sure"
 
 
 def _results(does: Behaviour, sizes: Mapping[str, int]) -> list[GroupResult]:

@@ -7,22 +7,24 @@ hypotheses that nothing known explains it, and that it gives one answer to every
 
 The score is the probability of the best hypothesis beside those that contradict it, less where it leaves a
 part of the failures unexplained, or fails more than the submission does.
+
+No group counts for more than a hundred to one, so that nothing is ever likely enough where only a few
+groups can fail. Such a problem's own wrong programs, and whatever answers as one of them in every case, are
+`twins`.
 """
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.compare import AnyTarget, CountTarget, ParameterTarget
-from judge.compare.outline import Outline
-from judge.data import GroupData
-from judge.diagnose.agreement import wanted_numbers
+from judge.data.model import GroupData
+from judge.diagnose.answers import Answers, Behaviour
 from judge.diagnose.evidence import Evidence, log_sum
-from judge.diagnose.known import Answers, Behaviour
+from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named
 
@@ -34,6 +36,10 @@ _EXPLAINED = 0.95  # a hypothesis that explains less of the failures loses in sc
 _BY_ITSELF = 2.0  # the evidence that a group is given for being explained, before it is asked
 _LEADING = 3  # mistakes that are tried together with others
 _PARTNERS = 10  # programs that each of them is tried with
+
+
+Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
+ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
 class Known(Struct, frozen=True):
@@ -54,14 +60,18 @@ class Match(Struct, frozen=True):
     score: float
 
 
-def best_match(submission: Behaviour, known: Sequence[Known], groups: Sequence[GroupData]) -> Match | None:
+def best_match(
+    submission: Behaviour, known: Sequence[Known], groups: Sequence[GroupData], answer: Type
+) -> Match | None:
     """What explains the submission's wrong answers, or None where nothing does well enough."""
     if not known or not any(answers.wrong for answers in submission.values()):
         return None
+    rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
+    usual = Usual.of(right for outlines in rights.values() for right in outlines)
     groups = [data for data in groups if data.group.name in submission]
-    evidence = _gather(submission, known, groups)
+    evidence = _gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
-    against = [_UNKNOWN, _of_one_answer(submission, groups, evidence)]
+    against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
     for best in found:
         if best.total <= max(against):
             return None
@@ -90,7 +100,14 @@ class _Hypothesis(Struct, frozen=True):
         return self.places[: len(self.names)]
 
 
-def _gather(submission: Behaviour, known: Sequence[Known], groups: Sequence[GroupData]) -> list[Evidence]:
+def _gather(
+    submission: Behaviour,
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    rights: Rights,
+    answer: Type,
+    usual: Usual,
+) -> list[Evidence]:
     programs = Counter(each.name for each in known)
     weights = [1 / programs[each.name] for each in known]
     return [
@@ -98,7 +115,9 @@ def _gather(submission: Behaviour, known: Sequence[Known], groups: Sequence[Grou
             submission[data.group.name],
             [each.behaviour.get(data.group.name) for each in known],
             weights,
-            data.targets,
+            rights[data.group.name],
+            answer,
+            usual,
         )
         for data in groups
     ]
@@ -161,25 +180,39 @@ def _explained(best: _Hypothesis, evidence: Sequence[Evidence]) -> float:
     return explained / total if total else 0.0
 
 
-def _of_one_answer(submission: Behaviour, groups: Sequence[GroupData], evidence: Sequence[Evidence]) -> float:
+def _of_one_answer(
+    submission: Behaviour, groups: Sequence[GroupData], evidence: Sequence[Evidence], rights: Rights
+) -> float:
     """The evidence that the submission always gives its most frequent wrong answer."""
     given = Counter(outline for answers in submission.values() for outline in answers.wrong.values())
     ((usual, _),) = given.most_common(1)
     return sum(
-        each.against(Answers(len(data.targets), _wrong_by(usual, data.targets)))
+        each.against(Answers(len(data.targets), _wrong_by(usual, rights[data.group.name])))
         for data, each in zip(groups, evidence, strict=True)
     )
 
 
-def _wrong_by(answer: Outline, targets: Sequence[AnyTarget]) -> dict[int, Outline]:
+def _wrong_by(answer: Outline, rights: Sequence[Outline]) -> dict[int, Outline]:
     """What is wrong if `answer` is given to everything."""
-    return {case: answer for case, target in enumerate(targets) if _right(target) != answer}
+    return {case: answer for case, right in enumerate(rights) if right != answer}
 
 
-def _right(target: AnyTarget) -> Outline:
-    """The outline of the right answer."""
-    numbers = wanted_numbers(target)
-    if isinstance(target, CountTarget | ParameterTarget):
-        form = "count" if isinstance(target, CountTarget) else "number"
-        return (form, numbers) if numbers else ("none", ())
-    return (f"points {len(target.points)}", numbers)
+def twins(submission: Behaviour, known: Sequence[Known]) -> list[int]:
+    """The places of the programs that answer as the submission does, right or wrong, in all its groups."""
+    return [place for place, each in enumerate(known) if _answers_alike(submission, each.behaviour)]
+
+
+def as_match(submission: Behaviour, places: Sequence[int], known: Sequence[Known]) -> Match | None:
+    """The mistake that the twins make, if all make the same one and enough answers of it are wrong."""
+    if len({known[place].name for place in places}) != 1 or wrong_answers(submission) < ENOUGH:
+        return None
+    return Match((places[0],), 1.0, 1 - 1 / (1 + wrong_answers(submission)))
+
+
+def wrong_answers(submission: Behaviour) -> int:
+    """In how many cases it is wrong."""
+    return sum(len(answers.wrong) for answers in submission.values())
+
+
+def _answers_alike(submission: Behaviour, other: Mapping[str, object]) -> bool:
+    return all(other.get(name) == answers for name, answers in submission.items())

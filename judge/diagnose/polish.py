@@ -1,7 +1,8 @@
 """Making a failing case simpler, value by value: fewer digits, smaller numbers, equal ones kept equal.
 
-Each round offers all single steps from the best case so far, has them called in one batch, and goes on from
-the simplest that still fails, until none does.
+The problem's topic is asked first for cases that are simpler as a whole. Then each round offers all single
+steps from the best case so far, has them called in one batch, and goes on from the simplest that still fails,
+until none does.
 """
 
 from __future__ import annotations
@@ -11,24 +12,24 @@ from fractions import Fraction
 from itertools import combinations, islice
 from math import gcd
 
-from judge.diagnose.figures import levelled, moved
-from judge.diagnose.simplicity import measure, numbers_of
+from judge.diagnose.simplicity import numbers_of, with_numbers
 from judge.diagnose.trial import Finding, Trial
-from judge.spec import Case, Group
-from judge.spec.model import Number
+from judge.problem import Case, Group, Problem
+from judge.problem.model import Number
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first
 _HUGE = 400  # bits, beyond which numbers are only cut
 
 
-def polished(trial: Trial, start: Finding, group: Group, *, figures: bool = True) -> Finding:
+def polished(trial: Trial, start: Finding, group: Group) -> Finding:
     """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
+    simpler = trial.module.topic.simpler
     best = start
-    if figures:
-        best = _better(trial, best, group, [*moved(start.case), *levelled(start.case)])
+    if simpler is not None:
+        best = _better(trial, best, group, simpler(trial.problem, start.case))
     for _ in range(_ROUNDS):
-        after = _better(trial, best, group, steps(best.case))
+        after = _better(trial, best, group, _steps(trial.problem, best.case))
         if after is best or trial.budget.spent:
             return after
         best = after
@@ -36,8 +37,8 @@ def polished(trial: Trial, start: Finding, group: Group, *, figures: bool = True
 
 
 def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
-    simpler = {repr(case): case for case in cases if measure(case) < best.measure}
-    chosen = sorted(simpler.values(), key=measure)
+    simpler = {repr(case): case for case in cases if trial.measure(case) < best.measure}
+    chosen = sorted(simpler.values(), key=trial.measure)
     for first in range(0, min(len(chosen), _MOST), 100):
         if trial.budget.spent:
             break
@@ -45,6 +46,18 @@ def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) ->
         if found is not None:
             return found
     return best
+
+
+def _steps(problem: Problem, case: Case) -> Iterator[Case]:
+    yield from fewer(problem, case)
+    yield from steps(case)
+
+
+def fewer(problem: Problem, case: Case) -> Iterator[Case]:
+    """The case with a shorter list, or a simpler word, in one place."""
+    for place, (parameter, value) in enumerate(zip(problem.parameters, case, strict=True)):
+        for other in islice(parameter.type.simpler(value), _MOST):
+            yield (*case[:place], other, *case[place + 1 :])
 
 
 def steps(case: Case) -> Iterator[Case]:
@@ -171,5 +184,4 @@ def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number], *, 
 
 
 def _rebuilt(case: Case, numbers: list[Number]) -> Case:
-    rest = iter(numbers)
-    return tuple((next(rest), next(rest)) if isinstance(each, tuple) else next(rest) for each in case)
+    return with_numbers(case, iter(numbers))

@@ -9,12 +9,12 @@ import os
 from itertools import count
 from pathlib import Path
 
-from judge.compare.targets import AnyTarget, CountTarget, PointsTarget, Target, compile_answer
 from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
 from judge.reading import read_ordinary_text
+from judge.values import Target, Type
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
 _HEAD = f'''{_MARK}
@@ -32,6 +32,10 @@ def called(place, entry, *arguments):
     spec.loader.exec_module(module)
     return getattr(module, entry)(*arguments)
 '''
+_IMPORTS = {  # what few tests need
+    "array(": "    from array import array",
+    "Fraction(": "    from fractions import Fraction",
+}
 
 
 def is_ours(path: Path) -> bool:
@@ -45,7 +49,7 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
     Raises:
         UsageError: the file cannot be read or written, or was not written here.
-        ProblemError: the reference fails.
+        ProblemError: `solve` fails.
     """
     assert found.replay is not None
     content = _read(path) if path.exists() else ""
@@ -69,11 +73,14 @@ def _case(place: str, data: ProblemData, found: Counterexample) -> str:
     group = problem.group(found.group)
     assert group is not None
     answer, tolerance = data.exact(found.case, group)
-    arguments = "".join(f"        {value!r},\n" for value in found.case)
+    values = zip(problem.parameters, found.case, strict=True)
+    arguments = "".join(f"        {parameter.type.literal(value)},\n" for parameter, value in values)
+    conditions = _asserts(problem.answer, problem.answer.target(answer, tolerance))
     lines = [
         f"    # judge replay {found.replay}",
+        *(line for name, line in _IMPORTS.items() if any(name in text for text in (arguments, *conditions))),
         f"    answer = called(\n        {place!r},\n        {problem.entry!r},\n{arguments}    )",
-        *_asserts(compile_answer(answer, tolerance)),
+        *conditions,
     ]
     return "\n".join(lines) + "\n"
 
@@ -88,22 +95,9 @@ def _free_name(place: str, found: Counterexample, content: str) -> str:
     return next(name for name in names if f"def {name}()" not in content)
 
 
-def _asserts(target: AnyTarget) -> list[str]:
-    if isinstance(target, CountTarget):
-        if target.value is None:
-            return ["    assert answer is None"]
-        return [f"    assert answer == {target.value} and not isinstance(answer, (bool, float))"]
-    if isinstance(target, PointsTarget):
-        lines = [f"    assert len(answer) == {len(target.points)}"]
-        for place, point in enumerate(target.points):
-            for axis, bounds in enumerate(point):
-                lines.append(_between(f"answer[{place}][{axis}]", bounds))
-        return lines
-    return ["    assert answer is None"] if target.t is None else [_between("answer", target.t)]
-
-
-def _between(what: str, bounds: Target) -> str:
-    return f"    assert {bounds[0]!r} <= {what} <= {bounds[1]!r}"
+def _asserts(answer: Type, target: Target) -> list[str]:
+    conditions = answer.asserts("answer", target)
+    return [f"    assert {condition}" for condition in conditions]
 
 
 def _read(path: Path) -> str:

@@ -2,7 +2,7 @@
 
     <problem>:<group>:<form><payload>:<check>
 
-    form v    the values themselves, `v0,0,1,-1,0,0,22361`: the numbers in the order of the parameters
+    form v    the values themselves, `v0,0,1,-1,0,0,22361`: as a program reads them, in order
     form c    the choices that the group's builder makes it from, in base 36, `c3.0.1k.-7`
     check     six hex digits of the case's sha256, so that a slip of the pen, or a version whose builders
               have changed, is noticed
@@ -15,29 +15,37 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 from judge.data.build import bound_builder
 from judge.data.draw import ReplayedDraw
 from judge.data.module import ProblemModule
 from judge.data.validate import Validator
-from judge.diagnose.simplicity import numbers_of
 from judge.errors import UsageError
-from judge.spec import Case, Group, Problem
-from judge.spec.model import Argument, Number, ParameterType
-from judge.spec.statement import EXAMPLES
+from judge.problem import Case, Group, Problem
+from judge.problem.model import EXAMPLES
+
+if TYPE_CHECKING:
+    from judge.values import Exact
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
-_INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
-_FLOAT = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,3})?", re.ASCII)
 _CHOICE = re.compile(r"-?[0-9a-z]{1,400}", re.ASCII)
 _DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
 _LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
-_POINTS = (ParameterType.POINT, ParameterType.INTEGER_POINT)
+
+
+class Decoded(NamedTuple):
+    """What a replay id stands for."""
+
+    group: Group
+    case: Case
+    answer: Exact
 
 
 def encode(problem: Problem, group: Group, case: Case, choices: Sequence[int] | None = None) -> str:
     """The id of a case under that group's tolerance; `choices` are those of the group's own builder."""
-    forms = ["v" + ",".join(repr(number) for number in numbers_of(case))]
+    values = zip(problem.parameters, case, strict=True)
+    forms = ["v" + ",".join(word for parameter, value in values for word in parameter.type.tokens(value))]
     if choices is not None:
         forms.append("c" + ".".join(_base36(choice) for choice in choices))
     return f"{problem.id}:{group.name}:{min(forms, key=len)}:{_check(case)}"
@@ -48,11 +56,12 @@ def problem_name(replay: str) -> str:
     return _parts(replay)[0]
 
 
-def decode(replay: str, problem: Problem, module: ProblemModule) -> tuple[Group, Case]:
-    """The group and the case of an id, proved.
+def decode(replay: str, problem: Problem, module: ProblemModule) -> Decoded:
+    """The group and the case of an id, proved, and its exact answer.
 
     Raises:
         UsageError: it is no id of this version of the problem.
+        ProblemError: the problem's own code fails on the case.
     """
     _, name, form, payload, check = _parts(replay)
     group = problem.group(name)
@@ -61,10 +70,10 @@ def decode(replay: str, problem: Problem, module: ProblemModule) -> tuple[Group,
     case = _from_values(payload, problem) if form == "v" else _from_choices(payload, problem, module, group)
     if case is None or _check(case) != check:
         raise _fault("it does not fit its own check digits", "copy it whole; other versions have other ids")
-    fault = Validator(problem, module.promise).fault(case)
-    if fault:
-        raise _fault(f"its case is none of the problem's: {fault}", "other versions have other ids")
-    return group, case
+    proof = Validator(problem, module.solve).proof(case)
+    if proof.fault:
+        raise _fault(f"its case is none of the problem's: {proof.fault}", "other versions have other ids")
+    return Decoded(group, case, proof.answer)
 
 
 def _parts(replay: str) -> tuple[str, str, str, str, str]:
@@ -77,19 +86,12 @@ def _parts(replay: str) -> tuple[str, str, str, str, str]:
 
 
 def _from_values(payload: str, problem: Problem) -> Case | None:
-    numbers = [_number(word) for word in payload.split(",")]
-    wanted = sum(2 if parameter.type in _POINTS else 1 for parameter in problem.parameters)
-    if len(numbers) != wanted:
+    words = iter(payload.split(","))
+    try:
+        case = tuple([parameter.type.from_tokens(words) for parameter in problem.parameters])
+    except (ValueError, StopIteration):
         return None
-    rest = iter(numbers)
-    case: list[Argument] = []
-    for parameter in problem.parameters:
-        values = [next(rest) for _ in range(2 if parameter.type in _POINTS else 1)]
-        given = [value for value in values if value is not None]
-        if len(given) < len(values):
-            return None
-        case.append((given[0], given[1]) if len(given) == 2 else given[0])
-    return tuple(case)
+    return case if next(words, None) is None else None
 
 
 def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: Group) -> Case | None:
@@ -101,12 +103,6 @@ def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: 
     except Exception:  # choices of another builder, or invented: a builder counts on its own
         return None
     return case
-
-
-def _number(word: str) -> Number | None:
-    if _INTEGER.fullmatch(word):
-        return int(word)
-    return float(word) if _FLOAT.fullmatch(word) else None
 
 
 def _base36(number: int) -> str:

@@ -19,7 +19,7 @@ from msgspec import Struct
 from judge.data.draw import Draw
 from judge.data.strategy import Built, strategy
 from judge.diagnose.trial import Finding, Trial
-from judge.spec import Group
+from judge.problem import Group
 
 _KEY = b"the failing case"
 

@@ -4,21 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from judge.spec.model import Case, Number
+from judge.problem.model import Case, Number
 
-Measure = tuple[int, int, tuple[float, ...]]
+Simplicity = tuple[int, int, tuple[float, ...]]
 
+_NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
-_SPECIAL = 3  # and so does what is a case for itself: a length of 0, two equal points
+_SPECIAL = 3  # and so does what is special in itself
 
 
 def numbers_of(case: Case) -> Iterator[Number]:
-    """The numbers of a case, in order."""
+    """The numbers of a case, in order, however deep in it; words and None are none."""
     for argument in case:
         if isinstance(argument, tuple):
-            yield from argument
-        else:
+            yield from numbers_of(argument)
+        elif type(argument) in _NUMBERS:  # no bool
             yield argument
+
+
+def items_of(case: Case) -> int:
+    """How many items its lists and points have, however deep in it: as many in all cases of one shape."""
+    return sum(len(argument) + items_of(argument) for argument in case if isinstance(argument, tuple))
+
+
+def with_numbers(case: Case, numbers: Iterator[Number]) -> Case:
+    """The case with other numbers in their places."""
+    return tuple(
+        [
+            with_numbers(argument, numbers)
+            if isinstance(argument, tuple)
+            else next(numbers)
+            if type(argument) in _NUMBERS
+            else argument
+            for argument in case
+        ]
+    )
 
 
 def digits(number: Number) -> int:
@@ -35,17 +55,18 @@ def digits(number: Number) -> int:
     return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
-def measure(case: Case) -> Measure:
-    """What to compare two cases by; the smaller is the simpler one."""
-    total = negative = 0
+def measure(case: Case, special: int = 0) -> Simplicity:
+    """What to compare two cases by; the smaller is the simpler one. An item of a list weighs as a digit does.
+
+    `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).
+    """
+    total = _SPECIAL * special + items_of(case)
+    negative = 0
     magnitudes = []
     for number in numbers_of(case):
         total += digits(number) + (_FLOAT if isinstance(number, float) else 0)
         negative += number < 0
         magnitudes.append(_magnitude(number))
-    points = [argument for argument in case if isinstance(argument, tuple)]
-    lone = [argument for argument in case if not isinstance(argument, tuple)]
-    total += _SPECIAL * (len(points) - len(set(points)) + (lone[-1:] == [0]))
     return total, negative, (sum(magnitudes), *magnitudes)
 
 

@@ -8,29 +8,28 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from msgspec import Struct
-from msgspec.structs import astuple
+from msgspec.structs import replace
 
-from judge.compare.answers import Answer
-from judge.compare.check import Rejection, check, wanted_text
-from judge.compare.targets import AnyTarget, compile_answer
-from judge.compare.text import check_line, render_target
-from judge.data.module import ProblemModule, blaming
-from judge.data.validate import Validator
-from judge.diagnose.simplicity import Measure, measure
+from judge.data.build import target_of
+from judge.data.module import ProblemModule
+from judge.data.validate import Proof, Validator
+from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
-from judge.run.program import answer_lines, render_group
-from judge.run.result import Mode
-from judge.run.tally import VERDICTS
-from judge.sandbox import Box, Limits, Stop
-from judge.spec import AnswerKind, Case, Group, Problem, Tolerance, Verdict
+from judge.problem import Case, Group, Tolerance, Verdict
+from judge.run.replies import VERDICTS, Breakdown
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box, Limits, Stop
+from judge.values import Exact, Outline, Raw, Rejection, Target
 
 Clock = Callable[[], float]
 
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
 SHORT_SECONDS = 0.2  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.02  # wall time a case is worth when nothing points to slowness
+_NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
 
@@ -39,15 +38,16 @@ class Finding(Struct, frozen=True):
 
     case: Case
     group: Group
-    measure: Measure
+    measure: Simplicity
     verdict: Verdict
     expected: str
     got: str
     message: str
     kind: tuple[str, ...]  # in which way it fails: what is wanted and given, roughly
+    given: Raw = None  # the answer itself, None where there is none
 
 
-class Budget:
+class SearchBudget:
     """What the search may cost: seconds by a clock, and calls."""
 
     def __init__(self, seconds: float, clock: Clock = time.monotonic, most_calls: int = 50_000) -> None:
@@ -72,29 +72,38 @@ class Trial:
 
     def __init__(
         self,
-        problem: Problem,
         module: ProblemModule,
         box: Box,
-        mode: Mode,
+        runner: Runner,
         verdict: Verdict,
-        budget: Budget,
+        budget: SearchBudget,
         judge_box: Callable[[], Box | None] = lambda: None,
+        *,
+        coarse: bool = False,
     ) -> None:
-        self.problem = problem
+        """`coarse` says that ints, words and lengths tell no two mistakes apart: there are many of them."""
+        self.problem = runner.problem
         self.module = module
         self.verdict = verdict
         self.budget = budget
         self._box = box
-        self._mode = mode
-        self._validator = Validator(problem, module.promise)
+        self._runner = runner
+        self._validator = Validator(runner.problem, module.solve)
         self._judge_box = judge_box
+        self._coarse = coarse
         self._known: dict[tuple[str, str], Finding | None] = {}
-        self._targets: dict[tuple[str, str], AnyTarget] = {}
+        self._proofs: dict[str, Proof] = {}
+        self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
 
     def look_for(self, finding: Finding) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing."""
         self._kind = finding.kind
+
+    def measure(self, case: Case) -> Simplicity:
+        """How simple the case is, to those who know the problem's topic."""
+        special = self.module.topic.special
+        return measure(case, special(case) if special is not None else 0)
 
     def valid(self, case: Case, group: Group) -> bool:
         """Whether the case keeps the bounds and the promise, and has an answer.
@@ -102,9 +111,8 @@ class Trial:
         One on which the problem's own code fails is passed over: no group would hold it.
         """
         try:
-            with blaming(self.problem, "the promise fails on a case"):
-                if self._validator.fault(case) is not None:
-                    return False
+            if self._proof(case).fault is not None:
+                return False
             self._target(case, group)
         except ProblemError:
             return False
@@ -131,7 +139,7 @@ class Trial:
         not built by a recipe that minds how well its answer is conditioned.
         """
         fresh = {repr(case): case for case in cases if self.valid(case, group)}
-        ordered = sorted(fresh.values(), key=measure)
+        ordered = sorted(fresh.values(), key=self.measure)
         found = sorted(self._try(ordered, group), key=lambda finding: finding.measure)
         for finding in found[:MOST_LOSSES]:
             if fair and not self._fair(finding):
@@ -172,18 +180,30 @@ class Trial:
 
     @property
     def _verdict_of_a_run(self) -> bool:
-        return self._mode is Mode.PROGRAM and self.verdict is not Verdict.WA
+        return self.verdict is not Verdict.WA and not self._runner.tells_where
 
-    def _target(self, case: Case, group: Group) -> AnyTarget:
+    def _proof(self, case: Case) -> Proof:
+        """The case proved and solved; once, for the search comes back to it."""
+        key = repr(case)
+        if key not in self._proofs:
+            self._proofs[key] = self._validator.proof(case)
+        return self._proofs[key]
+
+    def _target(self, case: Case, group: Group) -> Target:
         key = (group.name, repr(case))
         if key not in self._targets:
-            with blaming(self.problem, "the reference fails on a case"):
-                self._targets[key] = compile_answer(self.module.reference(*case), group.tolerance)
+            self._targets[key] = target_of(self.problem, self._proof(case).answer, group.tolerance)
         return self._targets[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use; no more of a person's time than is left, unless `whole`."""
-        cpu, wall, memory, output = astuple(self.problem.limits)
+        usual = self.problem.limits
+        cpu, wall, memory, output = (
+            usual.cpu_seconds,
+            usual.wall_seconds,
+            usual.memory_bytes,
+            usual.output_bytes,
+        )
         if whole and self.verdict in LIMITED:
             patience = max(SHORT_SECONDS, round(self.budget.left, 1))
             cpu, wall = min(cpu, patience), min(wall, patience)
@@ -191,76 +211,84 @@ class Trial:
             short = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, short)
             wall = min(wall, max(SHORT_SECONDS, min(2 * short, round(self.budget.left, 1))))
-        return Limits(cpu, wall, memory, output)
+        return Limits(cpu, wall, memory, output, items=self.problem.answer.items)
 
     def _asked(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
+        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
     ) -> list[Finding | None]:
         """How each of the cases that were reached came out; None where it is right."""
-        ask = self._calls if self._mode is Mode.FUNCTION else self._program
-        return ask(box, cases, targets, group, limits)
-
-    def _calls(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
-    ) -> list[Finding | None]:
+        replies = self._runner.answers(box, cases, limits)
+        if replies.breakdown is not None:
+            return self._broken_down(replies.breakdown, cases, targets, group)
         ended: list[Finding | None] = []
-        replies = box.call_many(self.problem.entry, cases, limits).replies
-        for case, target, reply in zip(cases, targets, replies, strict=False):
+        for case, target, reply in zip(cases, targets, replies.replies, strict=False):
             if reply.stop is not Stop.ANSWERED:
-                wanted = wanted_text(target)
-                ended.append(self._stopped(case, group, VERDICTS[reply.stop], wanted, reply.detail))
+                ended.append(self._stopped(case, target, group, VERDICTS[reply.stop], reply.detail))
                 continue
-            outcome = check(self.problem.answer, reply.answer, target, self._exact(case, group))
-            ended.append(self._rejected(case, group, outcome) if isinstance(outcome, Rejection) else None)
+            outcome = self._runner.decide(reply.answer, target, self._exact(case, group))
+            if isinstance(outcome, Rejection):
+                ended.append(self._rejected(case, target, group, outcome, reply.answer))
+            else:
+                ended.append(None)
         return ended
 
-    def _program(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[AnyTarget], group: Group, limits: Limits
+    def _broken_down(
+        self, breakdown: Breakdown, cases: Sequence[Case], targets: Sequence[Target], group: Group
     ) -> list[Finding | None]:
-        result = box.run_program(render_group(cases), limits)
-        if result.stop is not Stop.ANSWERED:
-            wanted, verdict = render_target(targets[0]), VERDICTS[result.stop]
-            return [self._stopped(case, group, verdict, wanted, result.detail) for case in cases[:1]]
-        lines = answer_lines(result.stdout, complete=True)
-        if len(cases) == 1:
-            lines = [
-                " ".join(lines)
-            ]  # too many lines, or none, are read as one that says too much or nothing
-        if len(lines) != len(cases):
-            return []  # which case is to blame is not known
-        ended: list[Finding | None] = []
-        for case, target, line in zip(cases, targets, lines, strict=False):
-            outcome = check_line(self.problem.answer, line, target, self._exact(case, group))
-            ended.append(self._rejected(case, group, outcome) if isinstance(outcome, Rejection) else None)
-        return ended
+        """What a run that broke down says of its cases: something only where it had a single one."""
+        if len(cases) > 1:
+            return []
+        verdict, detail, got = breakdown.verdict, breakdown.detail, breakdown.got
+        found = self._stopped(cases[0], targets[0], group, verdict, detail, got)
+        return [replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found]
 
-    def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Answer, Tolerance]]:
-        return lambda: (self.module.reference(*case), group.tolerance)
+    def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
+        return lambda: (self._proof(case).answer, group.tolerance)
 
-    def _rejected(self, case: Case, group: Group, outcome: Rejection) -> Finding:
-        kind = self.problem.answer
-        off = "off" if outcome.where else "other"
-        wanted, got = _shape(kind, outcome.wanted), _shape(kind, outcome.got)
-        if got.isdecimal() and got != wanted:  # of a tangent both 0 and 2 are the same mistake
-            got = "another number"
-        elif got == "zero":  # as wrong as any other
-            got = "a number"
-        way = (wanted, got, off)
+    def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
+        way = _way(
+            self.problem.answer.right(target), self._runner.outline(answer), outcome, coarse=self._coarse
+        )
         texts = outcome.wanted, outcome.got, outcome.message
-        return Finding(case, group, measure(case), Verdict.WA, *texts, way)
+        return Finding(case, group, self.measure(case), Verdict.WA, *texts, way, self._runner.raw(answer))
 
-    def _stopped(self, case: Case, group: Group, verdict: Verdict, wanted: str, detail: str) -> Finding:
+    def _stopped(
+        self,
+        case: Case,
+        target: Target,
+        group: Group,
+        verdict: Verdict,
+        detail: str,
+        got: str = "no answer",
+    ) -> Finding:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
-        return Finding(case, group, measure(case), verdict, wanted, "no answer", detail, way)
+        wanted = self._runner.wanted(target)
+        return Finding(case, group, self.measure(case), verdict, wanted, got, detail, way)
 
 
-def _shape(kind: AnswerKind, text: str) -> str:
-    """What an answer is, without its numbers: a count, how many points, whether there is a parameter."""
-    if kind is AnswerKind.POINTS:
-        return str(text.count("(")) if text[:1] in "[(" else text.partition(" ")[0][:20]
-    if kind is AnswerKind.COUNT:
-        return text[:20].lower()
-    try:
-        return "a number" if float(text) else "zero"
-    except ValueError:
-        return text.partition(" ")[0][:20].lower()
+def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) -> tuple[str, ...]:
+    """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
+    wanted, got = sort_of(right), sort_of(given)
+    if got.rpartition(" ")[2].isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
+        got = "another number"
+    elif got == "zero":  # as wrong as any other
+        got = "a number"
+    elif got.startswith("word ") and got != wanted:  # so is every other word
+        got = "another word"
+    if coarse:
+        wanted, got = _roughly(wanted), _roughly(got)
+    return wanted, got, "off" if outcome.where else "other"
+
+
+def _roughly(sort: str) -> str:
+    return "a word" if sort.startswith("word ") else sort.rstrip("-0123456789")
+
+
+def sort_of(outline: Outline) -> str:
+    """What an answer is: an int itself, how many items, whether it is a number, a word, none."""
+    form, numbers = outline
+    if form == "number":
+        return "a number" if numbers[0] else "zero"
+    if form in ("count", "type float"):
+        return f"{numbers[0]:.0f}" if form == "count" else f"type float{numbers[:1]}"
+    return " ".join(form.split()[:2])

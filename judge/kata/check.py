@@ -1,21 +1,33 @@
-"""What a kata needs beyond being judged: hints that can be read, and a stub. For `judge verify`."""
+"""What a kata needs beyond being judged: hints, a stub, sets and skills that exist. For `judge verify`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from judge.errors import ProblemError
+from judge.kata.sets import set_names, unknown_sets
+from judge.kata.skills import unknown_skills
 from judge.kata.stub import make_stub
+from judge.problem import Problem
+from judge.problem.hints import read_hints
 from judge.run.verify import Fault
-from judge.spec import Problem
-from judge.spec.hints import read_hints
 
 
-def kata_faults(problem: Problem) -> Iterator[Fault]:
-    """The setter's faults; a problem without hints has none of these."""
-    checks: tuple[Callable[[Problem], object], ...] = (read_hints, make_stub)
-    for check in checks:
+def kata_faults(problem: Problem, extra: Sequence[Path] = ()) -> Iterator[Fault]:
+    """The setter's faults; `extra` are folders of problems to look in first for the sets and skills."""
+    for fault in _faults(problem, extra):
+        yield Fault(fault.what, fault.where or problem.id, fault.remedy or "")
+
+
+def _faults(problem: Problem, extra: Sequence[Path]) -> Iterator[ProblemError]:
+    for check in (read_hints, make_stub):
         try:
             check(problem)
         except ProblemError as fault:
-            yield Fault(fault.what, fault.where or problem.id, fault.remedy or "")
+            yield fault
+    yield from unknown_sets(problem, set_names(extra))
+    try:
+        yield from unknown_skills([problem], extra)
+    except ProblemError as fault:  # of a file of skills
+        yield fault

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 
 from msgspec import Struct
 
-from judge.spec import Example, Problem
+from judge.problem import Example, Problem
 
 _ITEM = re.compile(r"(?:[-*+]|\d+[.)])\s+")
 _HEADING = re.compile(r"(#+)\s")

@@ -2,7 +2,7 @@
 
     with History.open() as history:
         history.add(result, source, path)
-        history.runs("segment")                      # oldest first
+        history.runs("count")                        # oldest first
 
 Importing this module imports no SQLite; opening a history does.
 """
@@ -22,8 +22,9 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import HistoryError, UsageError
+from judge.problem import Verdict
+from judge.problem.solutions import is_solution
 from judge.run.result import Mode, Result
-from judge.spec import Verdict
 
 if TYPE_CHECKING:
     import sqlite3
@@ -98,16 +99,18 @@ class Run(Struct, frozen=True):
 
     @property
     def _by_the_setter(self) -> bool:
-        return f"/solutions/{self.problem}/" in self.path and (
-            self.path.split("/")[-4:-2] == ["solutions", self.problem]
-        )
+        return is_solution(self.path, self.problem)
 
 
 class Current(Struct, frozen=True):
-    """The kata in hand: its problem, and the absolute path of the file that will be judged."""
+    """The kata in hand: its problem, and the absolute path of the file that will be judged.
+
+    `problems` is the folder that the problem lies in, empty for one that every judge finds by itself.
+    """
 
     problem: str
     path: str
+    problems: str = ""
 
 
 class Help(Struct, frozen=True):
@@ -209,13 +212,14 @@ class History:
 
     def current(self) -> Current | None:
         """The kata in hand, if one was taken up."""
-        rows = self._rows("SELECT problem, path FROM current")
-        return Current(rows[0][0], os.fsdecode(rows[0][1])) if rows else None
+        rows = self._rows("SELECT problem, path, problems FROM current")
+        return Current(rows[0][0], *map(os.fsdecode, rows[0][1:])) if rows else None
 
-    def take_up(self, problem: str, path: str) -> None:
-        """Make that problem the kata in hand; `path` is the file to judge, from the root."""
+    def take_up(self, problem: str, path: str, problems: str = "") -> None:
+        """Make that problem the kata in hand; the other arguments are those of `Current`."""
+        row = (problem, os.fsencode(path), os.fsencode(problems))
         with self._writing() as connection:
-            connection.execute("REPLACE INTO current VALUES (1, ?, ?)", (problem, os.fsencode(path)))
+            connection.execute("REPLACE INTO current (id, problem, path, problems) VALUES (1, ?, ?, ?)", row)
 
     def hints_seen(self, problem: str) -> int:
         """How many of the problem's hints have been seen."""

@@ -51,7 +51,10 @@ _PRACTICE = (
     )""",
     "CREATE INDEX help_with_a_problem ON help (problem, id)",
 )
-MIGRATIONS: tuple[tuple[str, ...], ...] = (_RUNS, _PRACTICE)
+_FOLDER_IN_HAND = (
+    "ALTER TABLE current ADD COLUMN problems BLOB NOT NULL DEFAULT x''",  # the folder its problem lies in
+)
+MIGRATIONS: tuple[tuple[str, ...], ...] = (_RUNS, _PRACTICE, _FOLDER_IN_HAND)
 
 
 def version_of(connection: Connection) -> int:

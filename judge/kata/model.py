@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import ast
+from importlib.util import decode_source
 from pathlib import Path
 
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.reading import read_ordinary_text
-from judge.spec import Problem
-from judge.spec.program import tree_of
+from judge.problem import Problem
+from judge.problem.program import tree_of
+from judge.problem.solutions import Kind, Solution, read_solutions
 
 
 class Model(Struct, frozen=True):
@@ -26,38 +27,28 @@ def model_solution(problem: Problem) -> Model:
     """The accepted function that times are measured against; where there is none, the first accepted one.
 
     Raises:
-        ProblemError: there is none, or it is no Python.
+        ProblemError: there is none, or what there is cannot be read.
     """
-    where = f"{problem.solutions.name}/accepted"
-    paths = sorted((problem.solutions / "accepted").glob("*.py"))
-    if problem.time is not None:
-        paths.sort(key=lambda path: problem.time is None or path.name != problem.time.function)
-    for path in paths:
-        try:
-            text = read_ordinary_text(path)
-            tree = tree_of(text)
-        except OSError as fault:
-            what = f"cannot be read ({fault.strerror})"
-            raise ProblemError(what, where=f"{where}/{path.name}", remedy="make it readable") from fault
-        except (SyntaxError, ValueError) as fault:
-            raise ProblemError(
-                f"no Python: {fault}", where=f"{where}/{path.name}", remedy="repair it"
-            ) from fault
+    programs, faults = read_solutions(problem, Kind.ACCEPTED)
+    timed = problem.time.function if problem.time else None
+    for program in sorted(programs, key=lambda program: program.path.name != timed):
+        tree = tree_of(program.source)
         if _defines(tree, problem.entry):
-            return _model(path, text, tree)
+            return _model(program, tree)
+    for fault in faults:
+        raise fault
     what = f"there is no accepted solution that defines {problem.entry}"
-    raise ProblemError(what, where=where, remedy=f"add one to {problem.solutions / 'accepted'}")
+    folder = problem.solutions / Kind.ACCEPTED.value
+    raise ProblemError(what, where=f"{problem.solutions.name}/{folder.name}", remedy=f"add one to {folder}")
 
 
 def _defines(tree: ast.Module, entry: str) -> bool:
     return any(isinstance(part, ast.FunctionDef) and part.name == entry for part in tree.body)
 
 
-def _model(path: Path, text: str, tree: ast.Module) -> Model:
-    docstring = ast.get_docstring(tree) or ""
-    idea, _, explanation = docstring.partition("\n")
-    lines = text.splitlines()
-    if docstring:
+def _model(solution: Solution, tree: ast.Module) -> Model:
+    lines = decode_source(solution.source).splitlines()
+    if ast.get_docstring(tree) is not None:
         first = tree.body[0]
         lines[first.lineno - 1 : first.end_lineno] = []
-    return Model(path, idea.strip().rstrip("."), explanation.strip("\n"), "\n".join(lines).strip("\n"))
+    return Model(solution.path, solution.name, solution.text, "\n".join(lines).strip("\n"))

@@ -1,40 +1,49 @@
-"""Practice sets: katas in the order in which to take them up, one file each beside the problems.
+"""Practice sets: katas in the order in which to take them up.
 
-problems/sets/middle.toml
-    title = "Middle"
-    about = "One sentence for the list of sets."
-    problems = ["segment", "ray-nearest"]
+A set's file beside the problems says what it is, and each problem names the sets that it is in:
+
+    problems/sets/middle.toml          title = "Middle"
+                                       about = "One sentence for the list of sets."
+    problems/count/problem.toml        sets = ["middle", "path"]
+
+A file may list its `problems` itself, in an order of its own: then the set is made of these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.errors import UsageError
+from judge.errors import ProblemError, UsageError
 from judge.kata.tables import Table, unlike_any
-from judge.spec.find import problem_folders, problem_roots
+from judge.problem import Problem, Tier
+from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
+from judge.problem.tomlfile import key_place
 
 USUAL = "path"  # the set that stands for all of them in order
 
-_ORDER = ("junior", "middle", "senior", "professional")  # as the problems' tiers; others after them, by name
+_ORDER = [tier.value for tier in Tier]  # sets of these names come first; others after them, by name
 
 
 class PracticeSet(Struct, frozen=True):
-    """Problems to practise, in order; `name` is the file's."""
+    """Problems to practise, in order; `name` is the file's.
+
+    `faults` are of problems that may belong to it: one that cannot be read, a name that no set has.
+    """
 
     name: str
     title: str
     about: str
-    problems: tuple[str, ...]
+    problems: tuple[Problem, ...]
+    faults: tuple[ProblemError, ...] = ()
 
 
 class _SetTable(Struct, forbid_unknown_fields=True, frozen=True):
     title: str
     about: str
-    problems: list[str]
+    problems: list[str] | None = None
 
 
 def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
@@ -42,19 +51,40 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
 
     Raises:
         UsageError: there is none of that name.
-        ProblemError: it is broken.
+        ProblemError: its file is broken, or it has no problem.
     """
     files = _files(problem_roots(extra, installed=False))
     if name not in files:
         files = _files(problem_roots(extra))
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=unlike_any(name, list(files)))
-    return _load(files[name], extra)
+    file = Table(files[name])
+    table = file.read(_SetTable)
+    if table.problems is not None:
+        return PracticeSet(name, table.title, table.about, tuple(_listed(file, table.problems, extra)))
+    problems, faults = sound_problems(extra)
+    names = set_names(extra)
+    faults += [fault for problem in problems for fault in unknown_sets(problem, names)]
+    members = tuple(problem for problem in problems if name in problem.sets)
+    if not members:
+        for fault in faults:
+            raise fault
+        raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
+    return PracticeSet(name, table.title, table.about, members, tuple(faults))
 
 
 def set_names(extra: Sequence[Path] = ()) -> list[str]:
     """The names of all sets, easiest first; none of them is read."""
     return list(_files(problem_roots(extra)))
+
+
+def unknown_sets(problem: Problem, names: Sequence[str]) -> Iterator[ProblemError]:
+    """A fault for each set that the problem names and that is none of `names`."""
+    for at, name in enumerate(problem.sets):
+        if name not in names:
+            remedy = f"{unlike_any(name, list(names))}; a new one needs a file sets/{name}.toml"
+            what = f"no practice set is called {name!r}"
+            yield ProblemError(what, where=key_place(problem, ("sets", at)), remedy=remedy)
 
 
 def _files(roots: Iterable[Path]) -> dict[str, Path]:
@@ -69,24 +99,16 @@ def _place(name: str) -> tuple[int, str]:
     return (_ORDER.index(name) if name in _ORDER else len(_ORDER), name)
 
 
-def _load(path: Path, extra: Sequence[Path]) -> PracticeSet:
-    file = Table(path)
-    table = file.read(_SetTable)
-    if not table.problems:
+def _listed(file: Table, names: Sequence[str], extra: Sequence[Path]) -> Iterator[Problem]:
+    """The problems that a set's file lists itself."""
+    if not names:
         raise file.fault("the set holds no problem", "name at least one", "problems")
-    for place, name in enumerate(table.problems):
-        if name not in _beside(path) and name not in (known := _all(extra)):
-            what = f"no problem is called {name!r}"
-            raise file.fault(what, unlike_any(name, known), "problems", place)
-        if name in table.problems[:place]:
+    for place, name in enumerate(names):
+        if name in names[:place]:
             raise file.fault(f"{name!r} is listed twice", "take one out", "problems", place)
-    return PracticeSet(path.stem, table.title, table.about, tuple(table.problems))
-
-
-def _beside(path: Path) -> list[str]:
-    """The folders beside the folder of sets: nearly always the problems that a set is made of."""
-    return [folder.name for folder in path.parent.parent.iterdir() if (folder / "problem.toml").is_file()]
-
-
-def _all(extra: Sequence[Path]) -> list[str]:
-    return [folder.name for folder in problem_folders(extra)]
+        try:
+            yield find_problem(name, extra)
+        except UsageError:
+            known = [folder.name for folder in problem_folders(extra)]
+            what = f"no problem is called {name!r}"
+            raise file.fault(what, unlike_any(name, known), "problems", place) from None

@@ -1,19 +1,20 @@
 """The checklist: what there is to learn, and which runs have shown it.
 
-    problems/skills.toml
-        [[skills]]
-        name = "clamp to a ray"
-        about = "The nearest root that is not behind the origin."
-        needs = [{ problem = "ray-nearest", groups = ["ahead", "behind"] }]
+    problems/skills.toml            [[skills]]
+                                    name = "far from the origin"
+                                    about = "Subtract first: the square of a large number drowns a small one."
+    problems/count/problem.toml     [skills]
+                                    "far from the origin" = ["offset", "offset-near"]
 
-A need is met by one run that passed all of its groups; a skill is shown when each of its needs was met, and
-lost where the latest run that tried a need fails it. A run that passed no test group at all loses nothing.
+A problem may explain a skill of its own there too. What it names is a need, met by one run that passed all of
+these groups; a skill is shown when each of its needs was met, and lost where the latest run that tried a need
+fails it. A run that passed no test group at all loses nothing.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
 from pathlib import Path
@@ -21,37 +22,39 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from judge.errors import UsageError
+from judge.errors import ProblemError, nearest
 from judge.kata.history import Run
-from judge.kata.tables import Table, unlike_any
-from judge.spec import Problem
-from judge.spec.find import find_problem, problem_roots
+from judge.kata.tables import Table
+from judge.problem import Problem
+from judge.problem.find import problem_roots
+from judge.problem.tomlfile import key_place
 
 _FILE = "skills.toml"
+_EXPLAIN = f'explain it here, {{ groups = […], about = "…" }}, or in {_FILE}'
 
 
-class Need(Struct, forbid_unknown_fields=True, frozen=True):
+class Need(Struct, frozen=True):
     """Test groups of one problem that one run must pass together."""
 
     problem: str
     groups: tuple[str, ...]
 
 
-class Skill(Struct, forbid_unknown_fields=True, frozen=True):
+class Skill(Struct, frozen=True):
     """Something to be able to do, as a person would tick it off."""
 
     name: str
     about: str
     needs: tuple[Need, ...]
 
-    def within(self, problems: Collection[str]) -> Skill | None:
-        """What of it these problems show; None if nothing."""
-        needs = tuple(need for need in self.needs if need.problem in problems)
-        return Skill(self.name, self.about, needs) if needs else None
+
+class _SkillTable(Struct, forbid_unknown_fields=True, frozen=True):
+    name: str
+    about: str
 
 
 class _SkillsTable(Struct, forbid_unknown_fields=True, frozen=True):
-    skills: list[Skill]
+    skills: list[_SkillTable]
 
 
 class SkillState(Enum):
@@ -118,24 +121,43 @@ class SkillProgress(Struct, frozen=True):
         return sum((Counter(need.mistakes) for need in self.needs), Counter())
 
 
-def load_skills(extra: Sequence[Path] = ()) -> tuple[list[Skill], dict[str, Problem]]:
-    """The skills of every folder of problems, in the files' order, and the problems that show them by name.
+def skills_of(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> list[Skill]:
+    """What these problems show: first the skills of each folder's file, in its order, then their own.
 
-    Raises:
-        ProblemError: a file is broken, or names a problem or a group that is not there.
+    What is explained nowhere is left out (see `unknown_skills`), and so is what none of them shows. Raises
+    ProblemError where a file of skills is broken.
     """
-    skills: list[Skill] = []
-    problems: dict[str, Problem] = {}
-    for root in problem_roots(extra):
-        if (root / _FILE).is_file():
-            skills += _load(Table(root / _FILE), extra, problems)
-    return skills, problems
+    problems = list(problems)
+    abouts = _explained(extra)
+    for problem in problems:
+        for shown in problem.skills:
+            if shown.about is not None:
+                abouts.setdefault(shown.name, shown.about)
+    needs: dict[str, list[Need]] = {name: [] for name in abouts}
+    for problem in problems:
+        for shown in problem.skills:
+            if shown.name in needs:
+                needs[shown.name].append(Need(problem.id, shown.groups))
+    return [Skill(name, about, tuple(needs[name])) for name, about in abouts.items() if needs[name]]
 
 
-def assess(
-    skills: Iterable[Skill], runs: Iterable[Run], problems: Mapping[str, Problem]
-) -> list[SkillProgress]:
-    """How each skill stands after these runs, which are in their order."""
+def unknown_skills(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
+    """A fault for each skill that a problem names and nothing explains. Raises as skills_of does."""
+    known = list(_explained(extra))
+    for problem in problems:
+        for shown in problem.skills:
+            if shown.about is None and shown.name not in known:
+                meant = nearest(shown.name, known)
+                yield ProblemError(
+                    f"no skill is called {shown.name!r}",
+                    where=key_place(problem, ("skills", shown.name)),
+                    remedy=f"did you mean {meant!r}?" if meant else _EXPLAIN,
+                )
+
+
+def assess(skills: Iterable[Skill], runs: Iterable[Run], problems: Iterable[Problem]) -> list[SkillProgress]:
+    """How each skill of these problems stands after these runs, which are in their order."""
+    named = {problem.id: problem for problem in problems}
     of_problem: dict[str, list[_Tried]] = {}
     for run in runs:
         if run.counts and (run.passed or run.failed):
@@ -145,7 +167,7 @@ def assess(
         SkillProgress(
             skill,
             tuple(
-                _assess(need, of_problem.get(need.problem, ()), _mistakes_of(need, problems[need.problem]))
+                _assess(need, of_problem.get(need.problem, ()), _mistakes_of(need, named[need.problem]))
                 for need in skill.needs
             ),
         )
@@ -188,33 +210,21 @@ def mistake_names(run: Run) -> list[str]:
 
 
 def _mistakes_of(need: Need, problem: Problem) -> set[str]:
-    """The mistakes that the need's groups are there for."""
+    """The mistakes that the need's groups should catch."""
     return {name for group in problem.groups if group.name in need.groups for name in group.kills}
 
 
-def _load(file: Table, extra: Sequence[Path], problems: dict[str, Problem]) -> list[Skill]:
-    table = file.read(_SkillsTable)
-    for place, skill in enumerate(table.skills):
-        if skill.name in [other.name for other in table.skills[:place]]:
-            raise file.fault(f"{skill.name!r} is there twice", "take one out", "skills", place)
-        if not skill.needs:
-            what = f"{skill.name!r} needs nothing"
-            raise file.fault(what, "name the test groups that show it", "skills", place, "needs")
-        for need in skill.needs:
-            _check(file, place, need, extra, problems)
-    return table.skills
-
-
-def _check(file: Table, place: int, need: Need, extra: Sequence[Path], problems: dict[str, Problem]) -> None:
-    try:
-        if need.problem not in problems:
-            problems[need.problem] = find_problem(need.problem, extra)
-    except UsageError as fault:
-        raise file.fault(fault.what, fault.remedy or "", "skills", place, "needs") from fault
-    names = [group.name for group in problems[need.problem].groups]
-    for group in need.groups:
-        if group not in names:
-            what = f"{need.problem} has no group {group!r}"
-            raise file.fault(what, unlike_any(group, names), "skills", place, "needs")
-    if not need.groups:
-        raise file.fault("a need names no group", "name at least one", "skills", place, "needs")
+def _explained(extra: Sequence[Path]) -> dict[str, str]:
+    """What each skill is about by its name, of every folder's file; the first of a name wins."""
+    found: dict[str, str] = {}
+    for root in problem_roots(extra):
+        if not (root / _FILE).is_file():
+            continue
+        file = Table(root / _FILE)
+        here: set[str] = set()
+        for place, skill in enumerate(file.read(_SkillsTable).skills):
+            if skill.name in here:
+                raise file.fault(f"{skill.name!r} is there twice", "take one out", "skills", place)
+            here.add(skill.name)
+            found.setdefault(skill.name, skill.about)
+    return found

@@ -15,39 +15,18 @@ from typing import Any
 
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
-from judge.spec import AnswerKind, Example, ParameterType, Problem
+from judge.language import file_name as program_name
+from judge.problem import Example, Problem
 
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
 _QUOTES = '"""'
-_DIGITS = 6  # decimals in the doctests
-_TYPES = {
-    ParameterType.NUMBER: "float",  # for which an int is welcome
-    ParameterType.INTEGER: "int",
-    ParameterType.POINT: "Point",
-    ParameterType.INTEGER_POINT: "IntPoint",
-}
-_ANSWERS = {
-    AnswerKind.COUNT: "int | None",
-    AnswerKind.POINTS: "list[Point]",
-    AnswerKind.PARAMETER: "float | None",
-}
-_ALIASES = {"Point": "tuple[float, float]", "IntPoint": "tuple[int, int]"}
-_ROUNDED = {
-    AnswerKind.POINTS: f'''\
-def rounded(points: list[Point]) -> list[Point]:
-    """Round the answer as the examples show it; 0.0 stands for -0.0 too."""
-    return [(round(x, {_DIGITS}) + 0.0, round(y, {_DIGITS}) + 0.0) for x, y in points]''',
-    AnswerKind.PARAMETER: f'''\
-def rounded(t: float | None) -> float | None:
-    """Round the answer as the examples show it; 0.0 stands for -0.0 too."""
-    return None if t is None else round(t, {_DIGITS}) + 0.0''',
-}
+_IMPORTS = {"array": "from array import array"}
 
 
 def file_name(problem: Problem) -> str:
     """The usual name of a problem's file: one that Python can import."""
-    return f"{problem.id.replace('-', '_')}.py"
+    return program_name(problem.id.replace("-", "_"))
 
 
 def make_stub(problem: Problem) -> str:
@@ -57,8 +36,8 @@ def make_stub(problem: Problem) -> str:
         ProblemError: what the setter wrote makes no Python.
     """
     parts = [_head(problem), _function(problem)]
-    if problem.answer in _ROUNDED and problem.examples:
-        parts.append(_ROUNDED[problem.answer])
+    if problem.answer.rounded and problem.examples:
+        parts.append(_rounding(problem))
     text = "\n\n\n".join(parts) + "\n"
     try:
         ast.parse(text)
@@ -78,10 +57,28 @@ def _head(problem: Problem) -> str:
     title = _wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES))
     docstring = f"{_QUOTES}{_quoted([*title, '', *about])}\n{_QUOTES}"
     signature = _signature(problem)
+    types = [problem.answer, *(parameter.type for parameter in problem.parameters)]
+    meanings = {name: meant for type_ in types for name, meant in type_.aliases().items()}
     aliases = [
-        f"{name} = {meant}" for name, meant in _ALIASES.items() if re.search(rf"\b{name}\b", signature)
+        f"{name} = {meant}"
+        for name, meant in sorted(meanings.items())
+        if re.search(rf"\b{name}\b", signature)
     ]
-    return "\n".join([docstring, *([""] if aliases else []), *aliases])
+    imports = [line for name, line in _IMPORTS.items() if re.search(rf"\b{name}\b", signature)]
+    return "\n".join([docstring, *([""] if imports else []), *imports, *([""] if aliases else []), *aliases])
+
+
+def _rounding(problem: Problem) -> str:
+    """The function that the doctests round with."""
+    answer = problem.answer
+    name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
+    return "\n".join(
+        [
+            f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:",
+            f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""',
+            f"{_INDENT}return {answer.rounded.format(name)}",
+        ]
+    )
 
 
 def _wrapped(text: str, width: int) -> list[str]:
@@ -104,8 +101,8 @@ def _function(problem: Problem) -> str:
 
 def _signature(problem: Problem) -> str:
     """The `def` line, broken as formatters break it where it is too long."""
-    parameters = [f"{each.name}: {_TYPES[each.type]}" for each in problem.parameters]
-    head, tail = f"def {problem.entry}(", f") -> {_ANSWERS[problem.answer]}:"
+    parameters = [f"{each.name}: {each.type.annotation}" for each in problem.parameters]
+    head, tail = f"def {problem.entry}(", f") -> {problem.answer.annotation}:"
     inner = ", ".join(parameters)
     if len(head + inner + tail) <= _WIDTH:
         return head + inner + tail
@@ -122,15 +119,21 @@ def _quoted(lines: list[str], indent: str = "") -> str:
 
 
 def _doctest(problem: Problem, example: Example) -> list[str]:
-    """An example as at Python's prompt; None, which the prompt does not show, is printed."""
+    """An example as at Python's prompt; None, which the prompt does not show, is printed.
+
+    Where an answer of one's own looks different and is right as well, it is told instead.
+    """
     opened, closed = "", ""
     wanted: Any = example.wanted
-    if problem.answer in _ROUNDED:
+    if problem.answer.rounded:
         opened, closed = "rounded(", ")"
-        wanted = _rounded(wanted)
+        wanted = problem.answer.round(wanted)
     if wanted is None:
         opened, closed = f"print({opened}", f"{closed})"
-    arguments = [repr(argument) for argument in example.case]
+    values = zip(problem.parameters, example.case, strict=True)
+    arguments = [parameter.type.literal(value) for parameter, value in values]
+    if not problem.answer.settled:
+        return list(_filled(f"{problem.entry}(", arguments, f") may return {wanted!r}"))
     call = list(_filled(f"{opened}{problem.entry}(", arguments, f"){closed}"))
     return [*(f"{'...' if at else '>>>'} {row}" for at, row in enumerate(call)), repr(wanted)]
 
@@ -147,12 +150,3 @@ def _filled(head: str, arguments: list[str], tail: str) -> Iterator[str]:
             row, gap = _INDENT, ""
         row += gap + piece
     yield row
-
-
-def _rounded(wanted: Any) -> Any:
-    """What the stub's own `rounded` makes of an answer."""
-    if wanted is None:
-        return None
-    if isinstance(wanted, list | tuple):
-        return [(round(x, _DIGITS) + 0.0, round(y, _DIGITS) + 0.0) for x, y in wanted]
-    return round(wanted, _DIGITS) + 0.0

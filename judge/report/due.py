@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 
 from judge.kata.review import Rating, Review
+from judge.language import file_name
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
 from judge.report.values import counted
@@ -88,4 +89,4 @@ def _went(review: Review) -> str:
 
 def _fresh(problem: str, now: datetime) -> str:
     """A name for a file that is not there yet."""
-    return f"{problem.replace('-', '_')}_{now:%m%d}.py"
+    return file_name(f"{problem.replace('-', '_')}_{now:%m%d}")

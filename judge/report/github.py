@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from judge.problem.verdict import Verdict
 from judge.report.layout import printable
 from judge.report.places import annotated_place
 from judge.report.results import failure_place, verdict_lines
 from judge.report.values import arguments
 from judge.run.result import Failure, Result
-from judge.spec.verdict import Verdict
 
 
 def annotation(result: Result, source: bytes, entry: str, environment: Mapping[str, str]) -> str:

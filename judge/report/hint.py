@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from judge.problem import Problem
+from judge.problem.hints import Hint
 from judge.report.layout import Span, Style, beside, line
 from judge.report.screen import Screen
 from judge.report.statement import statement_text
-from judge.spec import Problem
-from judge.spec.hints import Hint
 
 
 def hint_text(problem: Problem, hint: Hint, steps: int, screen: Screen) -> str:

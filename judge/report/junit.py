@@ -14,11 +14,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as Xml
 
+from judge.problem.verdict import Verdict
 from judge.report.layout import printable
 from judge.report.results import counterexample_lines, failure_lines, failure_place, pitfall_lines
 from judge.report.values import counted
 from judge.run.result import GroupResult, Result
-from judge.spec.verdict import Verdict
 
 
 def junit(results: Sequence[Result]) -> bytes:

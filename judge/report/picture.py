@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from judge.diagnose.picture import Picture
-from judge.diagnose.picture.braille import COLUMNS, to_braille
-from judge.diagnose.picture.shapes import Role
+from judge.drawing import Picture
+from judge.drawing.braille import COLUMNS, to_braille
+from judge.drawing.shapes import Role
 from judge.report.layout import Line, Span, Style, line
 from judge.report.screen import Screen, is_terminal
 

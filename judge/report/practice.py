@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from judge.kata.sets import PracticeSet
 from judge.kata.standing import Standing, State
+from judge.problem import Problem
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
-from judge.spec import Problem
 
 _STYLES = {State.NEW: Style.FAINT, State.TRIED: Style.WARNING, State.PASSED: Style.GOOD}
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.values import bound, counted, size
-from judge.spec import Group, Parameter, Problem, Tolerance
+from judge.values import Words
 
 
 def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]:
@@ -39,15 +40,18 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield line(Span("Parameters", Style.STRONG))
     yield from _parameter_table(problem.parameters).lines(width)
     yield line()
+    yield line(Span("Answer", Style.STRONG))
+    yield from hanging(Span(""), Span(str(problem.answer)), width, indent=2, column=2)
+    yield line()
     total = f"  {counted(cases(problem), 'case')}, {sum(group.points for group in problem.groups)} points"
     yield line(Span("Test groups", Style.STRONG), Span(total, Style.FAINT))
     tolerances = Counter(group.tolerance for group in problem.groups)
     usual = tolerances.most_common(1)[0][0]
-    yield from _group_table(problem.groups, usual).lines(width)
+    yield from _group_table(problem.groups, usual, problem.answer.words).lines(width)
     yield line()
     aside = "unless the group says otherwise" if len(tolerances) > 1 else ""
     yield from beside(Span("Tolerance", Style.STRONG), aside, width)
-    yield from hanging(Span(""), Span(tolerance(usual)), width, indent=2, column=2)
+    yield from hanging(Span(""), Span(tolerance(usual, problem.answer.words)), width, indent=2, column=2)
     yield line()
     limits = problem.limits
     yield line(Span("Limits", Style.STRONG), Span("  for each group", Style.FAINT))
@@ -55,6 +59,21 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield from _labelled("wall clock", f"{limits.wall_seconds:g} s", width)
     yield from _labelled("memory", size(limits.memory_bytes), width)
     yield from _labelled("output", size(limits.output_bytes), width)
+    yield from _own_limits(problem, width)
+
+
+def _own_limits(problem: Problem, width: int | None) -> Iterator[Line]:
+    """The limits of single groups, and of growth."""
+    for group in problem.groups:
+        parts = [f"CPU {group.limits.cpu_seconds:g} s"] if group.limits else []
+        parts += [f"wall clock {group.limits.wall_seconds:g} s"] if group.limits else []
+        parts += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
+        if parts:
+            yield from _labelled(group.name, ", ".join(parts), width)
+    if problem.growth is not None:
+        rule = problem.growth
+        text = f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
+        yield from _labelled("growth", text, width)
 
 
 def cases(problem: Problem) -> int:
@@ -62,16 +81,17 @@ def cases(problem: Problem) -> int:
     return sum(group.count for group in problem.groups)
 
 
-def tolerance(value: Tolerance) -> str:
-    """A tolerance in words, such as `1e-9 of the extent + 4 ulp`."""
-    wide = [f"{bound(value.extent)} of the extent"] if value.extent else []
+def tolerance(value: Tolerance, words: Words) -> str:
+    """A tolerance in words, such as `1e-9 relative + 4 ulp`; what it counts in has the problem's own name."""
+    unit = words.unit or "the answer's unit"
+    wide = [f"{bound(value.extent)} of {unit}"] if value.extent else []
     wide += [f"{bound(value.relative)} relative"] if value.relative else []
     parts = [" or ".join(wide)] if wide else []
     parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
     said = " + ".join(parts) or "none: the exact answer"
     if not value.zero:
         return said
-    return f"{said}; where the exact number is 0, {bound(value.zero)} of the extent as a length"
+    return f"{said}; where the exact number is 0, {bound(value.zero)} of {unit}"
 
 
 def _parameter_table(parameters: Sequence[Parameter]) -> Table:
@@ -79,7 +99,7 @@ def _parameter_table(parameters: Sequence[Parameter]) -> Table:
     rows: list[list[Cell]] = [
         [
             Span(parameter.name, Style.STRONG),
-            parameter.type.value.replace("-", " "),
+            str(parameter.type).replace("-", " "),
             bound(parameter.low),
             bound(parameter.high),
             parameter.about,
@@ -89,7 +109,7 @@ def _parameter_table(parameters: Sequence[Parameter]) -> Table:
     return Table((*columns, Column("about", flexible=True)), rows)
 
 
-def _group_table(groups: Sequence[Group], usual: Tolerance) -> Table:
+def _group_table(groups: Sequence[Group], usual: Tolerance, words: Words) -> Table:
     columns = (
         Column("group"),
         Column("cases", right=True),
@@ -100,7 +120,7 @@ def _group_table(groups: Sequence[Group], usual: Tolerance) -> Table:
     for group in groups:
         about = group.about
         if group.tolerance != usual:
-            about += f" Tolerance: {tolerance(group.tolerance)}."
+            about += f" Tolerance: {tolerance(group.tolerance, words)}."
         rows.append([Span(group.name, Style.STRONG), str(group.count), str(group.points), about])
     return Table(columns, rows)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from judge.problem.verdict import Verdict
 from judge.report.layout import (
     Cell,
     Column,
@@ -23,8 +24,7 @@ from judge.report.layout import (
 from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
 from judge.report.values import arguments, counted, seconds, size, times
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result
-from judge.spec.verdict import Verdict
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result
 
 _STYLES = {
     Verdict.AC: Style.GOOD,
@@ -52,7 +52,7 @@ def result_lines(
 
     A brief one names only the first groups that were rejected and counts the others.
     """
-    mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {_MODES[result.mode]}"
+    mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {HOW_RUN[result.mode.value]}"
     link = Link(result.submission)
     yield from beside(
         Span(shown_name(result.submission), Style.STRONG, link), f"{result.problem}{mode}", width
@@ -98,7 +98,7 @@ def _rows(laid: Line, width: int | None) -> int:
     return max(1, -(-taken // width)) if width else 1
 
 
-_MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}
+HOW_RUN = {"function": "its function called", "program": "run as a program"}  # by the mode's name
 
 
 def group_table(groups: Sequence[GroupResult]) -> Table:
@@ -202,6 +202,8 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
         if result.time.ratio:
             parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
+        if result.time.growth and result.verdict is Verdict.AC:
+            parts.append(str(result.time.growth))
     label = verdict_span(result.verdict)
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
 

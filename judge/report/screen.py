@@ -126,6 +126,20 @@ def _no_command(text: str) -> str:
     return _COMMAND.sub(r"\1\\x3a:", text).replace("##[", r"#\x23[")
 
 
+class Notes:
+    """Says each sentence once, however often a command comes upon it."""
+
+    def __init__(self) -> None:
+        self._said: set[str] = set()
+
+    def say(self, texts: Iterable[str]) -> None:
+        """Say those of the sentences that were not said yet."""
+        for text in texts:
+            if text not in self._said:
+                self._said.add(text)
+                note(text)
+
+
 def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
     if columns.isdecimal() and int(columns) > 0:
         return max(int(columns), _LEAST_WIDTH)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.kata.model import Model
+from judge.problem import Problem
 from judge.report.layout import Span, Style, beside, line
 from judge.report.screen import Screen
 from judge.report.statement import statement_text
-from judge.spec import Problem
 
 
 def solution_text(problem: Problem, model: Model, screen: Screen) -> str:

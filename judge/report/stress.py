@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from judge.problem import Verdict
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.names import shown_name
-from judge.report.results import counterexample_lines, failure_lines, pitfall_lines, place_lines, verdict_span
+from judge.report.results import (
+    HOW_RUN,
+    counterexample_lines,
+    failure_lines,
+    pitfall_lines,
+    place_lines,
+    verdict_span,
+)
 from judge.report.values import counted, seconds
-from judge.run.result import Mode
 from judge.run.stress import Stressed
-from judge.spec import Verdict
-
-_MODES = {Mode.FUNCTION: "its function called", Mode.PROGRAM: "run as a program"}
 
 
 def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
     """The report: what broke it with its smallest case, and last how many cases it came to."""
     result = stressed.result
-    mode = "" if result.verdict is Verdict.CE else f", {_MODES[result.mode]}"
+    mode = "" if result.verdict is Verdict.CE else f", {HOW_RUN[result.mode.value]}"
     yield from beside(Span(shown_name(result.submission), Style.STRONG), f"{result.problem}{mode}", width)
     yield line()
     if result.failure:

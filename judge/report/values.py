@@ -8,6 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
+_ITEMS = 40  # of a list that are shown
+
 
 def arguments(values: Mapping[str, Any]) -> str:
     """The arguments of a call by name, `cx=0, A=(3, 4)`; numbers in full, as `repr` writes them."""
@@ -15,10 +17,27 @@ def arguments(values: Mapping[str, Any]) -> str:
 
 
 def argument(value: Any) -> str:
-    """One argument: a number, or a point written as a pair."""
-    if isinstance(value, list | tuple):
+    """One argument as Python writes it, its lists cut where they are long."""
+    if isinstance(value, list):
+        parts = [argument(part) for part in value[:_ITEMS]]
+        more = f", …] ({len(value):,} items)" if len(value) > _ITEMS else "]"
+        return f"[{', '.join(parts)}{more}"
+    if isinstance(value, tuple):
         return f"({', '.join(argument(part) for part in value)})"
     return repr(value)
+
+
+def with_points(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Arguments that JSON has kept: two or three numbers in a list were a tuple, most likely a point."""
+    return {name: _with_points(value) for name, value in values.items()}
+
+
+def _with_points(value: Any) -> Any:
+    if not isinstance(value, list):
+        return value
+    if 2 <= len(value) <= 3 and all(isinstance(each, int | float) for each in value):
+        return tuple(value)
+    return [_with_points(each) for each in value]
 
 
 def counted(number: int, noun: str) -> str:

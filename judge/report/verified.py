@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import PurePath
 
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
@@ -55,7 +56,7 @@ def _remark(label: str, text: str, width: int | None) -> list[Line]:
 
 
 def _places(matrix: Matrix) -> str:
-    """The cases of the cover by group, as `grid 3 17, tangent 5`."""
+    """The cases of the cover by group, as `grid 3 17, small 5`."""
     numbers = {
         group: sorted(case.case for case in matrix.cover if case.group == group) for group in matrix.groups
     }
@@ -68,7 +69,7 @@ def _matrix_row(row: Row) -> list[Cell]:
     others = [f"{kill.group} {percent(kill.share)}" for kill in best if kill is not own]
     if len(others) > _OTHERS + 1:
         others[_OTHERS:] = [f"{len(others) - _OTHERS} others"]
-    name = shown_name(row.file.removeprefix("wrong/").removesuffix(".py"))
+    name = shown_name(PurePath(row.file).stem)
     if own is None:
         return [Span(name, Style.BAD), "", Span(", ".join(others) or "no group", Style.BAD)]
     return [name, percent(own.share), ", ".join([own.group, *others])]

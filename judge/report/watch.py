@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from judge.problem import Verdict
 from judge.report.layout import Line, Span, Style, hanging, line
 from judge.report.results import result_lines
 from judge.report.screen import Screen
-from judge.run import Result
-from judge.spec import Verdict
+from judge.run.result import Result
 
 _KEYS = {
     "n": "next",

@@ -1,11 +1,11 @@
-"""What test groups probe and the mistakes they are there for, for the screen."""
+"""What test groups probe and the mistakes they should catch, for the screen."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from judge.problem import Group, Problem
 from judge.report.layout import Line, Span, Style, beside, cells, hanging, line, wrap
-from judge.spec import Group, Problem
 
 _INDENT = 2
 _BESIDE = 28  # columns an explanation needs beside the names; with less it goes below them

@@ -1,30 +1,42 @@
-"""Judging one submission: executing, comparing, measuring."""
+"""Judging one submission: running it on cases, comparing, measuring.
 
-from judge.run.execute import Settings, run_submission
-from judge.run.measure import Reference
-from judge.run.result import (
-    Failure,
-    GroupResult,
-    Mode,
-    Pitfall,
-    Ratio,
-    Result,
-    Timing,
-    exit_code,
-    judge_fault,
-)
+    runner.py        one interface for both ways to run it; function.py, program.py: the two
+    replies.py       what comes back
+    group.py         a test group while it is judged; groups.py runs several in as few processes as it takes
+    execute.py       all groups, and what they come to; settings.py: how; budget.py: at what cost at most
+    reference.py, measure.py, timing.py
+                     the race against the reference solution, and what its turns say
+    result.py        what all of it came to
+    stress.py, verify.py, matrix.py
+                     fresh cases without end; the setter's checks; which group rejects which wrong program
+    parallel.py      several things at once
 
-__all__ = [
-    "Failure",
-    "GroupResult",
-    "Mode",
-    "Pitfall",
-    "Ratio",
-    "Reference",
-    "Result",
-    "Settings",
-    "Timing",
-    "exit_code",
-    "judge_fault",
-    "run_submission",
-]
+The names below are imported when they are asked for.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_FROM = {
+    "Failure": "result",
+    "GroupResult": "result",
+    "Mode": "result",
+    "Pitfall": "result",
+    "Ratio": "result",
+    "Reference": "reference",
+    "Result": "result",
+    "Settings": "settings",
+    "Timing": "result",
+    "exit_code": "result",
+    "judge_fault": "execute",
+    "run_submission": "execute",
+}
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name not in _FROM:
+        raise AttributeError(f"module 'judge.run' has no attribute {name!r}")
+    return getattr(import_module(f"judge.run.{_FROM[name]}"), name)

@@ -13,15 +13,14 @@ from __future__ import annotations
 
 import threading
 
-from judge.sandbox import Limits, Stop, Usage
-from judge.spec import Problem, Verdict
+from judge.problem import Problem, Verdict
+from judge.run.replies import Replies
+from judge.sandbox.boundary import Limits, Stop, Usage
 
 MOST_TIMEOUTS = 2
 MOST_LOSSES = 10
 WAITING_LIMITS = 3  # wall limits of a group; CPU time, which has limits of its own, does not count
 SEARCH_SECONDS = 5.0
-
-_OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION)
 
 
 class Budget:
@@ -30,20 +29,24 @@ class Budget:
     def __init__(self, problem: Problem) -> None:
         self._lock = threading.Lock()
         self._timeouts = self._losses = 0
-        self._most_waiting = WAITING_LIMITS * problem.limits.wall_seconds
+        longest = max([problem.limits_of(group).wall_seconds for group in problem.groups], default=0.0)
+        self._most_waiting = WAITING_LIMITS * max(longest, problem.limits.wall_seconds)
         self._waited = self._searched = 0.0
 
     def within(self, limits: Limits) -> Limits:
         """The limits of one process, no longer waiting than is left."""
         return limits._replace(waiting_seconds=max(0.0, self._most_waiting - self._waited))
 
-    def spent(self, usage: Usage, stop: Stop) -> None:
-        """Book one process, or one series of calls in it, that ended in this way."""
+    def booked(self, replies: Replies) -> Replies:
+        """Book what a series of cases has cost; its replies, as a person sees them."""
+        stop = replies.stop
         with self._lock:
-            self._waited += usage.waiting_seconds
+            self._waited += replies.usage.waiting_seconds
             if stop is Stop.WAITING:  # whatever the clocks say of the last millisecond
                 self._waited = max(self._waited, self._most_waiting)
-            self._losses += stop not in _OWN_ENDS
+            self._losses += replies.lost
+        # The box knows only what was left of the time for waiting.
+        return replies.told(self._waited_too_long) if stop is Stop.WAITING else replies
 
     def searched(self, usage: Usage) -> None:
         """Book a run that looked for the case a program breaks at."""
@@ -66,13 +69,11 @@ class Budget:
         if self._timeouts >= MOST_TIMEOUTS:
             return Verdict.TLE, f"{MOST_TIMEOUTS} groups ran out of time"
         if self._waited >= self._most_waiting:
-            return Verdict.TLE, f"{self.told(Stop.WAITING, '')} before"
+            return Verdict.TLE, f"{self._waited_too_long} before"
         if self._losses >= MOST_LOSSES:
             return Verdict.RTE, f"its process was lost {MOST_LOSSES} times"
         return None
 
-    def told(self, stop: Stop, detail: str) -> str:
-        """What a person is told of such an end: the box knows only what was left."""
-        if stop is not Stop.WAITING:
-            return detail
+    @property
+    def _waited_too_long(self) -> str:
         return f"it waited more than {self._most_waiting:g} s in all its groups together"

@@ -1,48 +1,36 @@
-"""Judging one submission: which way it is run, all its groups, what they come to and how long they take."""
+"""Judging one submission: all its groups, what they come to and how long they take."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
 
-from msgspec import Struct, field
-from msgspec.structs import replace
-
-from judge.errors import nearest
+from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
-from judge.run.function import judge_calls
-from judge.run.measure import Reference, measure
+from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun
+from judge.run.groups import run_groups
 from judge.run.parallel import Turnstile, share
-from judge.run.program import judge_programs
-from judge.run.result import Failure, Mode, Result, Timing
-from judge.run.tally import Tally
+from judge.run.races import Timed, race_all, worth_racing
+from judge.run.reference import Reference
+from judge.run.result import Failure, Result, Timing
+from judge.run.runner import Runner, runner_for
+from judge.run.settings import Progress, Settings
 from judge.run.timing import Decision
-from judge.sandbox import Box, Boxes, BoxFactory, Inspection, SourceFault, Usage
-from judge.spec import Problem, Verdict
+from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
-    from judge.data import GroupData, ProblemData
-
-Progress = Callable[[int, int], None]  # cases done, cases in all
+    from judge.data.model import GroupData, ProblemData
 
 
-class Settings(Struct, frozen=True):
-    """How to judge, whatever is judged.
+class Judged(NamedTuple):
+    """A result, and the way in which the submission was run; None for one that does not compile."""
 
-    `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
-    `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone;
-    `reference` is there where several submissions share it; `diagnose` is given what was not accepted, with
-    the submission's box, and adds to it.
-    """
-
-    box_factory: BoxFactory = field(default_factory=Boxes)
-    workers: int = 1
-    measured: bool = True
-    turnstile: Turnstile | None = None
-    reference: Reference | None = None
-    diagnose: Callable[[Result, Box], Result] | None = None
+    result: Result
+    runner: Runner | None
 
 
 def run_submission(
@@ -55,7 +43,7 @@ def run_submission(
     on_progress: Progress | None = None,
     settings: Settings | None = None,
 ) -> Result:
-    """Judge one submission on a problem's data.
+    """Judge one submission on a problem's data, in a box of its own.
 
     Args:
         source: the bytes of its file.
@@ -68,75 +56,101 @@ def run_submission(
         ProblemError: the reference fails on a case.
         JudgeError: nothing can be run on this machine.
     """
-    chosen = [group for group in data.groups if groups is None or group.group.name in groups]
     settings = settings or Settings()
-    turnstile = settings.turnstile or Turnstile()
     with settings.box_factory(source, name) as box:
-        inspection = box.inspect()
-        if inspection.fault:
-            failure = Failure(fault_text(inspection.fault, source))
-            return Result(
-                problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
-            )
-        mode = Mode.FUNCTION if inspection.defines(problem.entry) else Mode.PROGRAM
-        budget = Budget(problem)
-        judging = _Judging(data, mode, source, name, settings, on_progress, budget)
-        with turnstile.judging():
-            tallies = judging.groups(box, chosen)
-        timing = Decision(None)
-        if settings.measured and all(tally.verdict is Verdict.AC for tally in tallies):
-            timing = _race(problem, mode, tallies, box, settings, turnstile, budget)
-        if timing.too_slow and timing.ratio and problem.time:
-            slowest = max(tallies, key=lambda tally: tally.usage.cpu_seconds)
-            slowest.too_slow(
-                f"it takes {timing.ratio.median:,.0f} times the CPU time of the reference solution; "
-                f"the limit is {problem.time.limit:g} times"
-            )
-        result = _result(judging, tallies, inspection, timing, box.isolation)
-        if settings.diagnose and result.failure:
-            result = settings.diagnose(result, box)
-    return result
+        judged = run_in(
+            box, problem, data, source, name, settings=settings, groups=groups, on_progress=on_progress
+        )
+        return judged.result
+
+
+def run_in(
+    box: Box,
+    problem: Problem,
+    data: ProblemData,
+    source: bytes,
+    name: str,
+    *,
+    settings: Settings,
+    groups: Collection[str] | None = None,
+    on_progress: Progress | None = None,
+) -> Judged:
+    """As `run_submission`, in a box that is open already and holds the submission."""
+    chosen = [group for group in data.groups if groups is None or group.group.name in groups]
+    turnstile = settings.turnstile or Turnstile()
+    runner = opened(box, problem, source)
+    if isinstance(runner, Failure):
+        return Judged(uncompiled(problem, name, runner, box), None)
+    budget = Budget(problem)
+    open_box = partial(settings.box_factory, source, name)
+    judging = _Judging(data, runner, open_box, settings.workers, on_progress, budget)
+    with turnstile.judging():
+        runs = judging.groups(box, chosen)
+    timing = Timed(Decision(None))
+    if settings.measured and worth_racing(problem, runs):
+        timing = _race(runner, runs, box, settings, turnstile, budget)
+    return Judged(_result(problem, name, runner, runs, timing, box.isolation), runner)
+
+
+def opened(box: Box, problem: Problem, source: bytes) -> Runner | Failure:
+    """How to run the submission in `box`, or why it does not compile."""
+    inspection = box.inspect()
+    if inspection.fault:
+        return Failure(_fault_text(inspection.fault, source))
+    return runner_for(problem, inspection, source)
+
+
+def uncompiled(problem: Problem, name: str, failure: Failure, box: Box) -> Result:
+    """The result of a submission that does not compile."""
+    return Result(problem.id, name, FunctionRunner.mode, Verdict.CE, failure=failure, isolation=box.isolation)
+
+
+def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
+    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
+    failure = Failure(message)
+    return Result(problem, submission, FunctionRunner.mode, Verdict.JE, failure=failure, isolation=isolation)
 
 
 def _result(
-    judging: _Judging, tallies: Sequence[Tally], inspection: Inspection, timing: Decision, isolation: str
+    problem: Problem, name: str, runner: Runner, runs: Sequence[GroupRun], timing: Timed, isolation: str
 ) -> Result:
     """What the groups come to together."""
-    problem = judging.data.problem
-    usage = sum((tally.usage for tally in tallies), Usage())
-    rejected = [tally for tally in tallies if tally.verdict is not Verdict.AC]
-    failing = next((tally for tally in rejected if not tally.given_up), None)  # one that says why
+    decision, growth = timing
+    usage = sum((run.usage for run in runs), Usage())
+    rejected = [run for run in runs if run.verdict is not Verdict.AC]
+    failing = next((run for run in rejected if not run.given_up), None)  # one that says why
     failing = failing or next(iter(rejected), None)
-    first = failing.failure if failing else None
-    if first and judging.mode is Mode.PROGRAM:
-        first = noted(first, inspection, problem.entry, judging.source)
     return Result(
         problem.id,
-        judging.name,
-        judging.mode,
+        name,
+        runner.mode,
         failing.verdict if failing else Verdict.AC,
-        tuple(tally.result() for tally in tallies),
-        first,
-        Timing(usage.cpu_seconds, usage.wall_seconds, timing.ratio, timing.borderline),
+        tuple(run.result() for run in runs),
+        runner.explained(failing.failure) if failing and failing.failure else None,
+        Timing(usage.cpu_seconds, usage.wall_seconds, decision.ratio, _close(timing), growth),
         usage.memory_bytes,
         isolation,
     )
 
 
+def _close(timing: Timed) -> bool:
+    """Whether the time, or how it grows, was a close call."""
+    return timing.decision.borderline or (timing.growth is not None and timing.growth.borderline)
+
+
 def _race(
-    problem: Problem,
-    mode: Mode,
-    tallies: Sequence[Tally],
+    runner: Runner,
+    runs: Sequence[GroupRun],
     box: Box,
     settings: Settings,
     turnstile: Turnstile,
     budget: Budget,
-) -> Decision:
+) -> Timed:
+    problem = runner.problem
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
-        reference = shared.open(mode)
-        return measure(problem, mode, tallies, box, reference, budget) if reference else Decision(None)
+        return race_all(problem, runner, runs, box, shared, budget)
 
 
 class _Judging:
@@ -145,72 +159,70 @@ class _Judging:
     def __init__(
         self,
         data: ProblemData,
-        mode: Mode,
-        source: bytes,
-        name: str,
-        settings: Settings,
+        runner: Runner,
+        open_box: Callable[[], Box],
+        workers: int,
         on_progress: Progress | None,
         budget: Budget,
     ) -> None:
-        self.data = data
-        self.mode = mode
-        self.source = source
-        self.name = name
-        self._settings = settings
+        self._data = data
+        self._runner = runner
+        self._open_box = open_box
+        self._workers = workers
         self._on_progress = on_progress
         self._budget = budget
         self._lock = threading.Lock()
         self._called: set[str] = set()
         self._done = self._total = 0
 
-    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[Tally]:
+    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[GroupRun]:
         """Judge the groups; `box` is the first worker's, the others open their own."""
-        tallies = [Tally(self.data, group, self.mode) for group in groups]
+        runs = [GroupRun(self._data, group, self._runner) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
-        workers = self._settings.workers
+        workers = self._workers
         here = threading.current_thread()
 
-        def work(queue: Iterable[tuple[int, list[Tally]]]) -> None:
+        def work(queue: Iterable[tuple[int, list[GroupRun]]]) -> None:
             with ExitStack() as stack:
                 mine = box
                 if threading.current_thread() is not here:
-                    mine = stack.enter_context(self._settings.box_factory(self.source, self.name))
+                    mine = stack.enter_context(self._open_box())
                 for _, share_of in queue:
                     self._judge(mine, share_of)
 
-        share([tallies[first::workers] for first in range(min(workers, len(tallies)))], workers, work)
-        for tally in tallies:
-            if not tally.run:
+        share([runs[first::workers] for first in range(min(workers, len(runs)))], workers, work)
+        for run in runs:
+            if not run.ended:
                 assert self._budget.over
-                tally.give_up(*self._budget.over)
-        return tallies
+                run.give_up(*self._budget.over)
+        return runs
 
-    def _judge(self, box: Box, tallies: Sequence[Tally]) -> None:
-        judge_groups = judge_calls if self.mode is Mode.FUNCTION else judge_programs
-        judge_groups(
+    def _judge(self, box: Box, runs: Sequence[GroupRun]) -> None:
+        run_groups(
+            self._runner,
             box,
-            tallies,
+            runs,
             budget=self._budget,
             on_calls=self._after_calls,
             on_group=self._after_group,
         )
 
-    def _after_calls(self, tally: Tally) -> None:
+    def _after_calls(self, run: GroupRun) -> None:
         with self._lock:
-            if tally.group.group.name not in self._called:
-                self._called.add(tally.group.group.name)
-                self._done += len(tally.group.cases)
+            if run.group.name not in self._called:
+                self._called.add(run.group.name)
+                self._done += len(run.cases)
                 if self._on_progress:
                     self._on_progress(self._done, self._total)
 
-    def _after_group(self, tally: Tally) -> None:
-        tally.run = True
-        self._after_calls(tally)
-        if tally.verdict is Verdict.TLE or tally.out_of_time:
+    def _after_group(self, run: GroupRun) -> None:
+        run.ended = True
+        self._after_calls(run)
+        if run.verdict is Verdict.TLE or run.out_of_time:
             self._budget.ran_out_of_time()
 
 
-def fault_text(fault: SourceFault, source: bytes) -> str:
+def _fault_text(fault: SourceFault, source: bytes) -> str:
     """Why a source does not compile, in one line."""
     if "unicode error" in fault.message:
         try:
@@ -224,21 +236,3 @@ def fault_text(fault: SourceFault, source: bytes) -> str:
     text = fault.text.strip()
     quoted = f": {text[:120]}" if text else ""
     return f"{fault.message} ({place}){quoted}" if place else fault.message
-
-
-_READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
-
-
-def noted(failure: Failure, inspection: Inspection, entry: str, source: bytes) -> Failure:
-    """A program's failure, told that it was taken for one only because the entry function is missing."""
-    close = nearest(entry, (name for name, _ in inspection.names))
-    nested = f"def {entry}(".encode() in source
-    if close is None and not nested and any(word in source for word in _READS):
-        return failure
-    note = f"it was run as a program because it defines no {entry}"
-    if nested:
-        note += " at its top level: move it out of the class or function it stands in"
-    elif close:
-        line = next(line for name, line in inspection.names if name == close)
-        note += f"; is {close} (line {line}) meant to be it?"
-    return replace(failure, message=f"{failure.message}; {note}")

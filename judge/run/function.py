@@ -3,82 +3,68 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any, ClassVar
 
-from judge.errors import JudgeError
-from judge.run.budget import Budget
-from judge.run.tally import Tally, group_limits
-from judge.sandbox import Box, CallsResult, Stop
+from msgspec import Struct
 
-MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
-_TIME = (Stop.CPU, Stop.WALL, Stop.WAITING)
-
-
-def judge_calls(
-    box: Box,
-    tallies: Sequence[Tally],
-    *,
-    budget: Budget,
-    on_calls: Callable[[Tally], None],
-    on_group: Callable[[Tally], None],
-) -> None:
-    """Call the entry function for each case of the groups, in as few processes as it takes.
-
-    A call that takes its process with it costs itself alone; one that uses up its group's time, or the third
-    loss of a group, ends the group. `on_calls` is told as soon as a group's calls have been made, `on_group`
-    once its answers are compared; nothing more is begun once the budget is used up.
-    """
-    waiting = [_Group(tally) for tally in tallies]
-    while waiting and not budget.over:
-        # A group that has lost a call goes on by itself, with what is left of its limits.
-        batch = waiting if not waiting[0].done else waiting[:1]
-        tally = batch[0].tally
-        series = [group.tally.group.cases[group.done :] for group in batch]
-        called = iter(batch)
-        results = box.call_series(
-            tally.problem.entry,
-            series,
-            budget.within(group_limits(tally.problem, tally.usage)),
-            lambda called=called: on_calls(next(called).tally),  # type: ignore[misc]
-        )
-        if not any(result.replies for result in results):
-            raise JudgeError("the sandbox made no call at all", where=tally.group.group.name)
-        for group, result in zip(batch, results, strict=False):
-            group.record(result, budget)
-            if group.over:
-                on_group(group.tally)
-        waiting = [group for group in waiting if not group.over]
+from judge.problem import Case, Problem, TimeRule
+from judge.run.replies import Replies
+from judge.run.result import Failure, Mode
+from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
+from judge.values import ExactOf, Outcome, Outline, Raw, Target
 
 
-class _Group:
-    """How far a group has come."""
+class FunctionRunner(Struct, frozen=True):
+    """Calls the entry function; see `judge.run.runner.Runner`."""
 
-    def __init__(self, tally: Tally) -> None:
-        self.tally = tally
-        self.done = 0
-        self._losses = 0
-        self._out_of_time = False
+    problem: Problem
+    mode: ClassVar[Mode] = Mode.FUNCTION
+    calls: ClassVar[bool] = True
+    tells_where: ClassVar[bool] = True
+
+    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """One series of calls."""
+        return _replies(box.call_many(self.problem.entry, self.problem.calls(cases), limits))
+
+    def series(
+        self,
+        box: Box,
+        series: Sequence[Sequence[Case]],
+        limits: Limits,
+        on_series: Callable[[], None] | None = None,
+    ) -> list[Replies]:
+        """All series in one process, as far as that goes."""
+        calls = [self.problem.calls(cases) for cases in series]
+        return [_replies(each) for each in box.call_series(self.problem.entry, calls, limits, on_series)]
 
     @property
-    def over(self) -> bool:
-        """Whether nothing more of it is to be run."""
-        return self.done >= len(self.tally.group.cases) or self._losses >= MOST_LOSSES or self._out_of_time
+    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+        """Compares a value that a call returned."""
+        return self.problem.answer.check
 
-    def record(self, result: CallsResult, budget: Budget) -> None:
-        """Compare the answers of one series, or note how its calls ended."""
-        from judge.compare.check import check
+    def wanted(self, target: Target) -> str:
+        """The right answer as Python writes it."""
+        return self.problem.answer.wanted(target)
 
-        tally = self.tally
-        tally.usage += result.usage
-        for index, reply in enumerate(result.replies, self.done):
-            if reply.stop is Stop.ANSWERED:
-                target = tally.group.targets[index]
-                outcome = check(tally.problem.answer, reply.answer, target, tally.exact(index))
-                tally.compared(index, outcome, reply.answer)
-            else:
-                tally.stopped(index, reply.stop, budget.told(reply.stop, reply.detail))
-        self.done += len(result.replies)
-        tally.reached = self.done
-        last = result.replies[-1].stop if result.replies else Stop.ANSWERED
-        self._losses += last not in (Stop.ANSWERED, Stop.EXCEPTION)
-        self._out_of_time = last in _TIME
-        budget.spent(result.usage, last)
+    def outline(self, answer: Any) -> Outline:
+        """A wrong value's form and numbers."""
+        return self.problem.answer.outline(answer)
+
+    def raw(self, answer: Any) -> Raw:
+        """The value itself."""
+        return answer
+
+    def reference(self, rule: TimeRule) -> str | None:
+        """The accepted function that sets the time limit."""
+        return rule.function
+
+    def explained(self, failure: Failure) -> Failure:
+        """As it is: a function is what was asked for."""
+        return failure
+
+
+def _replies(result: CallsResult) -> Replies:
+    """The result of a series of calls; a call that ends its process is the last one, and to blame."""
+    stop = result.replies[-1].stop if result.replies else Stop.ANSWERED
+    lost = stop not in (Stop.ANSWERED, Stop.EXCEPTION)
+    return Replies(result.replies, result.usage, stop, lost)

@@ -10,8 +10,8 @@ from fractions import Fraction
 
 from msgspec import Struct
 
+from judge.problem import Group
 from judge.run.result import GroupResult
-from judge.spec import Group
 
 
 class Kill(Struct, frozen=True):

@@ -1,34 +1,89 @@
 """Program mode: the submission reads a whole group from stdin and writes a line for each case.
 
 T                      number of cases
-cx cy r ax ay bx by    the parameters in order, floats as `repr`; T such lines
+cx cy r ax ay bx by    the parameters in order, as their types write them; T such lines
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
+from typing import Any, ClassVar
 
-from judge.run.budget import Budget
-from judge.run.tally import VERDICTS, Tally, group_limits
-from judge.sandbox import Box, ProgramResult, Stop
-from judge.spec import Argument, Case, Verdict
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.errors import nearest
+from judge.problem import Case, Problem, TimeRule, Verdict
+from judge.run.replies import VERDICTS, Breakdown, Replies
+from judge.run.result import Failure, Mode
+from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
+from judge.values import ExactOf, Outcome, Outline, Raw, Target
 
 SHOWN = 80  # characters of a line that is quoted
-SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
+_READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
+_OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
 
-def render_group(cases: Sequence[Case]) -> bytes:
+class ProgramRunner(Struct, frozen=True):
+    """Runs the whole program; see `judge.run.runner.Runner`. `names` are those that its source binds."""
+
+    problem: Problem
+    names: tuple[tuple[str, int], ...] = ()  # each with its line
+    source: bytes = b""
+    mode: ClassVar[Mode] = Mode.PROGRAM
+    calls: ClassVar[bool] = False
+    tells_where: ClassVar[bool] = False
+
+    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """One run on all the cases."""
+        return _replies(box.run_program(render_group(self.problem, cases), limits), len(cases))
+
+    def series(
+        self,
+        box: Box,
+        series: Sequence[Sequence[Case]],
+        limits: Limits,
+        on_series: Callable[[], None] | None = None,  # noqa: ARG002 - told of series between which a process goes on
+    ) -> list[Replies]:
+        """A run on the first series alone: each has a process of its own."""
+        return [self.answers(box, cases, limits) for cases in series[:1]]
+
+    @property
+    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+        """Compares a line of output."""
+        return self.problem.answer.check_line
+
+    def wanted(self, target: Target) -> str:
+        """The line that a perfect program prints."""
+        return self.problem.answer.line(target)
+
+    def outline(self, answer: Any) -> Outline:
+        """A wrong line's form and numbers."""
+        return self.problem.answer.line_outline(answer)
+
+    def raw(self, answer: Any) -> Raw:
+        """What the line holds; None, too, where it holds no answer."""
+        read = self.problem.answer.read_line(answer)
+        return None if isinstance(read, str) else read[0]
+
+    def reference(self, rule: TimeRule) -> str | None:
+        """The accepted program that sets the time limit, if there is one."""
+        return rule.program
+
+    def explained(self, failure: Failure) -> Failure:
+        """The failure, told that the file was taken for a program only because the entry is missing."""
+        why = _why_a_program(self.problem.entry, self.names, self.source)
+        return replace(failure, message=f"{failure.message}; {why}") if why else failure
+
+
+def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
     """The standard input of a program that is judged on these cases."""
-    lines = [str(len(cases)), *(" ".join(_numbers(case)) for case in cases)]
+    types = [parameter.type for parameter in problem.parameters]
+    lines = [str(len(cases))]
+    for case in cases:
+        words = (word for type_, value in zip(types, case, strict=True) for word in type_.tokens(value))
+        lines.append(" ".join(words))
     return ("\n".join(lines) + "\n").encode("ascii")
-
-
-def _numbers(arguments: Iterable[Argument]) -> Iterator[str]:
-    for argument in arguments:
-        if isinstance(argument, (tuple, list)):
-            yield from _numbers(argument)
-        else:
-            yield repr(argument)
 
 
 def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
@@ -46,95 +101,52 @@ def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
     return lines
 
 
-def judge_programs(
-    box: Box,
-    tallies: Sequence[Tally],
-    *,
-    budget: Budget,
-    on_calls: Callable[[Tally], None],
-    on_group: Callable[[Tally], None],
-) -> None:
-    """Run the program once for each group; arguments as those of `judge_calls`."""
-    for tally in tallies:
-        if budget.over:
-            return
-        judge_program(box, tally, budget)
-        on_calls(tally)
-        on_group(tally)
-
-
-def judge_program(box: Box, tally: Tally, budget: Budget) -> None:
-    """Run the program once on the whole group and compare it line by line."""
-    from judge.compare.text import check_line
-
-    problem, cases = tally.problem, tally.group.cases
-    result = box.run_program(render_group(cases), budget.within(group_limits(problem, tally.usage)))
-    result = result._replace(detail=budget.told(result.stop, result.detail))
-    tally.usage += result.usage
-    # An exit status of its own is no loss: that costs nothing, and many a program has one.
-    budget.spent(result.usage, Stop.EXCEPTION if result.stop is Stop.EXITED else result.stop)
+def _replies(result: ProgramResult, count: int) -> Replies:
+    """A reply for each line that belongs to a case, and what is wrong with the run as a whole."""
     complete = result.stop is Stop.ANSWERED
-    if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
-        tally.failed(0, VERDICTS[result.stop], result.detail)
     lines = answer_lines(result.stdout, complete=complete)
-    surplus = lines[len(cases) :]
-    compared = lines[: len(cases) - bool(surplus)]
-    for index, line in enumerate(compared):
-        outcome = check_line(problem.answer, line, tally.group.targets[index], tally.exact(index))
-        tally.compared(index, outcome, line)
-    tally.reached = len(compared)
-    if surplus:
-        message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
-        tally.failed(len(cases) - 1, Verdict.WA, message, f"more lines: {surplus[0][:SHOWN]!r}")
-    elif complete and len(lines) < len(cases):
-        message = f"{_counted(len(lines), 'line')} printed, {len(cases)} wanted: one for each case"
-        tally.failed(len(lines), Verdict.WA, message, "no line")
-    if not complete:
-        _stopped(box, tally, result, len(lines), budget)
-
-
-def _stopped(box: Box, tally: Tally, result: ProgramResult, printed: int, budget: Budget) -> None:
-    """Record a run that did not end well; its time, memory or output belong to no case in particular."""
-    if tally.failure is not None:
-        return
-    count = len(tally.group.cases)
-    index = min(printed, count - 1)
-    message = f"{result.detail}, after {_counted(printed, 'line')} of {count}"
-    if result.stop in (Stop.EXCEPTION, Stop.EXITED) and result.usage.wall_seconds < SEARCHED_SECONDS:
-        culprit = _culprit(box, tally, budget)
-        if culprit is not None:
-            tally.stopped(culprit, result.stop, result.detail)
-            return
-    tally.failed(index, VERDICTS[result.stop], message)
-
-
-def _culprit(box: Box, tally: Tally, budget: Budget) -> int | None:
-    """The case at which the program breaks, found by halving, or None where it breaks without any.
-
-    What it had printed may still have been in its buffer, so the lines that arrived do not tell. None, too,
-    where the search takes too long.
-    """
-    cases = tally.group.cases
-    limits = group_limits(tally.problem, tally.usage)
-    limits = limits._replace(
-        cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
-        wall_seconds=min(limits.wall_seconds, 2 * SEARCHED_SECONDS),
+    surplus = len(lines) > count
+    compared = lines[: count - surplus]  # a surplus line may be the one before it as well
+    return Replies(
+        [Reply(Stop.ANSWERED, line) for line in compared],
+        result.usage,
+        result.stop,
+        result.stop not in _OWN_ENDS,
+        _breakdown(result, lines, count),
     )
 
-    def breaks(count: int) -> bool:
-        result = box.run_program(render_group(cases[:count]), budget.within(limits))
-        budget.searched(result.usage)
-        return result.stop is not Stop.ANSWERED
 
-    if not budget.may_search() or breaks(0):
+def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Breakdown | None:
+    """What is wrong with a run on so many cases, whatever its lines say; its time or memory are no case's."""
+    complete = result.stop is Stop.ANSWERED
+    if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
+        return Breakdown(VERDICTS[result.stop], result.detail, 0)
+    if len(lines) > count or (complete and len(lines) < count):
+        what = f"{_counted(len(lines), 'line')} printed, {count} wanted: one for each case"
+        if len(lines) < count:
+            return Breakdown(Verdict.WA, what, len(lines), "no line")
+        return Breakdown(Verdict.WA, what, count - 1, f"more lines: {lines[count][:SHOWN]!r}")
+    if complete:
         return None
-    good, bad = 0, len(cases)
-    while bad - good > 1:
-        if not budget.may_search():
-            return None
-        middle = (good + bad) // 2
-        good, bad = (good, middle) if breaks(middle) else (middle, bad)
-    return bad - 1
+    so_far = f", after {_counted(len(lines), 'line')} of {count}"
+    return Breakdown(VERDICTS[result.stop], result.detail, min(len(lines), count - 1), so_far=so_far)
+
+
+def _why_a_program(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> str:
+    """Why a source was taken for a program that may not be meant as one; nothing where it reads its input."""
+    nested = f"def {entry}(".encode() in source
+    reads = any(word in source for word in _READS)
+    # In what reads its input a variable of a name like the entry's means nothing.
+    close = nearest(entry, (name for name, _ in names if not reads or f"def {name}(".encode() in source))
+    if close is None and not nested and reads:
+        return ""
+    note = f"it was run as a program because it defines no {entry}"
+    if nested:
+        return f"{note} at its top level: move it out of the class or function it stands in"
+    if close:
+        line = next(line for name, line in names if name == close)
+        return f"{note}; is {close} (line {line}) meant to be it?"
+    return note
 
 
 def _counted(count: int, noun: str) -> str:

@@ -11,12 +11,13 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.errors import ExitCode
-from judge.spec import Verdict
+from judge.problem import Verdict
 
 if TYPE_CHECKING:
-    from judge.compare.outline import Outline
+    from judge.values import Outline, Raw
 
 SCHEMA = 1
 
@@ -32,7 +33,7 @@ class GroupResult(Struct, frozen=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
     `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. Those
-    before `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
+    before `reached` have all been decided; a case beyond it was not decided unless it is in `wrong`.
     """
 
     name: str
@@ -65,8 +66,9 @@ class GroupResult(Struct, frozen=True):
 class Failure(Struct, frozen=True):
     """The first failing case, or why nothing could be run (then only `message` is set).
 
-    `case` counts from 1 within its group. `input` maps a parameter's name to its number or `[x, y]`.
-    `where` says which number is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
+    `case` counts from 1 within its group. `input` maps a parameter's name to its value.
+    `where` says which part is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
+    `given` is the answer itself, as the submission sent it; None where there is none.
     """
 
     message: str
@@ -79,6 +81,7 @@ class Failure(Struct, frozen=True):
     absolute: float | None = None
     relative: float | None = None
     ulps: float | None = None
+    given: Raw = None
 
     def as_json(self) -> dict[str, Any]:
         """The failure's object in the published form."""
@@ -116,22 +119,56 @@ class Ratio(Struct, frozen=True):
         return figures | ({"unreliable": self.unreliable} if self.unreliable else {})
 
 
+class Growth(Struct, frozen=True):
+    """How CPU time grows with n: `exponent` is the submission's, `reference` that of the reference solution.
+
+    `slope` is by how much the first may exceed the second, `groups` are those that took long enough to count,
+    `pairs` how many interleaved pairs of runs the widest of them had.
+    """
+
+    exponent: float
+    reference: float
+    slope: float
+    groups: tuple[str, ...]
+    pairs: int
+    borderline: bool = False
+
+    def __str__(self) -> str:
+        return f"it grows like n^{self.exponent:.1f}, the reference like n^{self.reference:.1f}"
+
+    def as_json(self) -> dict[str, Any]:
+        """The growth's object in the published form."""
+        return {
+            "exponent": self.exponent,
+            "reference": self.reference,
+            "slope": self.slope,
+            "groups": list(self.groups),
+            "pairs": self.pairs,
+            "borderline": self.borderline,
+        }
+
+
 class Timing(Struct, frozen=True):
-    """What a submission used in all its groups; `borderline` says the time limit was a close call."""
+    """What a submission used in all its groups; `borderline` says the time limit was a close call.
+
+    `growth` is there, and in the JSON, only where the problem has a rule of growth.
+    """
 
     cpu_seconds: float = 0.0
     wall_seconds: float = 0.0
     ratio: Ratio | None = None
     borderline: bool = False
+    growth: Growth | None = None
 
     def as_json(self) -> dict[str, Any]:
         """The timing's object in the published form."""
-        return {
+        figures: dict[str, Any] = {
             "cpu_seconds": self.cpu_seconds,
             "wall_seconds": self.wall_seconds,
             "ratio": self.ratio.as_json() if self.ratio else None,
             "borderline": self.borderline,
         }
+        return figures | ({"growth": self.growth.as_json()} if self.growth else {})
 
 
 class Pitfall(Struct, frozen=True):
@@ -158,7 +195,8 @@ class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
     `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
-    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE).
+    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE). `notes` are
+    sentences for the person about what did not go as it should beside the verdict; they are not published.
     """
 
     problem: str
@@ -172,6 +210,12 @@ class Result(Struct, frozen=True):
     isolation: str = "limits"
     counterexample: dict[str, Any] | None = None
     pitfall: Pitfall | None = None
+    counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
+    notes: tuple[str, ...] = ()
+
+    def noting(self, *notes: str) -> Result:
+        """The same with more notes; none stands twice."""
+        return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes)))) if notes else self
 
     @property
     def score(self) -> int:
@@ -207,13 +251,6 @@ class Result(Struct, frozen=True):
             "memory_bytes": self.memory_bytes,
             "isolation": self.isolation,
         }
-
-
-def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
-    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
-    return Result(
-        problem, submission, Mode.FUNCTION, Verdict.JE, failure=Failure(message), isolation=isolation
-    )
 
 
 def exit_code(results: list[Result]) -> ExitCode:

@@ -16,16 +16,16 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data import ProblemData
 from judge.data.fresh import Fresh, Series
+from judge.data.model import ProblemData
+from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
-from judge.run.execute import fault_text, noted
-from judge.run.function import judge_calls
-from judge.run.program import judge_programs
-from judge.run.result import SCHEMA, Failure, GroupResult, Mode, Result, Timing
-from judge.run.tally import Tally
-from judge.sandbox import Box, Usage
-from judge.spec import Problem, Verdict
+from judge.run.execute import opened, uncompiled
+from judge.run.group import GroupRun
+from judge.run.groups import run_groups
+from judge.run.result import SCHEMA, Failure, GroupResult, Result, Timing
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box, Usage
 
 MOST_SERIES = 16  # in one process: about as many cases as a problem's pinned ones, which share one too
 _SHORT, _LONG = 0.1, 0.4  # seconds: more series at once below the first, fewer above the second
@@ -34,10 +34,11 @@ OnCases = Callable[[int, float], None]  # cases so far, seconds so far
 
 
 class Broken(Struct, frozen=True):
-    """Where something broke: the series, and the failure with its case counted from 1 in the series."""
+    """What broke: the series, the failure with its case counted from 1 there, and how it was run."""
 
     series: Series
     failure: Failure
+    runner: Runner
 
 
 class Stressed(Struct, frozen=True):
@@ -102,15 +103,10 @@ def stress(
         ProblemError: a builder, the promise or the reference fails.
         JudgeError: nothing can be run on this machine.
     """
-    inspection = box.inspect()
-    if inspection.fault:
-        failure = Failure(fault_text(inspection.fault, source))
-        result = Result(
-            data.problem.id, name, Mode.FUNCTION, Verdict.CE, failure=failure, isolation=box.isolation
-        )
-        return Stressed(result, fresh.seed, 0.0)
-    mode = Mode.FUNCTION if inspection.defines(data.problem.entry) else Mode.PROGRAM
-    run = _Run(data, fresh, box, mode, clock, clock() + seconds)
+    runner = opened(box, data.problem, source)
+    if isinstance(runner, Failure):
+        return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
+    run = _Run(data, fresh, box, runner, clock, clock() + seconds)
     begun, interrupted = clock(), False
     try:
         while not run.over:
@@ -120,11 +116,7 @@ def stress(
     except KeyboardInterrupt:
         interrupted = True
         run.close()
-    stressed = run.stressed(name, clock() - begun, interrupted=interrupted)
-    if mode is Mode.FUNCTION or stressed.result.failure is None:
-        return stressed
-    told = noted(stressed.result.failure, inspection, data.problem.entry, source)
-    return replace(stressed, result=replace(stressed.result, failure=told))
+    return run.stressed(name, clock() - begun, interrupted=interrupted)
 
 
 class _Turn(Budget):
@@ -167,7 +159,7 @@ class _Run:
         data: ProblemData,
         fresh: Fresh,
         box: Box,
-        mode: Mode,
+        runner: Runner,
         clock: Callable[[], float],
         end: float,
     ) -> None:
@@ -177,26 +169,26 @@ class _Run:
         self._data = data
         self._seed = fresh.seed
         self._box = box
-        self._mode = mode
+        self._runner = runner
         self._clock = clock
         self._usage = Usage()
         self._totals = {group.name: _Total(group.name) for group in fresh.groups}
         self._failure: Failure | None = None
         self._series: Iterator[Series] = fresh.series()
         self._at_once = 1
-        self._now: Sequence[tuple[Series, Tally]] = ()
+        self._now: Sequence[tuple[Series, GroupRun]] = ()
 
     def some(self) -> None:
         """Judge the next few series."""
         begun = self._clock()
         self._now = [
-            (series, Tally(self._data, series.data, self._mode))
+            (series, GroupRun(self._data, series.data, self._runner))
             for series in islice(self._series, self._at_once)
         ]
-        judge = judge_calls if self._mode is Mode.FUNCTION else judge_programs
-        judge(
+        run_groups(
+            self._runner,
             self._box,
-            [tally for _, tally in self._now],
+            [run for _, run in self._now],
             budget=_Turn(self._data.problem, lambda: self.over),
             on_calls=lambda _: None,
             on_group=_note,
@@ -211,24 +203,22 @@ class _Run:
     def close(self) -> None:
         """Count the series that were judged to their end, or until something broke."""
         now, self._now = self._now, ()
-        for series, tally in now:
-            if not tally.run and tally.failure is None:
+        for series, run in now:
+            if not run.ended and run.failure is None:
                 continue
             total = self._totals[series.data.group.name]
-            if tally.failure and self.broken is None:
-                self.broken = Broken(series, tally.failure)
-                place = tally.failure.case
+            if run.failure and self.broken is None:
+                self.broken = Broken(series, run.failure, self._runner)
+                place = run.failure.case
                 self._failure = replace(
-                    tally.failure, case=None if place is None else total.result.cases + place
+                    run.failure, case=None if place is None else total.result.cases + place
                 )
-            first = (
-                tally.failure.case if tally.failure else None
-            )  # of a program that broke, the one it broke at
-            reached = max(tally.reached, first or 0)
-            total.add(tally.result(), reached)
+            first = run.failure.case if run.failure else None  # of a program that broke, the one it broke at
+            reached = max(run.reached, first or 0)
+            total.add(run.result(), reached)
             self.cases += reached
             self.built += bisect_left(series.starts, reached)
-            self._usage += tally.usage
+            self._usage += run.usage
 
     def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
         """What it has come to."""
@@ -236,10 +226,10 @@ class _Run:
         result = Result(
             self._data.problem.id,
             name,
-            self._mode,
+            self._runner.mode,
             failing.result.verdict if failing else Verdict.AC,
             tuple(total.result for total in self._totals.values() if total.result.cases),
-            self._failure,
+            self._runner.explained(self._failure) if self._failure else None,
             Timing(self._usage.cpu_seconds, self._usage.wall_seconds),
             self._usage.memory_bytes,
             self._box.isolation,
@@ -249,13 +239,13 @@ class _Run:
     @property
     def over(self) -> bool:
         """Whether something broke or the time is up; it never is before a first case was judged."""
-        broken = self.broken is not None or any(tally.failure for _, tally in self._now)
+        broken = self.broken is not None or any(run.failure for _, run in self._now)
         return broken or (self._judged and self._clock() >= self.end)
 
     @property
     def _judged(self) -> bool:
-        return self.cases > 0 or any(tally.run for _, tally in self._now)
+        return self.cases > 0 or any(run.ended for _, run in self._now)
 
 
-def _note(tally: Tally) -> None:
-    tally.run = True
+def _note(run: GroupRun) -> None:
+    run.ended = True

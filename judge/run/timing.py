@@ -8,6 +8,7 @@ runs again, turn by turn, and fails only where both the least times and the medi
 from __future__ import annotations
 
 import time
+from collections import deque
 from collections.abc import Callable
 
 from msgspec import Struct
@@ -16,9 +17,12 @@ from judge.run.result import Ratio
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
+_FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
+_DRIFT = 0.1  # by which two turns at one speed may differ
+_REMEMBERED = 30  # turns of the reference
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
 
@@ -45,29 +49,66 @@ class Pair(Struct, frozen=True):
         return self.submission / self.reference
 
 
+class Pace:
+    """What the reference took in the races of this run, all on the same cases.
+
+    A machine has few speeds: where a turn of now takes as long as some of those before, they were at the
+    speed of now, and their median is the reference's time while nothing changes.
+    """
+
+    def __init__(self) -> None:
+        self._times: deque[float] = deque(maxlen=_REMEMBERED)
+
+    def add(self, seconds: float) -> float | None:
+        """Note a turn of now; the reference's time, if there have been enough turns like it before."""
+        alike = sorted(known for known in self._times if _alike(known, seconds))
+        self._times.append(seconds)
+        return quantile(alike, 0.5) if len(alike) >= _LEAST_PAIRS else None
+
+
 def race(
-    submission: Run, reference: Run, limit: float, goes_on: Callable[[], bool] = lambda: True
+    submission: Run,
+    reference: Run,
+    limit: float,
+    goes_on: Callable[[], bool] = lambda: True,
+    pace: Pace | None = None,
 ) -> Decision:
     """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
 
     A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
     at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
-    whether there may be another.
+    whether there may be another. With the `pace` of earlier races a clear one needs a single turn of the
+    reference, and one that is far below the limit needs a single one of its own.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
+    usual: float | None = None  # the reference's time, once it is known
     while len(pairs) < MOST_PAIRS:
-        pair = _turn(submission, reference, swapped=len(pairs) % 2 == 1)
+        if usual is None:
+            pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
+        else:
+            mine = submission()
+            pair = None if mine is None else Pair(mine, usual)
         if pair is None:
             break
+        if usual is not None and not _alike(pair.submission, pairs[0].submission):
+            pairs, usual = pairs[:1], None  # something has changed since the reference took its turn
+            continue
         pairs.append(pair)
+        if usual is None and pace is not None:
+            known = pace.add(pair.reference)
+            usual = known if len(pairs) == 1 else None
         if not goes_on():
             break
-        if not _is_clear(pairs, limit):
+        if not is_clear(pairs, limit):
+            if usual is not None:  # near the limit only turns of now count
+                pairs, usual = pairs[:1], None
             continue
         if pairs[0].ratio > limit:
             break
-        if len(pairs) >= _LEAST_PAIRS and time.monotonic() - start > _PATIENCE_SECONDS:
+        if usual is not None and pairs[0].submission <= _FAR_BELOW * limit * usual:
+            return decide([Pair(pairs[0].submission, usual)], limit)
+        if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
             break
     return decide(pairs, limit)
 
@@ -77,7 +118,7 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
     if not pairs:
         return Decision(None)
     ratio = summary(pairs)
-    if _is_clear(pairs, limit):
+    if is_clear(pairs, limit):
         return Decision(ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
     too_slow = least > limit and ratio.median > limit
@@ -88,7 +129,7 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
 def summary(pairs: list[Pair]) -> Ratio:
     """The median paired ratio with its quartiles, and whether it deserves belief."""
     ratios = sorted(pair.ratio for pair in pairs)
-    low, median, high = (_quantile(ratios, part) for part in (0.25, 0.5, 0.75))
+    low, median, high = (quantile(ratios, part) for part in (0.25, 0.5, 0.75))
     unreliable = ""
     if min(pair.reference for pair in pairs) < _TOO_SHORT_SECONDS:
         unreliable = "too short"
@@ -97,7 +138,7 @@ def summary(pairs: list[Pair]) -> Ratio:
     return Ratio(median, low, high, len(pairs), unreliable)
 
 
-def _quantile(ordered: list[float], part: float) -> float:
+def quantile(ordered: list[float], part: float) -> float:
     """The value below which `part` of the ordered values lie, linear between neighbours."""
     place = part * (len(ordered) - 1)
     below = int(place)
@@ -105,13 +146,18 @@ def _quantile(ordered: list[float], part: float) -> float:
     return ordered[below] + (place - below) * (ordered[above] - ordered[below])
 
 
-def _is_clear(pairs: list[Pair], limit: float) -> bool:
+def is_clear(pairs: list[Pair], limit: float) -> bool:
     """Whether every pair is clearly below the limit, or every one clearly above it."""
     ratios = [pair.ratio for pair in pairs]
     return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
 
 
-def _turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
+def _alike(one: float, other: float) -> bool:
+    """Whether two times of one program on the same cases are of one speed of the machine."""
+    return abs(one - other) <= _DRIFT * other
+
+
+def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
     """One run each; who goes first changes, so that a drift favours nobody."""
     if swapped:
         theirs, mine = reference(), submission()

@@ -10,48 +10,28 @@ Nothing is printed: what is wrong is in the report.
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Callable, Iterable, Sequence
-from enum import Enum
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data import ProblemData, load_data
-from judge.data.module import blaming, load_module
+from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.data.module import load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
-from judge.reading import read_ordinary
-from judge.run.execute import Settings, run_submission
+from judge.language import file_name
+from judge.problem import Group, Problem, Verdict
+from judge.problem.solutions import Kind, Solution, read_solutions
+from judge.problem.tomlfile import key_place, meant
+from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
+from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
-from judge.spec import Group, Problem, Verdict
-from judge.spec.program import tree_of
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
-
-
-class Folder(Enum):
-    """The folders of solutions, and so the verdict that is wanted of what is in them."""
-
-    ACCEPTED = "accepted"
-    WRONG = "wrong"
-    SLOW = "slow"
-
-    def allows(self, verdict: Verdict) -> bool:
-        """Whether a program of this folder may get that verdict."""
-        if self is Folder.ACCEPTED:
-            return verdict is Verdict.AC
-        if self is Folder.SLOW:
-            return verdict is Verdict.TLE
-        return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
-
-    @property
-    def wanted(self) -> str:
-        """The verdict in words."""
-        return {"accepted": "AC", "wrong": "a rejection", "slow": "TLE"}[self.value]
 
 
 class Fault(Struct, frozen=True):
@@ -69,7 +49,7 @@ class SolutionReport(Struct, frozen=True):
     """One program's verdict, whole and by group; `name` is its docstring's first line."""
 
     file: str  # as wrong/absolute-epsilon.py
-    folder: Folder
+    kind: Kind
     name: str
     verdict: Verdict
     groups: tuple[GroupResult, ...]
@@ -82,7 +62,7 @@ class SolutionReport(Struct, frozen=True):
     @property
     def ok(self) -> bool:
         """Whether this is the verdict that the folder wants."""
-        return self.folder.allows(self.verdict)
+        return self.kind.allows(self.verdict)
 
 
 class VerifyReport(Struct, frozen=True):
@@ -100,19 +80,6 @@ class VerifyReport(Struct, frozen=True):
     def ok(self) -> bool:
         """Whether nothing is wrong."""
         return not self.faults
-
-
-class _Source(Struct, frozen=True):
-    """One file of the solutions."""
-
-    path: Path
-    folder: Folder
-    content: bytes
-    name: str
-
-    @property
-    def file(self) -> str:
-        return f"{self.folder.value}/{self.path.name}"
 
 
 def verify_problem(
@@ -136,18 +103,23 @@ def verify_problem(
     except ProblemError as error:
         return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
     pins, faults = _check_pins(problem, data, update_pins)
-    sources, unreadable = _read_sources(problem)
-    faults += unreadable
+    solutions, unsound = read_solutions(problem)
+    faults += [_fault_of(each, problem) for each in unsound]
+    if not any(solution.kind is Kind.ACCEPTED for solution in solutions):
+        folder = problem.solutions / Kind.ACCEPTED.value
+        where = f"{problem.solutions.name}/{folder.name}"
+        faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
+    faults += _time_faults(problem, solutions)
     reports = []
     settings = Settings(box_factory=box_factory or Boxes())
-    for done, source in enumerate(sources):
-        tell("judging solutions", done, len(sources))
-        result = run_submission(problem, data, source.content, source.path.name, settings=settings)
-        report = _solution_report(source, result)
+    for done, solution in enumerate(solutions):
+        tell("judging solutions", done, len(solutions))
+        result = run_submission(problem, data, solution.source, solution.path.name, settings=settings)
+        report = _solution_report(solution, result)
         reports.append(report)
         if not report.ok:
             faults.append(_verdict_fault(report, result, problem))
-    tell("judging solutions", len(sources), len(sources))
+    tell("judging solutions", len(solutions), len(solutions))
     faults += _kill_faults(problem, reports)
     return VerifyReport(
         problem=problem.id,
@@ -162,10 +134,9 @@ def verify_problem(
 
 def _prove_data(problem: Problem, data: ProblemData) -> None:
     """A second, independent look at every case, after all builders have had their say."""
-    validator = Validator(problem, load_module(problem).promise)
-    with blaming(problem, "the promise fails"):
-        for group in data.groups:
-            prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
+    validator = Validator(problem, load_module(problem).solve)
+    for group in data.groups:
+        prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:
@@ -188,57 +159,36 @@ def _check_pins(problem: Problem, data: ProblemData, update: bool) -> tuple[str,
     return ("differing" if faults else "matching"), faults
 
 
-def _read_sources(problem: Problem) -> tuple[list[_Source], list[Fault]]:
-    """Every solution that can be read, and a fault for each that cannot or has no name."""
-    sources: list[_Source] = []
-    faults: list[Fault] = []
-    for folder in Folder:
-        paths = sorted((problem.solutions / folder.value).glob("*.py"))
-        if not paths and folder is Folder.ACCEPTED:
-            where = f"{problem.solutions.name}/{folder.value}"
-            faults.append(
-                Fault(
-                    "there is no accepted solution", where, f"add one to {problem.solutions / folder.value}"
-                )
-            )
-        for path in paths:
-            where = f"{problem.solutions.name}/{folder.value}/{path.name}"
-            try:
-                content = read_ordinary(path)
-                name = _docstring_name(content)
-            except OSError as error:
-                faults.append(Fault(f"cannot be read: {error.strerror}", where, "make it readable"))
-                continue
-            except SyntaxError as error:
-                faults.append(Fault(f"no Python: {error}", where, "repair it"))
-                continue
-            if not name:
-                wanted = "mistake" if folder is Folder.WRONG else "idea"
-                faults.append(Fault("it has no docstring", where, f"begin it with the name of its {wanted}"))
-            sources.append(_Source(path, folder, content, name))
-    return sources, faults
+def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]:
+    """The files that `[time]` names and that are not there: nothing would be raced against them."""
+    rule = problem.time
+    accepted = [solution.path.name for solution in solutions if solution.kind is Kind.ACCEPTED]
+    named = {"function": rule.function, "program": rule.program} if rule else {}
+    return [
+        Fault(
+            f"[time] names {name!r}, which is no accepted solution",
+            key_place(problem, ("time", key)),
+            meant(name, accepted, "name one of"),
+        )
+        for key, name in named.items()
+        if name and name not in accepted
+    ]
 
 
-def _docstring_name(source: bytes) -> str:
-    """The docstring's first line, without a full stop; empty if there is none."""
-    lines = (ast.get_docstring(tree_of(source)) or "").splitlines()
-    return lines[0].strip().rstrip(".") if lines else ""
-
-
-def _solution_report(source: _Source, result: Result) -> SolutionReport:
-    return SolutionReport(source.file, source.folder, source.name, result.verdict, result.groups)
+def _solution_report(solution: Solution, result: Result) -> SolutionReport:
+    return SolutionReport(solution.file, solution.kind, solution.name, result.verdict, result.groups)
 
 
 def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matrix:
     """Which of the problem's groups rejects which wrong program; one that cannot be run has no row."""
-    wrong = [report for report in reports if report.folder is Folder.WRONG and report.groups]
+    wrong = [report for report in reports if report.kind is Kind.WRONG and report.groups]
     return kill_matrix(groups, [(report.file, report.name, report.groups) for report in wrong])
 
 
 def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:
     why = f" ({result.failure.message})" if result.failure else ""
     return Fault(
-        f"gets {report.verdict.value} where {report.folder.wanted} is wanted{why}",
+        f"gets {report.verdict.value} where {report.kind.wanted} is wanted{why}",
         f"{problem.solutions.name}/{report.file}",
         "move it to the folder it belongs to, or correct it or the data",
     )
@@ -246,7 +196,7 @@ def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> 
 
 def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fault]:
     """Hold the mistakes that the groups name against the programs that make them."""
-    wrong = [report for report in reports if report.folder is Folder.WRONG]
+    wrong = [report for report in reports if report.kind is Kind.WRONG]
     aimed = {
         mistake: {group.name for group in problem.groups if mistake in group.kills}
         for group in problem.groups
@@ -257,7 +207,7 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fa
         programs = [report for report in wrong if report.name == mistake]
         if not programs:
             what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"
-            remedy = f"add {problem.solutions / 'wrong' / mistake}.py"
+            remedy = f"add {problem.solutions / 'wrong' / file_name(mistake)}"
             faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
             continue
         killing = {name for report in programs for name in report.failed}
@@ -278,7 +228,8 @@ def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem:
     faults = []
     if report.name and stem != report.name and not stem.startswith(f"{report.name}-"):
         what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
-        faults.append(Fault(what, where, f"call it {report.name}.py, or {report.name}-….py"))
+        remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
+        faults.append(Fault(what, where, remedy))
     if report.name not in aimed:
         faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
     elif report.ok and not aimed[report.name].intersection(report.failed):

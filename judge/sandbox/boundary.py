@@ -11,6 +11,8 @@ from collections.abc import Callable, Sequence
 from enum import Enum
 from typing import Any, NamedTuple, Protocol
 
+from judge.sandbox.encode import MOST_ITEMS
+
 BoxFactory = Callable[[bytes, str], "Box"]  # from a source and its file's name
 
 LEVELS = ("full", "strong", "limits")  # of isolation, the best first
@@ -31,13 +33,17 @@ class Stop(Enum):
 
 
 class Limits(NamedTuple):
-    """The bounds of one series of calls or one program; memory and waiting are those of the whole process."""
+    """The bounds of one series of calls or one program; memory and waiting are those of the whole process.
+
+    `items` is how many items one answer may hold, in lists of all levels.
+    """
 
     cpu_seconds: float
     wall_seconds: float
     memory_bytes: int
     output_bytes: int
     waiting_seconds: float = 1e9  # wall time beyond CPU time
+    items: int = MOST_ITEMS
 
 
 class Usage(NamedTuple):
@@ -141,8 +147,8 @@ class Box(Protocol):
         The module is imported once for all series. Each is measured by itself, and its arguments are there
         when it begins; `limits` holds for each, but for memory and waiting. Results end with the series that
         a call ended, or where no room is left for more answers, so that there may be fewer than series.
-        Arguments are ints, floats and (nested) lists or tuples of them; the submission receives inner
-        sequences as tuples, fresh ones for each call. `on_series` is called after each series but the last.
+        Arguments are None, ints, floats, str, (nested) lists and tuples of them, and `array.array`; the
+        submission receives fresh ones for each call. `on_series` is called after each series but the last.
         """
         ...
 

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import imports, outcome, room, shared
+from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
     Inspection,
@@ -24,17 +24,18 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Container, Done, Lost, OnSeries
-from judge.sandbox.holder import Holder, Ladder
+from judge.sandbox.container import Done, Lost, OnSeries
+from judge.sandbox.holder import Holder
 from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
-from judge.sandbox.roots import Roots
+
+IdleCosts = dict[tuple[str, bytes, tuple[str, ...]], int]
+"""CPU time in ns of a child that does nothing, by level, kind of run and modules imported ahead."""
 
 STDERR_BYTES = 4096
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
-_SEQUENCES = frozenset({list, tuple})
 _TRUSTED_TRIES = 2
 _BUSY = "judge it again, with a smaller -j if the machine is busy"
 _LOST = "it stopped the process that watches it"
@@ -44,21 +45,18 @@ class ForkServerBox:
     """A submission behind a fork server; a context manager that ends it all.
 
     The container is started at once and awaited on entering, so that a judge may do other things while it
-    boots. Where `level` cannot be had `ladder` says what to do.
-
-    One thread at a time may use it, whichever opened it.
+    boots. One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(
-        self, source: bytes, name: str, level: str, ladder: Ladder, roots: Roots, share: room.Share
-    ) -> None:
-        """Start the container; `share` bounds its threads."""
+    def __init__(self, holder: Holder, share: room.Share, idle: IdleCosts) -> None:
+        """`holder` has the container, `share` bounds its threads, `idle` is what other boxes found out."""
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
         self._share = share
+        self._idle = idle
         self._warm_up: threading.Thread | None = None
         self._oom_kills = room.oom_kills()
-        self._holder = Holder(level, ladder, lambda level: Container(level, name, source, roots, share))
+        self._holder = holder
 
     @property
     def isolation(self) -> str:
@@ -150,7 +148,7 @@ class ForkServerBox:
         if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
-        packed = _packed(entry, series)
+        packed = packing.packed(entry, series, limits.items)
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
@@ -236,7 +234,10 @@ class ForkServerBox:
         if found.fault:
             return found.fault.message
         if kind not in self._holder.prepared:
-            self._ask_trusted(wire.PREPARE, marshal.dumps((self._modules, kind)))
+            alike = (self.isolation, kind, tuple(self._modules))
+            payload = marshal.dumps((self._modules, kind, self._idle.get(alike)))
+            done = self._ask_trusted(wire.PREPARE, payload)
+            self._idle[alike] = done.cpu_ns
             self._holder.prepared.add(kind)
         return ""
 
@@ -254,18 +255,7 @@ class ForkServerBox:
         if kind in (wire.CALLS, wire.PROGRAM):
             room.check_memory(memory)
         try:
-            done = self._holder.here().ask(
-                kind,
-                stdio,
-                payload,
-                cpu_ns=round(limits.cpu_seconds * 1e9),
-                wall_ns=round(limits.wall_seconds * 1e9),
-                waiting_ns=round(limits.waiting_seconds * 1e9),
-                memory=memory,
-                output=limits.output_bytes,
-                series=series,
-                on_series=on_series,
-            )
+            done = self._holder.here().ask(kind, stdio, payload, limits, memory, series, on_series)
         except BaseException as fault:
             self._holder.drop()
             if isinstance(fault, Lost):
@@ -303,14 +293,3 @@ def _killed(done: Done) -> bool:
 
 def _printed(*descriptors: int) -> int:
     return max(shared.size(descriptor) for descriptor in descriptors)
-
-
-def _packed(entry: str, series: Sequence[Sequence[Sequence[Any]]]) -> list[bytes]:
-    """What the child needs for each series: the entry, how many calls there are in all, and the arguments."""
-    count = sum(len(calls) for calls in series)
-    return [marshal.dumps((entry, count, [_frozen(arguments) for arguments in calls])) for calls in series]
-
-
-def _frozen(value: Sequence[Any]) -> tuple[Any, ...]:
-    """A sequence as a tuple, and the sequences in it too."""
-    return tuple([_frozen(item) if type(item) in _SEQUENCES else item for item in value])

@@ -27,6 +27,7 @@ _ALWAYS = (
     "judge.sandbox.inside.server",
 )
 _ON_LINUX = (
+    "judge.sandbox.linux.foreign",
     "judge.sandbox.linux.kernel",
     "judge.sandbox.linux.syscalls",
     "judge.sandbox.linux.bpf",
@@ -40,7 +41,7 @@ import marshal, sys
 from types import ModuleType
 bundle, channel, region = map(int, sys.argv[1:])
 with open(bundle, "rb") as file:
-    modules, config, source = marshal.load(file)
+    modules, config, source = marshal.loads(file.read())
 for name in ("judge", "judge.sandbox", "judge.sandbox.inside", "judge.sandbox.linux"):
     sys.modules[name] = ModuleType(name)
     sys.modules[name].__path__ = []

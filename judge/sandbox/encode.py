@@ -5,40 +5,55 @@
     a larger int                               {"int": "-1f…"}, hexadecimal
     fractions.Fraction                         {"fraction": ["numerator", "denominator"]}, hexadecimal
     decimal.Decimal                            {"decimal": "1.5"}
-    numpy scalars and arrays                   the numbers they hold
+    numpy scalars and arrays, array.array      the numbers they hold
+    many numbers of one type                   {"array": ["d", "000000000000f03f…"]}: the code of the type as
+                                               in array.array, the bytes, little-endian, in hexadecimal
+    a short str                                {"word": "enter"}
+    a tuple of a single item                   {"tuple": [item]}
     anything else, a wrong type                {"type": "bool", "text": "True"}
 
-The mirror image is `judge.compare.decode`, which believes nothing of what it reads. Standard library only,
+The mirror image is `judge.values.decode`, which believes nothing of what it reads. Standard library only,
 and no import of judge: this file is handed to the contained process by itself.
 """
 
 from __future__ import annotations
 
 import sys
+from array import array
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # importing typing takes longer than starting the interpreter
     from typing import Any
 
-MOST_ITEMS = 10_000
+MOST_ITEMS = 20_000  # where the type of the answer says nothing else
+MANY = 1_000  # numbers of one type, above which they are sent as bytes
+MOST_WORD = 32
 MOST_DEPTH = 6
 MOST_BITS = 4096  # of an integer, and of a fraction's two
 MOST_DIGITS = 2000  # of a Decimal
 MOST_TEXT = 80
 
 _SMALL = 1 << 63
+_CODES = {  # by kind and size
+    "i1": "b", "i2": "h", "i4": "i", "i8": "q", "f4": "f", "f8": "d",
+    "u1": "B", "u2": "H", "u4": "I", "u8": "Q",
+}  # fmt: skip
+_KINDS = {"b": "i", "h": "i", "i": "i", "l": "i", "q": "i", "f": "f", "d": "f"}  # the others are unsigned
 _SEQUENCE_METHODS = ("__iter__", "__len__", "__getitem__")
 _SHOWN = (bool, str, bytes, complex)  # types whose repr is the interpreter's own
 
 
-def encode(value: Any) -> Any:
-    """The JSON form of `value`: bounded in depth, items and text; runs no method of a foreign class."""
+def encode(value: Any, most: int = MOST_ITEMS) -> Any:
+    """The JSON form of `value`: bounded in depth, items and text; runs no method of a foreign class.
+
+    `most` is how many items it may hold, those that are sent as bytes not counted.
+    """
     kind = type(value)
     if value is None or (kind is float and value - value == 0.0):
         return value
     if kind is int and -_SMALL <= value < _SMALL:
         return value
-    return _encode(value, 0, [MOST_ITEMS])
+    return _encode(value, 0, [most, most])
 
 
 def _encode(value: Any, depth: int, budget: list[int]) -> Any:
@@ -50,7 +65,15 @@ def _encode(value: Any, depth: int, budget: list[int]) -> Any:
     if value is None:
         return None
     if kind is list or kind is tuple:
-        return _items(value, len(value), depth, budget)
+        length = len(value)
+        if length > MANY:
+            packed = _packed(value)
+            if packed:
+                return packed
+        found = _items(value, length, depth, budget)
+        return {"tuple": found} if length == 1 and kind is tuple and type(found) is list else found
+    if kind is str and len(value) <= MOST_WORD and value.isprintable():
+        return {"word": value}
     if kind in _SHOWN:
         return _wrong(kind.__name__, repr(value[:MOST_TEXT] if kind in (str, bytes) else value))
     return _unusual(value, kind, depth, budget)
@@ -61,8 +84,29 @@ def _items(items: Any, length: int, depth: int, budget: list[int]) -> Any:
         return _wrong("list", f"nested more than {MOST_DEPTH} deep")
     budget[0] -= length
     if budget[0] < 0:
-        return _wrong("list", f"more than {MOST_ITEMS} items")
+        return _wrong("list", f"of more than {budget[1]} items")
     return [_encode(item, depth + 1, budget) for item in items]
+
+
+def _packed(numbers: Any) -> dict[str, Any] | None:
+    """A list of ints, or one of floats, as bytes; None for any other."""
+    first = type(numbers[0])
+    if first is not int and first is not float:
+        return None
+    for number in numbers:
+        if type(number) is not first:
+            return None
+    try:
+        return _bytes("d" if first is float else "q", array("d" if first is float else "q", numbers))
+    except OverflowError:  # ints that are too large for it
+        return None
+
+
+def _bytes(code: str, numbers: array[Any]) -> dict[str, Any]:
+    if sys.byteorder == "big":
+        numbers = numbers[:]
+        numbers.byteswap()
+    return {"array": [code, numbers.tobytes().hex()]}
 
 
 def _unusual(value: Any, kind: type, depth: int, budget: list[int]) -> Any:
@@ -95,20 +139,34 @@ def _library_number(value: Any, kind: type) -> tuple[Any] | None:
     """The form of a fractions.Fraction or decimal.Decimal, where the submission has imported them."""
     if kind is getattr(sys.modules.get("fractions"), "Fraction", None):
         return (_ratio(value.numerator, value.denominator),)
+    if kind is array:
+        return (_array(value),)
     if kind is getattr(sys.modules.get("decimal"), "Decimal", None):
         text = str(value)
         return ({"decimal": text} if len(text) <= MOST_DIGITS else _wrong("Decimal", "too long"),)
     return None
 
 
+def _array(value: array[Any]) -> Any:
+    """An array of Python's own: its items, or all of them as bytes."""
+    code = value.typecode
+    if code in ("u", "w"):  # of characters
+        return _wrong("array", "of characters")
+    if len(value) <= MANY:
+        return value.tolist()
+    return _bytes(_CODES[f"{_KINDS.get(code, 'u')}{value.itemsize}"], value)
+
+
 def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] | None:
     """The form of numpy's own scalars and arrays, never of a class derived from them."""
     numpy: Any = sys.modules.get("numpy")
-    array: Any = getattr(numpy, "ndarray", None)
+    ndarray: Any = getattr(numpy, "ndarray", None)
     generic: Any = getattr(numpy, "generic", None)
-    if generic is None or array is None:
+    if generic is None or ndarray is None:
         return None
-    if kind is array:
+    if kind is ndarray:
+        if value.ndim == 1 and len(value) > MANY and value.dtype.kind in "iufb":
+            return (_vector(value),)
         # Row by row, so that the bounds on depth and items hold for arrays too.
         return (
             _encode(value[()], depth, budget)
@@ -129,6 +187,15 @@ def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] 
         top, bottom = value.as_integer_ratio()
         return (_ratio(top, bottom),)
     return (_wrong(_name(kind), repr(value.item()) if code in "bc" else ""),)
+
+
+def _vector(value: Any) -> Any:
+    """An array of numpy's as bytes."""
+    dtype = value.dtype
+    code = _CODES.get(f"{dtype.kind}{dtype.itemsize}")
+    if code is None:
+        return _wrong("array", f"of {dtype.name}")
+    return {"array": [code, value.astype(dtype.newbyteorder("<"), copy=False).tobytes().hex()]}
 
 
 def _ratio(top: Any, bottom: Any) -> dict[str, Any]:

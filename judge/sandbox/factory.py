@@ -11,7 +11,9 @@ from judge.sandbox.boundary import LEVELS
 
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
+    from judge.sandbox.box import IdleCosts
     from judge.sandbox.room import Share
+    from judge.sandbox.roots import Roots
 
 _DOCTOR = "let 'judge doctor' look again"
 
@@ -52,17 +54,25 @@ class Boxes:
         self._hide = tuple(hide)
         self._share = share
         self._had = set[str]() if had is None else {had}
+        self._roots: Roots | None = None  # looking for them takes longer than starting a process
+        self._idle: IdleCosts = {}
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `below`."""
         from judge.sandbox import room  # only a run needs sockets, processes and ctypes
         from judge.sandbox.box import ForkServerBox
+        from judge.sandbox.container import Container
+        from judge.sandbox.holder import Holder
         from judge.sandbox.roots import find_roots
 
         level = self._first()
         if self._share is None:
             self._share = room.measure().share(1)
-        return ForkServerBox(source, name, level, self, find_roots(self._hide), self._share)
+        if self._roots is None:
+            self._roots = find_roots(self._hide)
+        roots, share = self._roots, self._share
+        holder = Holder(level, self, lambda level: Container(level, name, source, roots, share))
+        return ForkServerBox(holder, share, self._idle)
 
     def had(self, level: str) -> None:
         """A container is ready at this level."""

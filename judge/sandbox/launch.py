@@ -10,7 +10,6 @@ Each needs less of the machine than the one above it.
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -73,7 +72,11 @@ def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, .
 
 def bubblewrap_path() -> str | None:
     """Where bubblewrap is installed."""
-    return shutil.which("bwrap")
+    for folder in os.get_exec_path():
+        path = os.path.join(folder, "bwrap")  # noqa: PTH118 - as long as there is no folder it is no Path
+        if os.access(path, os.X_OK) and os.path.isfile(path):  # noqa: PTH113
+            return path
+    return None
 
 
 def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:

@@ -11,11 +11,13 @@ import gc
 import json
 import os
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import repeat
 from typing import Any
 
 from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
-from judge.sandbox.container import Done, Lost, Mark
+from judge.sandbox.container import Done, Lost, SeriesEnd
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
@@ -29,16 +31,16 @@ def usage_of(done: Done) -> Usage:
 
 def usages_of(done: Done) -> list[Usage]:
     """The figures of each series that was begun; the peak is that of the process up to its end."""
-    last = Mark(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
+    last = SeriesEnd(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
     return [_usage(mark) for mark in (*done.marks, last)]
 
 
 def usages_of_lost(lost: Lost) -> list[Usage]:
     """The same where nobody was left to measure the last series."""
-    return [_usage(mark) for mark in (*lost.marks, Mark(0, lost.wall_ns, 0, 0, b""))]
+    return [_usage(mark) for mark in (*lost.marks, SeriesEnd(0, lost.wall_ns, 0, 0, b""))]
 
 
-def _usage(mark: Mark) -> Usage:
+def _usage(mark: SeriesEnd) -> Usage:
     return Usage(mark.cpu_ns / 1e9, mark.wall_ns / 1e9, mark.peak_bytes)
 
 
@@ -106,7 +108,7 @@ def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
         with _no_collections():
             return _one_by_one(data, most)
     try:
-        rows = json.loads(b"[" + data[:-2] + b"]", parse_constant=_refuse)
+        rows = _parsed(b"[" + data[:-2] + b"]")
     except (ValueError, RecursionError):
         return _one_by_one(data, most)
     replies = _replies(rows)
@@ -128,13 +130,18 @@ def _no_collections() -> Iterator[None]:
 
 def _replies(rows: list[Any]) -> list[Reply]:
     """The rows as replies, up to the first that is none."""
+    if set(map(type, rows)) == {list} and set(map(len, rows)) == {2}:
+        kinds, values = zip(*rows, strict=True)
+        if set(map(type, kinds)) == {int} and not any(kinds):  # all have answered, as nearly always
+            return list(map(_reply, zip(repeat(Stop.ANSWERED), values, repeat(""))))
     replies: list[Reply] = []
+    add, answered = replies.append, Stop.ANSWERED
     for row in rows:
         if type(row) is not list or len(row) != 2:
             break
         kind, value = row
         if kind == 0:
-            replies.append(Reply(Stop.ANSWERED, value))
+            add(Reply(answered, value))
         elif kind == 1 and type(value) is str:
             replies.append(Reply(Stop.EXCEPTION, None, wire.printable(value[:DETAIL_LENGTH])))
         else:
@@ -142,7 +149,7 @@ def _replies(rows: list[Any]) -> list[Reply]:
     return replies
 
 
-def parse_series(data: bytes, marks: Sequence[Mark], counts: Sequence[int]) -> tuple[list[Reply], bool]:
+def parse_series(data: bytes, marks: Sequence[SeriesEnd], counts: Sequence[int]) -> tuple[list[Reply], bool]:
     """The replies to so many calls in each series, and whether the child kept to the form.
 
     What it changed after a series was sealed, or answered before it was asked, is not the form. Only a module
@@ -178,7 +185,7 @@ def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:
     *lines, rest = data.split(b"\n", most + 1)
     for line in lines:
         try:
-            found = _replies([json.loads(line.removesuffix(b","), parse_constant=_refuse)])
+            found = _replies([_parsed(line.removesuffix(b","))])
         except (ValueError, RecursionError):
             return replies, False
         if len(replies) == most or not found:
@@ -189,6 +196,15 @@ def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:
 
 def _refuse(name: str) -> Any:
     raise ValueError(f"{name} is not JSON")
+
+
+_reply: Callable[[tuple[Any, ...]], Reply] = partial(tuple.__new__, Reply)
+_decode = json.JSONDecoder(parse_constant=_refuse).decode
+
+
+def _parsed(data: bytes) -> Any:
+    """A JSON text. Raises ValueError, RecursionError."""
+    return _decode(data.decode(errors="surrogatepass"))
 
 
 def _signal_name(number: int) -> str:

@@ -6,7 +6,6 @@ import contextlib
 import fcntl
 import os
 import sys
-import tempfile
 from collections.abc import Iterator
 
 from judge.sandbox.inside import wire
@@ -99,6 +98,8 @@ def _create(flags: int) -> int:
 
 
 def _unlinked() -> int:
+    import tempfile  # slow to import, and Linux does without
+
     descriptor, path = again(lambda: tempfile.mkstemp(prefix="judge-"))
     os.unlink(path)  # noqa: PTH108 - nothing to see before it is gone
     return descriptor

@@ -2,44 +2,14 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from judge.topics.circles import LINE, Bands, CircleLine, builders
+from judge.topics.circles.recipes import counting
 
-from judge.compare.answers import Count
-from judge.data.builders import counting
-from judge.data.images import mirror_images
-from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
-
-_WIDTHS = bands_beside(__file__)
-_BANDS = Bands(snap=_WIDTHS["snap"], clear=_WIDTHS["clear"])
-
-BUILDERS = {
-    "grid": counting.grid,
-    "degenerate": counting.degenerate,
-    "close": counting.close,
-    "zero_radius": counting.zero_radius,
-    "axis": counting.axis,
-    "tangent": counting.tangent,
-    "band": counting.band,
-    "near": counting.near,
-    "any_kind": counting.any_kind,
-    "offset": counting.offset,
-    "far": counting.far,
-    "lopsided": counting.lopsided,
-    "off_segment": counting.off_segment,
-    "scattered": counting.scattered,
-}
-IMAGES = mirror_images
-
-_line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
+BUILDERS = builders(counting.RECIPES)
+TOPIC = LINE
 
 
-def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Count:
-    """0, 1 or 2 by exact signs; None for A == B."""
-    return Count(_BANDS.count(_line(cx, cy, r, A, B)))
-
-
-def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:
-    """What keeps the case out of the data: a line neither within the tangency band nor clear of it."""
-    return _BANDS.broken_count(_line(cx, cy, r, A, B))
+def solve(cx, cy, r, A, B, *, bands):
+    """0, 1 or 2 by exact signs, None for A == B; a line may not be nearly within the tangency band."""
+    line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
+    return widths.count(line), widths.broken_count(line)

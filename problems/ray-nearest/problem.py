@@ -1,29 +1,17 @@
-"""The circle and the ray: the exact answer, the promise of every case, the recipes of the data."""
+"""The circle and the ray: the exact parameter of the first common point, and the promise of every case."""
 
 from __future__ import annotations
 
-from functools import lru_cache
+from judge.topics.circles import RAY, Bands, CircleLine, builders
+from judge.topics.circles.recipes import rays
+from judge.values import Real
 
-from judge.compare.answers import Parameter
-from judge.data.builders.rays import RAY_BUILDERS
-from judge.data.images import mirror_images
-from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
-
-BANDS = Bands(**bands_beside(__file__))
-BUILDERS = RAY_BUILDERS
-IMAGES = mirror_images
-
-_line = lru_cache(1)(CircleLine.ray)  # the promise and the reference ask for one case in turn
+BUILDERS = builders(rays.RECIPES)
+TOPIC = RAY
 
 
-def reference(cx: Number, cy: Number, r: Number, origin: Point, direction: Point) -> Parameter:
+def solve(cx, cy, r, origin, direction, *, bands):
     """The least t >= 0 or None; the unit is the extent in terms of t, which only t = 0 needs."""
-    line = _line(cx, cy, r, origin, direction)
-    return Parameter(BANDS.ray(line), line.extent_parameter())
-
-
-def promise(cx: Number, cy: Number, r: Number, origin: Point, direction: Point) -> str | None:
-    """What is within the forbidden bands: the tangency, or a common point near the origin."""
-    return BANDS.broken_ray(_line(cx, cy, r, origin, direction))
+    line, widths = CircleLine.ray(cx, cy, r, origin, direction), Bands.of(bands)
+    t = widths.ray(line)
+    return None if t is None else Real(t, line.extent_parameter()), widths.broken_ray(line)

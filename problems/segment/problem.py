@@ -1,29 +1,17 @@
-"""The circle and the closed segment: the exact answer, the promise of every case, the recipes of the data."""
+"""The circle and the closed segment: the exact common points, in order, and the promise of every case."""
 
 from __future__ import annotations
 
-from functools import lru_cache
+from judge.topics.circles import SEGMENT, Bands, CircleLine, builders
+from judge.topics.circles.recipes import endpoints
+from judge.values import vector
 
-from judge.compare.answers import Points
-from judge.data.builders.endpoints import SEGMENT_BUILDERS
-from judge.data.images import mirror_images
-from judge.exact import Bands, CircleLine
-from judge.spec.load import bands_beside
-from judge.spec.model import Number, Point
-
-BANDS = Bands(**bands_beside(__file__))
-BUILDERS = SEGMENT_BUILDERS
-IMAGES = mirror_images
-
-_line = lru_cache(1)(CircleLine.through)  # the promise and the reference ask for one case in turn
+BUILDERS = builders(endpoints.RECIPES)
+TOPIC = SEGMENT
 
 
-def reference(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Points:
-    """The common points in order of t, with the extent as the unit of their tolerance."""
-    line = _line(cx, cy, r, A, B)
-    return Points(tuple(line.point(which) for which in BANDS.segment(line)), line.extent_length())
-
-
-def promise(cx: Number, cy: Number, r: Number, A: Point, B: Point) -> str | None:
-    """What is within the forbidden bands: the tangency, or a common point near an end."""
-    return BANDS.broken_segment(_line(cx, cy, r, A, B))
+def solve(cx, cy, r, A, B, *, bands):
+    """The common points in order of t; none of them, and no tangency, may be nearly within a band."""
+    line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
+    points = [vector(line.point(which), line.extent_length()) for which in widths.segment(line)]
+    return points, widths.broken_segment(line)

@@ -8,22 +8,22 @@ plain integer formula of the discriminant, r²a − k², written out for a case 
 
 from __future__ import annotations
 
-import json
 import random
 import time
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
-from judge.compare import check, check_line, compile_answer, from_json, render, to_json
-from judge.compare.answers import Count, Points
-from judge.exact import Bands, CircleLine, Surd
-from judge.spec import AnswerKind, Tolerance
+from judge.exact import Surd
+from judge.topics.circles.bands import Bands
+from judge.topics.circles.line import CircleLine
+from judge.values import Tolerance, parse, vector
 
 ROUNDS = 7
 CASES = 400
 BANDS = Bands(Fraction(1, 10**12), Fraction(1, 10**7))
 TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
+POINTS, COUNT = parse("points"), parse("count")
 
 
 def formula(case: Sequence[Any]) -> int:
@@ -35,20 +35,20 @@ def formula(case: Sequence[Any]) -> int:
     return (delta > 0) - (delta < 0) + 1
 
 
-def segment_answer(case: Sequence[Any]) -> Points:
+def segment_answer(case: Sequence[Any]) -> Any:
     """The reference of the segment problem."""
     line = CircleLine.through(*case)
-    return Points(tuple([line.point(which) for which in BANDS.segment(line)]), line.extent_length())
+    return [vector(line.point(which), line.extent_length()) for which in BANDS.segment(line)]
 
 
 def segment_case(case: Sequence[Any]) -> Any:
     """The whole answer of a case, with all its acceptance intervals."""
-    return compile_answer(segment_answer(case), TOLERANCE)
+    return POINTS.target(segment_answer(case), TOLERANCE)
 
 
 def count_case(case: Sequence[Any]) -> Any:
     """The whole answer of an exact-count case."""
-    return compile_answer(Count(CircleLine.through(*case).count()), TOLERANCE)
+    return COUNT.target(CircleLine.through(*case).count(), TOLERANCE)
 
 
 def draw(source: random.Random, size: int, as_float: bool) -> tuple[Any, ...]:
@@ -85,23 +85,21 @@ def main() -> None:
     large = [draw(source, 10**100, False) for _ in range(CASES)]
     answers = [segment_answer(case) for case in floats]
     targets = [segment_case(case) for case in floats]
-    kind = AnswerKind.POINTS
-    given = [[[number[2] for number in point] for point in target.points] for target in targets]
+    given = [[[number[2] for number in point] for point in target] for target in targets]
     near = [[[number * (1 + 3e-16) for number in point] for point in answer] for answer in given]
-    lines = [render(kind, target) for target in targets]
-    stored = [json.loads(json.dumps(to_json(target))) for target in targets]
-    surds = [answer.points[0][0] for answer in answers]
+    lines = [POINTS.line(target) for target in targets]
+    surds = [answer[0][0].x for answer in answers]
 
     def never() -> Any:
         raise AssertionError("a double needs no exact answer")
 
     def judge(pair: Any) -> object:
-        return check(kind, pair[0], pair[1], never)
+        return POINTS.check(pair[0], pair[1], never)
 
     rows: list[tuple[str, Callable[[Any], object], Sequence[Any], Sequence[Any], int]] = [
         ("segment, floats to 1e9: answer and intervals", segment_case, floats, ints, 1),
         ("segment, ints to 1e9: answer and intervals", segment_case, ints, ints, 1),
-        ("  of which the intervals of 4 numbers", lambda a: compile_answer(a, TOLERANCE), answers, ints, 1),
+        ("  of which the intervals of 4 numbers", lambda a: POINTS.target(a, TOLERANCE), answers, ints, 1),
         (
             "promise of a segment case",
             lambda c: BANDS.broken_segment(CircleLine.through(*c)),
@@ -116,12 +114,11 @@ def main() -> None:
         ("check a number, some ulps off", judge, list(zip(near, targets, strict=True)), ints, 4),
         (
             "check a number of text",
-            lambda pair: check_line(kind, pair[0], pair[1], never),
+            lambda pair: POINTS.check_line(pair[0], pair[1], never),
             list(zip(lines, targets, strict=True)),
             ints,
             4,
         ),
-        ("load a target of 4 numbers", lambda value: from_json(kind, value), stored, ints, 1),
     ]
     print(f"{'':46} {'µs':>8} {'× formula':>10}")
     for name, work, items, yardstick_cases, share in rows:

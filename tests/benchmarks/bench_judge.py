@@ -1,7 +1,8 @@
-"""The judge's three figures, as ratios within one run: python tests/benchmarks/bench_judge.py [ROUNDS]
+"""The judge's four figures, as ratios within one run: python tests/benchmarks/bench_judge.py [ROUNDS]
 
     help     `judge --help`, against a bare interpreter start
     run      `judge run` of an accepted function with a warm cache, against a bare interpreter start
+    folder   each further accepted submission of a folder, in CPU time of everything, against a bare start's
     answers  10,000 exact-count answers at 10^100, compiled for comparing, against the plain integer formula
 
 What is compared is measured in turn, round by round, and the median of the rounds' ratios is shown with the
@@ -12,6 +13,7 @@ from __future__ import annotations
 
 import os
 import random
+import resource
 import statistics
 import subprocess
 import sys
@@ -23,14 +25,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from judge.compare.targets import compile_answer  # noqa: E402
 from judge.data.module import load_module  # noqa: E402
-from judge.spec import Tolerance  # noqa: E402
-from judge.spec.find import find_problem  # noqa: E402
+from judge.problem import Tolerance  # noqa: E402
+from judge.problem.find import find_problem  # noqa: E402
 
 ROUNDS = 15
 CASES = 10_000
 SIZE = 10**100
+FURTHER = 10  # submissions of a folder
 
 BARE = (sys.executable, "-c", "pass")
 BAREST = (sys.executable, "-I", "-S", "-c", "pass")
@@ -60,6 +62,7 @@ def ratios(figures: dict[str, Callable[[], None]], bases: dict[str, Callable[[],
 def process(command: tuple[str, ...], cache: str) -> Callable[[], None]:
     """Running a command to its end, its output into a pipe."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "JUDGE_CACHE": cache}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # compiled modules are part of a warm start
 
     def work() -> None:
         subprocess.run(command, stdout=subprocess.PIPE, check=True, env=environment)
@@ -81,6 +84,33 @@ def starts(cache: str, rounds: int) -> None:
     ratios(figures, bases, rounds)
 
 
+def cpu_of(command: tuple[str, ...], cache: str) -> float:
+    """CPU seconds of a command and of all that it starts."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    process(command, cache)()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def folder(cache: str, rounds: int) -> None:
+    """The figure of a folder: what `FURTHER` more copies of an accepted solution cost, each."""
+    problem = find_problem("segment")
+    source = (problem.solutions / "accepted" / "geometric.py").read_bytes()
+    with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as many:
+        for place, count in ((one, 1), (many, 1 + FURTHER)):
+            for number in range(count):
+                Path(place, f"{number}.py").write_bytes(source)
+        words = (*JUDGE, "run", "-q", "--no-history", "segment")
+        each, ratio = [], []
+        for _ in range(rounds):
+            less, more = cpu_of((*words, one), cache), cpu_of((*words, many), cache)
+            bare = min(cpu_of(BAREST, cache) for _ in range(5))
+            each.append((more - less) / FURTHER)
+            ratio.append(each[-1] / bare)
+    shown = f"{statistics.median(ratio):6.1f} × a bare start, -I -S"
+    print(f"{'each further submission':<28} {shown:<41} {'':>6}   {statistics.median(each) * 1e3:7.1f} ms")
+
+
 def large_cases() -> Iterator[tuple[int, int, int, tuple[int, int], tuple[int, int]]]:
     """Circles and lines in integers of about 10^100."""
     draw = random.Random(2)
@@ -92,12 +122,13 @@ def large_cases() -> Iterator[tuple[int, int, int, tuple[int, int], tuple[int, i
 def answers(rounds: int) -> None:
     """The third figure: building exact-count's answers as its data are built."""
     cases = list(large_cases())
-    reference = load_module(find_problem("exact-count")).reference
+    problem = find_problem("exact-count")
+    solve = load_module(problem).solve
     tolerance = Tolerance()
 
     def build() -> None:
         for case in cases:
-            compile_answer(reference(*case), tolerance)
+            problem.answer.target(solve(*case)[0], tolerance)
 
     def formula() -> None:
         for cx, cy, r, (ax, ay), (bx, by) in cases:
@@ -113,6 +144,7 @@ def main() -> None:
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else ROUNDS
     with tempfile.TemporaryDirectory() as cache:
         starts(cache, rounds)
+        folder(cache, rounds)
     answers(rounds)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
-BROKEN = ROOT / "tests" / "fixtures" / "broken_problems"
+BROKEN = "BROKEN"  # a word of a command that stands for a folder of broken problems
 
 MEAN = "def middle(a, b):\n    return (a + b) / 2\n"
 FLOOR = "def middle(a, b):\n    return (a + b) // 2\n"

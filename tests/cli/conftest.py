@@ -7,14 +7,15 @@ import sys
 from collections.abc import Callable
 
 import pytest
-from cli_support import PACK, ROOT, Outcome
+from broken_problems import FAULTS, broken
+from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
-from judge.cli.isolation import keep_level
 from judge.data import load_data
 from judge.data.pins import write_pins
+from judge.judging.isolation import keep_level
+from judge.problem.find import find_problem
 from judge.sandbox import levels
-from judge.spec.find import find_problem
 
 
 @pytest.fixture(scope="session")
@@ -24,6 +25,15 @@ def pack(tmp_path_factory):
     shutil.copytree(PACK, folder, dirs_exist_ok=True)
     problem = find_problem("middle", [folder / "problems"])
     write_pins(problem, load_data(problem, cache=False).groups)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def broken_pack(tmp_path_factory):
+    """A folder of problems, every one of them broken."""
+    folder = tmp_path_factory.mktemp("broken")
+    for name in FAULTS:
+        broken(name, folder)
     return folder
 
 
@@ -38,8 +48,10 @@ def cache(tmp_path_factory):
 
 
 @pytest.fixture(autouse=True)
-def _own_settings(pack, cache, monkeypatch):
-    """The person's own cache and settings stay out of it."""
+def _own_settings(pack, cache, tmp_path, monkeypatch):
+    """The person's own cache and settings stay out of it; what is written lands in a temporary folder."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))  # of the processes that are started there
     monkeypatch.setenv("JUDGE_CACHE", str(cache))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(pack / "problems"))
     for name in ("NO_COLOR", "COLUMNS", "FORCE_COLOR"):
@@ -47,11 +59,12 @@ def _own_settings(pack, cache, monkeypatch):
 
 
 @pytest.fixture
-def judge(capsys, monkeypatch) -> Callable[..., Outcome]:
-    """Run the command line in this process."""
+def judge(capsys, monkeypatch, broken_pack) -> Callable[..., Outcome]:
+    """Run the command line in this process; the word BROKEN is the folder of broken problems."""
 
     def run(*words: object) -> Outcome:
-        monkeypatch.setattr(sys, "argv", ["judge", *map(str, words)])
+        told = [str(broken_pack if word == BROKEN else word) for word in words]
+        monkeypatch.setattr(sys, "argv", ["judge", *told])
         with pytest.raises(SystemExit) as left:
             main()
         written = capsys.readouterr()
@@ -70,7 +83,6 @@ def process() -> Callable[..., Outcome]:
             capture_output=True,
             encoding="utf-8",
             timeout=120,
-            cwd=ROOT,
             env={**os.environ, **settings},
         )
         return Outcome(ended.returncode, ended.stdout, ended.stderr)
@@ -79,9 +91,8 @@ def process() -> Callable[..., Outcome]:
 
 
 @pytest.fixture
-def submit(tmp_path, monkeypatch) -> Callable[..., str]:
-    """Write a submission into an own folder, which becomes the current one."""
-    monkeypatch.chdir(tmp_path)
+def submit(tmp_path) -> Callable[..., str]:
+    """Write a submission into the current folder, which is the test's own."""
 
     def write(source: str | bytes, name: str = "mine.py") -> str:
         path = tmp_path / name

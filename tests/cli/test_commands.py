@@ -40,7 +40,7 @@ def test_show(judge):
     rows = [line.split() for line in ended.lines]
     assert ["a", "number", "-1000", "1000", "one", "number"] in rows
     assert ["half", "30", "50"] in [row[:3] for row in rows]
-    assert "  1e-9 relative; where the exact number is 0, 1e-12 of the extent as a length" in ended.lines
+    assert "  1e-9 relative; where the exact number is 0, 1e-12 of the answer's unit" in ended.lines
     assert ["memory", "256", "MB"] in rows
 
 
@@ -169,7 +169,8 @@ def test_verify_json_and_pins(judge, pack, tmp_path):
     }
     assert [set(fault) for fault in report["faults"]] == [{"what", "where", "remedy"}]
     assert judge("verify", "middle", "--pin", "--problems", folder).status == 0
-    pinned = judge("verify", "middle", "--json", "--problems", folder)
+    pinned = judge("verify", "--json", "--problems", folder)  # of that folder alone, which is one problem
+    assert pinned.out.count("\n") == 1
     assert (pinned.status, json.loads(pinned.out)["pins"]) == (0, "matching")
 
 

@@ -18,6 +18,8 @@ from click.shell_completion import ShellComplete
 from judge.cli import complete
 from judge.cli.app import COMMANDS, app
 
+pytestmark = pytest.mark.slow
+
 SHELLS = ["bash", "zsh", "fish"]
 
 
@@ -76,10 +78,10 @@ def test_groups_of_the_problem_before(words):
     assert offered(*words, "h") == ["half"]
 
 
-def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch):
+def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch, broken_pack):
     assert offered("run", "--group", "") == []
     assert offered("why", "middel", "") == []
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(ROOT / "tests" / "fixtures" / "broken_problems"))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(broken_pack))
     assert offered("why", "bad-toml", "") == []
 
 
@@ -92,6 +94,7 @@ def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch)
         (("run", "middle", "--junit", ""), "<file>"),
         (("run", "middle", "--svg", ""), "<file>"),
         (("run", "--problems", ""), "<dir>"),
+        (("new", ""), "<dir>"),
         (("data", "middle", "--out", ""), "<dir>"),
     ],
 )

@@ -8,10 +8,12 @@ import shutil
 import pytest
 from cli_support import ROOT
 
-from judge.cli.containment import Containment
+from judge.judging.containment import Containment
+from judge.problem.load import load_problem
 from judge.sandbox import LEVELS, Limits, levels
 from judge.sandbox.roots import find_roots
-from judge.spec.load import load_problem
+
+pytestmark = pytest.mark.slow
 
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
 OFFERED = [level.name for level in levels() if level.available]

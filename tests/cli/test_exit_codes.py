@@ -15,6 +15,8 @@ from cli_support import BROKEN, FLOOR, MEAN, ROOT
 
 from judge.cli.app import COMMANDS
 
+pytestmark = pytest.mark.slow
+
 FILES = {
     "mean.py": MEAN,
     "floor.py": FLOOR,
@@ -43,6 +45,7 @@ TABLE = {  # by status; what stands before a `;` is only done before
         "show middle",
         "why middle half",
         "data middle --out data",
+        "new pack mine",
         "verify middle",
         "doctor",
         "init middle",
@@ -125,6 +128,7 @@ TABLE = {  # by status; what stands before a `;` is only done before
         "data middle",
         "data middle --out note.txt",
         "verify middel",
+        "new pack Mine",
         "doctor x",
         "schema nothing",
         "completion ksh",
@@ -193,7 +197,7 @@ from judge.cli import main
 main()
 """
     command = [sys.executable, "-c", script]
-    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, capture_output=True, timeout=60, check=False)
     assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
 
 
@@ -205,7 +209,7 @@ def test_a_reader_that_has_left_is_141(words):
     reading, writing = os.pipe()
     os.close(reading)
     command = [sys.executable, "-m", "judge", *words.split()]
-    ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, timeout=60, check=False)
     os.close(writing)
     assert (ended.returncode, ended.stderr) == (141, b"")
 

@@ -13,9 +13,11 @@ from pathlib import Path
 import pytest
 from cli_support import BROKEN, FLOOR, MEAN, PACK, ROOT
 
-from judge.cli import judging
 from judge.cli.commands import list as list_module
 from judge.errors import ProblemError
+from judge.judging import session as judging
+
+pytestmark = pytest.mark.slow
 
 FAULTY = [
     "example-answer-text",
@@ -45,14 +47,14 @@ def test_a_list_names_the_broken_ones_and_shows_the_others(judge):
 
 
 def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
-    real = judging.run_submission
+    real = judging.run_in
 
-    def faulty(problem, data, source, name, **settings):
+    def faulty(box, problem, data, source, name, **how):
         if name == "team/a.py":
             raise ProblemError("the reference fails", where="middle/problem.py:9")
-        return real(problem, data, source, name, **settings)
+        return real(box, problem, data, source, name, **how)
 
-    monkeypatch.setattr(judging, "run_submission", faulty)
+    monkeypatch.setattr(judging, "run_in", faulty)
     submit(MEAN, "team/a.py")
     submit(MEAN, "team/b.py")
     ended = judge("run", "middle", "team", "--json")
@@ -68,7 +70,7 @@ def test_a_fault_in_the_search_for_a_smaller_case_leaves_the_verdict_alone(fault
     def faulty(*_arguments, **_settings):
         raise fault
 
-    monkeypatch.setattr("judge.diagnose.shrink", faulty)
+    monkeypatch.setattr("judge.diagnose.shrink.shrink", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--json")
     assert (ended.status, json.loads(ended.out)["verdict"]) == (1, "WA")
     assert ended.err.startswith("judge: no smaller case for mine.py: ")
@@ -93,7 +95,7 @@ def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch)
         raise ArithmeticError("too many digits")
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
-    monkeypatch.setattr("judge.diagnose.picture.compose", faulty)
+    monkeypatch.setattr("judge.cli.picture.Drawing.picture", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")
@@ -111,8 +113,8 @@ ENDING = [
     "raise SystemExit",
     "exit(5)",
     "raise GeneratorExit",
-    "def reference(a, b): exit(0)",
-    "def promise(a, b): exit(0)",
+    "def solve(a, b): exit(0)",
+    "def solve(a, b): raise GeneratorExit",
     "def pairs(draw, odd): exit(0)\nBUILDERS = {'pairs': pairs}",
 ]
 
@@ -135,7 +137,7 @@ def test_an_internal_fault_is_one_line(judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err == (
@@ -148,7 +150,7 @@ def test_debug_shows_the_traceback(words, judge, monkeypatch):
     def fail(_folders):
         raise RuntimeError("the sky")
 
-    monkeypatch.setattr(list_module, "problem_folders", fail)
+    monkeypatch.setattr(list_module, "sound_problems", fail)
     ended = judge(*words)
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith("Traceback (most recent call last)")
@@ -163,7 +165,7 @@ def test_an_interrupt(judge, monkeypatch):
     def interrupt(_folders):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(list_module, "problem_folders", interrupt)
+    monkeypatch.setattr(list_module, "sound_problems", interrupt)
     ended = judge("list")
     assert ended.status == 130
     assert "Traceback" not in ended.err
@@ -204,15 +206,13 @@ from judge.cli import main
 main()
 """
     command = [sys.executable, "-c", script]
-    ended = subprocess.run(command, capture_output=True, timeout=60, cwd=ROOT, check=False)
+    ended = subprocess.run(command, capture_output=True, timeout=60, check=False)
     assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
 
 
 def test_a_reader_that_leaves_is_no_fault():
     script = f"{sys.executable} -m judge show segment | head -n 1; echo ${{PIPESTATUS[0]}}"
-    ended = subprocess.run(
-        ["bash", "-c", script], capture_output=True, text=True, timeout=60, cwd=ROOT, check=True
-    )
+    ended = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=60, check=True)
     first, status = ended.stdout.splitlines()
     assert first.startswith("# ")
     assert status in ("0", "141")  # 0 where everything fitted into the pipe
@@ -228,7 +228,6 @@ def test_standard_output_that_is_closed_or_full(process):
             capture_output=True,
             text=True,
             timeout=60,
-            cwd=ROOT,
         )
         assert ended.returncode == 3, target
         assert ended.stderr.startswith("judge: cannot write (")
@@ -250,7 +249,8 @@ FULL = [  # where standard error is full: the status is that of the command
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 @pytest.mark.parametrize(("words", "status"), FULL)
-def test_a_full_standard_error_changes_no_status(words, status, submit):
+def test_a_full_standard_error_changes_no_status(words, status, submit, broken_pack):
+    words = words.replace(BROKEN, str(broken_pack))
     for name, content in (("mine.py", MEAN), ("floor.py", FLOOR), ("diary", "Dear diary,")):
         submit(content, name)
     ended = subprocess.run(

@@ -13,8 +13,8 @@ import pytest
 from cli_support import FLOOR, MEAN
 
 from judge.kata.history import History
+from judge.problem import Verdict
 from judge.run import Mode, Result
-from judge.spec import Verdict
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -20,11 +21,6 @@ def refused(ended, *words):
     assert ended.err.count("\n") == 1, ended.err
     for word in words:
         assert word in ended.err
-
-
-@pytest.fixture(autouse=True)
-def _own_folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
@@ -293,3 +289,54 @@ def test_nothing_is_wider_than_the_terminal(columns, judge, solved, monkeypatch,
     _, written = on_a_terminal("hint", "segment", "--all", columns=columns, NO_COLOR="1")
     assert max(map(len, written.splitlines())) <= columns
     assert os.environ["COLUMNS"] == str(columns)
+
+
+# -- a pack that only --problems finds -------------------------------------------------------------------
+
+
+@pytest.fixture
+def lone(pack, tmp_path, monkeypatch):
+    """The folder of a pack that nothing but its name leads to."""
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    shutil.copytree(pack, tmp_path / "elsewhere" / "pack")
+    return tmp_path / "elsewhere" / "pack" / "problems"
+
+
+def test_a_packs_kata_is_gone_on_with_by_every_command(lone, judge, submit):
+    assert judge("init", "middle", "--problems", lone).status == 0
+    submit(FLOOR, "middle.py")
+    assert judge("run", "-q").status == 1
+    assert judge("hint").lines[0].endswith("middle, hint 1 of 3")
+    submit(MEAN, "middle.py")
+    assert judge("run", "-q").status == 0
+    assert judge("solution").status == 0
+    assert judge("next").status == 0
+
+
+def test_a_packs_kata_is_watched(lone, judge, submit, monkeypatch):
+    judge("init", "middle", "--problems", lone)
+    submit(MEAN, "middle.py")
+    seen = []
+
+    def once(watched, *, as_json):
+        assert watched.saved()
+        seen.append((watched.judge().result.verdict.value, as_json))
+        raise SystemExit(0)
+
+    monkeypatch.setattr("judge.cli.commands.watch._write_on", once)
+    assert judge("watch", "--json").status == 0
+    assert seen == [("AC", True)]
+
+
+def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
+    judge("init", "middle", "--problems", lone)
+    (tmp_path / "elsewhere" / "pack").rename(tmp_path / "moved")
+    for words in (["run"], ["hint"], ["watch"]):
+        refused(judge(*words), f"{lone}: the problem of the kata in hand, middle, is not there", "--problems")
+    assert judge("run", "-q", "--problems", tmp_path / "moved" / "problems").status == 1
+
+
+def test_a_kata_of_the_judges_own_keeps_no_folder(judge):
+    judge("init", "count")
+    with History.open(reading=True) as history:
+        assert history.current().problems == ""

@@ -8,9 +8,11 @@ import os
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.cli.isolation import keep_level, kept_level
 from judge.cli.kata import Kata
+from judge.judging.isolation import keep_level, kept_level
 from judge.sandbox import levels, probe
+
+pytestmark = pytest.mark.slow
 
 BEST = next(level.name for level in levels() if level.available)
 NOTE = "judge: isolation is 'strong', not 'full': bubblewrap is not installed; 'judge doctor' "
@@ -105,7 +107,7 @@ def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch
             patch.setattr(os, name, other)
             assert kept_level() is None
     with monkeypatch.context() as patch:
-        patch.setattr("judge.cli.isolation.__version__", "99")
+        patch.setattr("judge.judging.isolation.__version__", "99")
         assert kept_level() is None
     assert kept_level() == "full"
     with monkeypatch.context() as patch:  # a folder that two machines share keeps a level of each
@@ -123,21 +125,22 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, tmp_path, monkeypatc
 
 
 @pytest.mark.usefixtures("own_cache")
-def test_a_desk_demands_what_it_has_had(submit, tmp_path, monkeypatch):
+def test_a_watched_file_demands_what_it_has_had(submit, tmp_path, monkeypatch):
     if BEST != "full":
         pytest.skip("full cannot be had here")
-    from judge.cli.desk import Desk
-    from judge.cli.judging import Wish
-    from judge.spec.find import find_problem
+    from judge.cli.watching import WatchedFile
+    from judge.cli.wish import Wish
+    from judge.judging.job import Terms
+    from judge.problem.find import find_problem
 
     path = tmp_path / submit(MEAN)
-    desk = Desk(Kata(find_problem("middle", []), path), Wish(kept=False))
-    assert desk.saved()
-    assert desk.judge().result.isolation == "full"
+    watched = WatchedFile(Kata(find_problem("middle", []), path), Wish(Terms(), kept=False))
+    assert watched.saved()
+    assert watched.judge().result.isolation == "full"
     for _ in range(2):
         with monkeypatch.context() as patch:
             patch.setattr("judge.sandbox.launch.bubblewrap_path", lambda: str(tmp_path / "gone"))
-            failed = desk.judge().result
+            failed = watched.judge().result
         assert failed.verdict.value == "JE"
         assert failed.failure.message.startswith("isolation full was had and is now refused: ")
-    assert desk.judge().result.isolation == "full"
+    assert watched.judge().result.isolation == "full"

@@ -133,6 +133,16 @@ def test_a_pack_without_solutions_names_nothing(judge, submit, pack, tmp_path):
     assert (json.loads(ended.out)["verdict"], json.loads(ended.out)["pitfall"]) == ("WA", None)
 
 
+def test_a_wrong_program_that_cannot_be_a_known_mistake_is_told(judge, submit, pack, tmp_path):
+    shutil.copytree(pack, tmp_path / "pack")
+    (program,) = (tmp_path / "pack" / "solutions" / "middle" / "wrong").iterdir()
+    program.write_text(FLOOR)
+    problems = tmp_path / "pack" / "problems"
+    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", problems)
+    assert json.loads(ended.out)["pitfall"] is None
+    assert f"a known mistake is left out: middle/wrong/{program.name}: it has no docstring; " in ended.err
+
+
 def test_why(judge):
     ended = judge("why", "middle")
     assert (ended.status, ended.err) == (0, "")

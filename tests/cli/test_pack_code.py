@@ -16,6 +16,8 @@ from judge.cli import complete
 from judge.cli.app import COMMANDS
 from judge.testing import judge_problem
 
+pytestmark = pytest.mark.slow
+
 RUN_IT = {"run", "watch", "stress", "replay", "data", "verify", "report"}
 WORDS = {  # each command in the ways that could make a difference; `watch` never ends and has its own test
     "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
@@ -35,6 +37,7 @@ WORDS = {  # each command in the ways that could make a difference; `watch` neve
     "due": ["due"],
     "report": ["report --no-matrix"],
     "data": ["data middle --out made"],
+    "new": ["new problems/fresh-kata"],
     "verify": ["verify middle"],
     "doctor": ["doctor"],
     "schema": ["schema", "schema run"],

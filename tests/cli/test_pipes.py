@@ -13,6 +13,8 @@ from cli_support import FLOOR, MEAN, PACK, ROOT
 
 from judge.cli import submissions
 
+pytestmark = pytest.mark.slow
+
 
 def patient(*words: object, shell: str = "") -> subprocess.CompletedProcess[str]:
     """The command as a process of its own, which is given up when it hangs; `shell` goes on after it."""
@@ -127,9 +129,7 @@ def test_a_solution_that_is_a_pipe(folder, tmp_path):
     assert f"middle/{folder}/a-pipe.py" in ended.stdout
     (tmp_path / "floor.py").write_text(FLOOR)
     assert patient("run", "-q", "middle", tmp_path / "floor.py", *problems).returncode == 1
-    assert patient("solution", "middle", "--give-up", *problems).returncode == (
-        3 if folder == "accepted" else 0
-    )
+    assert patient("solution", "middle", "--give-up", *problems).returncode == 0  # another one is sound
 
 
 def test_force_writes_over_no_device_and_no_pipe(named_pipe):

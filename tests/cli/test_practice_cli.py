@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -11,29 +12,30 @@ from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
+from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
-from judge.spec import Verdict
-from judge.spec.find import find_problem
 
-SET = 'title = "Means"\nabout = "The middle of two numbers."\nproblems = ["middle"]\n'
-SKILLS = """
-[[skills]]
-name = "no floor"
+SET = 'title = "Means"\nabout = "The middle of two numbers."\n'
+SKILL = """
+[skills."no floor"]
 about = "Half of an odd number is no integer."
-needs = [{ problem = "middle", groups = ["half"] }]
+groups = ["half"]
 """
 
 
 @pytest.fixture
 def own_pack(pack, tmp_path, monkeypatch):
-    """The tests' pack with a set and a skill of its own, and an empty current folder."""
-    (pack / "problems" / "sets").mkdir(exist_ok=True)
-    (pack / "problems" / "sets" / "means.toml").write_text(SET)
-    (pack / "problems" / "skills.toml").write_text(SKILLS)
+    """The tests' pack with a set and a skill that its problem brings, and an empty current folder."""
+    folder = tmp_path / "pack" / "problems"
+    shutil.copytree(pack, tmp_path / "pack")
+    (folder / "sets").mkdir()
+    (folder / "sets" / "means.toml").write_text(SET)
+    text = (folder / "middle" / "problem.toml").read_text()
+    (folder / "middle" / "problem.toml").write_text(f'sets = ["means"]\n{text}{SKILL}')
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(folder))
     monkeypatch.chdir(tmp_path)
-    yield
-    (pack / "problems" / "sets" / "means.toml").unlink()
-    (pack / "problems" / "skills.toml").unlink()
+    return folder
 
 
 def passed(problem, *, without=(), mistake=None, when=None):
@@ -136,11 +138,36 @@ def test_a_set_that_is_not_there(command, judge, own_pack):
 
 
 @pytest.mark.parametrize("command", ["practice", "progress"])
-def test_a_broken_set_is_the_setters_fault(command, judge, own_pack, pack):
-    (pack / "problems" / "sets" / "means.toml").write_text(SET.replace("middle", "muddle"))
+def test_a_broken_set_is_the_setters_fault(command, judge, own_pack):
+    (own_pack / "sets" / "means.toml").write_text(SET + 'problems = ["muddle"]\n')
     ended = judge(command, "means")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err == "judge: sets/means.toml:3: no problem is called 'muddle'; did you mean 'middle'?\n"
+
+
+@pytest.mark.parametrize("command", ["practice", "progress", "next"])
+def test_a_broken_problem_is_told_and_the_others_go_on(command, judge, own_pack):
+    text = (own_pack / "middle" / "problem.toml").read_text()
+    (own_pack / "middle" / "problem.toml").write_text(text.replace("[[groups]]", "[[groups]"))
+    ended = judge(command, "--json")
+    assert ended.status == 0
+    assert json.loads(ended.out)["schema"] == 1
+    assert ended.err.startswith("judge: middle/problem.toml:")
+    assert ended.err.count("\n") == 1
+    if command != "next":
+        assert judge(command, "means").status == 3, "it is the only one of that set"
+
+
+def test_a_skill_that_nothing_explains_is_told(judge, own_pack):
+    text = (own_pack / "middle" / "problem.toml").read_text()
+    (own_pack / "middle" / "problem.toml").write_text(text + '[skills]\n"no rof" = ["half"]\n')
+    ended = judge("progress", "means", "--json")
+    assert [skill["name"] for skill in json.loads(ended.out)["skills"]] == ["no floor"]
+    assert "no skill is called 'no rof'" in ended.err
+    faults = json.loads(judge("verify", "middle", "--json").out)["faults"]
+    assert [fault["what"] for fault in faults if fault["where"].startswith("middle/")] == [
+        "no skill is called 'no rof'"
+    ]
 
 
 def test_the_checklist(judge, own_pack):

@@ -8,6 +8,8 @@ import sys
 import pytest
 from cli_support import FLOOR, MEAN
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = (
     "t = int(input())\nfor _ in range(t):\n    a, b = map(int, input().split())\n    print((a + b) // 2)\n"
 )

@@ -9,7 +9,10 @@ import pytest
 from chromium import CHROMIUM, dom, measured, without_policy
 from cli_support import ROOT
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)"),
+]
 
 PWN = "document.title='pwned';alert(1)"
 MARKUP = f"</code></pre></title></svg><script>{PWN}</script><img src=x onerror={PWN}><svg onload={PWN}>"

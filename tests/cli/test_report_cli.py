@@ -120,5 +120,5 @@ def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):
     (tmp_path / "pack" / "broken" / "problem.toml").write_text("title = 1")
     ended = judge("report", "--problems", "pack")
     assert ended.status == 0
-    assert "broken is left out: " in ended.err
+    assert "a problem is left out: broken/problem.toml:1: " in ended.err
     assert USUAL.exists()

@@ -6,6 +6,8 @@ import pytest
 from cli_support import FLOOR, ROOT
 from test_run_screen import on_a_terminal
 
+pytestmark = pytest.mark.slow
+
 ALWAYS_ONE = "def line_count(cx, cy, r, A, B):\n    return 1\n"
 RIGHT = ROOT / "solutions" / "count" / "accepted" / "exact.py"
 WHERE = ("--problems", str(ROOT / "problems"), "--group", "grid")

@@ -10,6 +10,8 @@ import time
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
+pytestmark = pytest.mark.slow
+
 ESCAPE = "\x1b"
 
 
@@ -69,7 +71,7 @@ def test_a_wrong_one_shows_the_failing_case_and_the_verdict_last(judge, submit):
         ["input", "a=1, b=2"],
         ["wanted", "1.5"],
         ["got", "1"],
-        ["why", "t is off by 0.5, relative error 0.33 (2.25e+15 ulps)"],
+        ["why", "the answer is off by 0.5, relative error 0.33 (2.25e+15 ulps)"],
     ]
     assert ended.lines[-1].startswith("WA  wrong answer, 40 of 100 points, 21 of 52 cases")
     assert ["half", "WA", "0/30", "0", "of", "50"] in [line.split() for line in ended.lines]

@@ -19,9 +19,11 @@ from cli_support import BROKEN, FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import COMMANDS, app
+from judge.problem import Verdict
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
-from judge.spec import Verdict
+
+pytestmark = pytest.mark.slow
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FIXTURES = str(ROOT / "tests" / "fixtures" / "problems")
@@ -58,6 +60,7 @@ SAMPLES: dict[str, list[str]] = {
     "show": ["show middle", "show count", "show segment", "show ray-nearest", "show exact-count"],
     "why": ["why middle", "why segment", "why count grid"],
     "data": ["data middle --out data"],
+    "new": ["new pack", "new pack another"],
     "verify": [
         f"verify root-count --matrix --problems {FIXTURES}",
         "verify middle",

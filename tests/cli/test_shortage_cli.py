@@ -10,8 +10,8 @@ import threading
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.cli import judging
 from judge.cli.commands import list as list_module
+from judge.judging import session
 from judge.sandbox import container
 
 SHORTAGES = [
@@ -25,14 +25,14 @@ SHORTAGES = [
 
 @pytest.mark.parametrize(("fault", "line"), SHORTAGES)
 def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, judge, submit, monkeypatch):
-    real = judging.run_submission
+    real = session.run_in
 
-    def short(problem, data, source, name, **settings):
+    def short(box, problem, data, source, name, **how):
         if name == "team/b.py":
             raise fault
-        return real(problem, data, source, name, **settings)
+        return real(box, problem, data, source, name, **how)
 
-    monkeypatch.setattr(judging, "run_submission", short)
+    monkeypatch.setattr(session, "run_in", short)
     for name in ("a", "b", "c"):
         submit(MEAN, f"team/{name}.py")
     for jobs in ("1", "3"):
@@ -48,7 +48,7 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
     def short(_folders):
         raise fault
 
-    monkeypatch.setattr(list_module, "problem_folders", short)
+    monkeypatch.setattr(list_module, "sound_problems", short)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")
@@ -59,7 +59,7 @@ def test_a_pipe_that_is_full_is_no_lack_of_processes(judge, monkeypatch):
     def blocked(_folders):
         raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
 
-    monkeypatch.setattr(list_module, "problem_folders", blocked)
+    monkeypatch.setattr(list_module, "sound_problems", blocked)
     assert "process" not in judge("list").err
 
 

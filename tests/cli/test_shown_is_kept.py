@@ -13,6 +13,8 @@ from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata.history import History
 
+pytestmark = pytest.mark.slow
+
 TEAM = {f"team/{number:02}.py": (MEAN, FLOOR)[number % 2] + f"# {number}\n" for number in range(24)}
 FORMATS = {  # and what a line of each says of a submission
     "json": lambda line: json.loads(line)["submission"],
@@ -63,7 +65,7 @@ def test_a_run_is_in_the_history_when_its_verdict_is_shown(judge, submit, monkey
             kept.append([run.submission for run in history.runs()])
         return []
 
-    monkeypatch.setattr("judge.cli.outputs.verdict_lines", shown)
+    monkeypatch.setattr("judge.report.results.verdict_lines", shown)
     assert judge("run", "-q", "middle", submit(MEAN)).status == 0
     assert kept == [["mine.py"]]
 

@@ -23,7 +23,7 @@ HEAVY = (
     "subprocess",
     "asyncio",
     "judge.exact",
-    "judge.spec",
+    "judge.problem",
     "judge.run",
 )
 

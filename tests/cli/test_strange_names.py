@@ -14,6 +14,8 @@ from cli_support import FLOOR, MEAN, ROOT
 from judge.report.names import shown_command, shown_name
 from judge.report.screen import Screen
 
+pytestmark = pytest.mark.slow
+
 STRANGE = [
     "::error::x.py",
     " ::warning::x.py",

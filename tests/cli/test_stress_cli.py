@@ -9,6 +9,8 @@ from contextlib import contextmanager
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
+pytestmark = pytest.mark.slow
+
 SHORT = ("--for", "0.3s")
 
 
@@ -160,7 +162,7 @@ def test_ctrl_c_while_a_failure_is_shrunk_keeps_the_failure(judge, submit, monke
     def pressed(*_args, **_options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("judge.diagnose.shrink", pressed)
+    monkeypatch.setattr("judge.diagnose.shrink.shrink", pressed)
     ended = judge("stress", "middle", submit(FLOOR), "--for", "60", "--json", "--no-name")
     found = found_by(ended)
     assert (ended.status, found["verdict"], found["interrupted"]) == (1, "WA", True)

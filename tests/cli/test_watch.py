@@ -22,6 +22,8 @@ import fcntl  # noqa: E402 - where there is pty there are these
 import struct  # noqa: E402
 import termios  # noqa: E402
 
+pytestmark = pytest.mark.slow
+
 PATIENCE = 60  # seconds for something that is bound to come
 HOME, REST = "\x1b[H", "\x1b[J"
 KEYS = "n next   h hint   l list   w why   p picture   r run again   q quit"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import random
 import shutil
+import sys
 import tomllib
 from functools import cache
 from pathlib import Path
@@ -20,8 +21,10 @@ from worker import CLOSED, FULL, GONE, KEPT, NULL, TERMINAL
 
 from judge.cli.app import COMMANDS, app
 
+sys.path.append(str(ROOT / "tests"))
+
 _FIXTURES = ROOT / "tests" / "fixtures"
-_BROKEN = str(_FIXTURES / "broken_problems")
+_BROKEN = "../broken"  # from where a command line is run
 _STANDS_FOR = {"<byte>": "\udcff", "<long>": "x" * 5000, "<digits>": "9" * 5000, "<broken>": _BROKEN}
 _UNSET = "<unset>"
 _MEAN = b"def middle(a, b):\n    return (a + b) / 2\n"
@@ -52,6 +55,7 @@ _LINKS = {
     "null": os.devnull,
     "zero": "/dev/zero",
 }
+_LOCKED = {"unreadable.py": 0o000, "readonly.py": 0o400, "sealed": 0o000, "locked": 0o500}
 _SHIPPED = ("count", "segment", "ray-nearest", "exact-count")
 _LOCALES: tuple[dict[str, str | None], ...] = (
     {"LANG": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
@@ -67,9 +71,9 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
     """Lay out the folder; one to three command lines, of which all but the last only leave a history."""
     _lay_out(folder)
     runs = []
-    if chance.random() < 0.4:
+    if chance.random() < 0.15:
         runs.append(_usual("run", "--json", "middle", "floor.py", "mean.py", "--no-shrink", "--no-name"))
-    if chance.random() < 0.2:
+    if chance.random() < 0.15:
         runs.append(_usual("init", "--json", "middle"))
     return [], [*runs, _odd(chance)]
 
@@ -80,6 +84,10 @@ def _usual(*words: str) -> Run:
 
 def _lay_out(folder: Path) -> None:
     shutil.copytree(_FIXTURES / "pack", folder, dirs_exist_ok=True)
+    from broken_problems import FAULTS, broken  # late: there is no other way to a folder above
+
+    for name in FAULTS:
+        broken(name, folder / "broken")
     work = folder / "work"
     for name, source in _FILES.items():
         path = work / name
@@ -87,6 +95,8 @@ def _lay_out(folder: Path) -> None:
         path.write_bytes(source)
     (work / "folder" / "inner").mkdir(parents=True)
     os.mkfifo(work / "pipe")
+    for name, mode in _LOCKED.items():  # which binds nobody who is root
+        (work / name).touch(mode) if name.endswith(".py") else (work / name).mkdir(mode)
     for name, target in _LINKS.items():
         (work / name).symlink_to(target)
 

@@ -19,7 +19,7 @@ _LONGEST = 2_000  # characters of one of them
 _USAGE = 3  # lines that a usage error takes
 _MAY_BE_EMPTY = ("history", "list")  # commands that write an object for each thing there is
 _ASKED = "[y/N]: "  # where a question ends that a person was asked
-_NEVER = ("Traceback (most recent call last)", "internal fault")
+_NEVER = ("Traceback (most recent call last)", "internal fault", "\x1b[31mred", "\x1b]0;title")
 
 
 def faults(run: Run, ended: Ended) -> list[str]:
@@ -31,6 +31,8 @@ def faults(run: Run, ended: Ended) -> list[str]:
         found.append("it does not end")
     elif ended.status not in STATUSES and not (run.interrupt is not None and ended.status == -2):
         found.append(f"its status {ended.status} is not in the contract")
+    if "--debug" in run.words:  # it shows the traceback that is asked for
+        ended = Ended(ended.status, ended.out, "judge: …\n", "", ())
     for text in _NEVER:
         found += [f"{name} says {text!r}" for name in ("out", "err", "shown") if text in getattr(ended, name)]
     if run.streams[1] in (CLOSED, FULL) and ended.status == 0:
@@ -60,11 +62,8 @@ def _in_complaints(run: Run, ended: Ended) -> list[str]:
     lines = ended.err.rpartition(_ASKED)[2].splitlines()
     if run.interrupt is not None and lines[-1:] == [""]:  # for the ^C that a terminal shows
         lines.pop()
-    found = [
-        f"a line of standard error is not the judge's: {line[:200]!r}"
-        for line in lines
-        if not line.startswith("judge: ")
-    ]
+    foreign = [line for line in lines if not line.startswith("judge: ")]
+    found = [f"a line of standard error is not the judge's: {line[:200]!r}" for line in foreign[:1]]
     found += [
         f"a line of standard error has {len(line)} characters" for line in lines if len(line) > _LONGEST
     ]

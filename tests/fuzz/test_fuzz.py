@@ -15,7 +15,7 @@ from fuzz import TARGETS, findings
 from runs import Ended, Run, Worker
 from worker import CLOSED, FULL, KEPT, NULL, TERMINAL
 
-COUNTS = {"problems": 130, "submissions": 2, "commands": 80}  # the submissions come in batches of a dozen
+COUNTS = {"problems": 100, "submissions": 3, "commands": 70}  # the submissions come in batches of a dozen
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the worker waits by Linux's descriptors")
 
@@ -53,9 +53,7 @@ def kind(path: Path) -> bytes:
     """What is at a path."""
     if path.is_symlink():
         return f"-> {path.readlink()}".encode()
-    if path.is_fifo():
-        return b"a pipe"  # reading it would wait for a writer
-    return b"a folder" if path.is_dir() else path.read_bytes()
+    return path.read_bytes() if path.is_file() else b"a folder" if path.is_dir() else b"a pipe"
 
 
 SHOW = Run(("show", "middle"))
@@ -73,6 +71,7 @@ SOUND = '{"schema": 1, "problem": "middle", "file": "middle.py"}\n'
         (SHOW, Ended(1, "Traceback (most recent call last)\n", "", "", ()), "out says 'Traceback"),
         (SHOW, Ended(3, "", "judge: internal fault: x\n", "", ()), "err says 'internal fault'"),
         (SHOW, Ended(0, "", "", "internal fault", ()), "shown says 'internal fault'"),
+        (SHOW, Ended(0, "", "", "\x1b[31mred.py", ()), r"shown says '\x1b[31mred'"),
         (SHOW, Ended(0, "", "", "", ("open '/x'",)), "it changes a file that is not its own: open '/x'"),
         (SHOW, Ended(0, "a\x1b[31m\n", "", "", ()), r"standard output holds '\x1b'"),
         (SHOW, Ended(0, "", "judge: a\rb\n", "", ()), r"standard error holds '\r'"),
@@ -111,7 +110,7 @@ def test_the_contract_sees_what_breaks_it(run, ended, fault):
         (Run(("init",), checked=True), Ended(0, SOUND, "", "", ())),
         (Run(("list",), checked=True), Ended(0, "", "", "", ())),
         (Run((), streams=(NULL, FULL, KEPT)), Ended(3, "", "judge: cannot write\n", "", ())),
-        (Run((), streams=(TERMINAL,) * 3), Ended(130, "", "", "\x1b[31mred", ())),
+        (Run((), streams=(TERMINAL,) * 3), Ended(130, "", "", "\x1b[31mbad\x1b[0m", ())),
     ],
 )
 def test_the_contract_lets_pass_what_keeps_it(run, ended):

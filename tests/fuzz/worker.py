@@ -18,6 +18,7 @@ import os
 import pty
 import select
 import signal
+import stat
 import sys
 import tempfile
 import termios
@@ -210,12 +211,19 @@ def _reopen(streams: list[str], encoding: str) -> None:
         setattr(sys, f"__{name}__", stream)
 
 
+def _is_device(path: Any) -> bool:
+    try:
+        return stat.S_ISCHR(Path(path).stat().st_mode)
+    except (OSError, TypeError, ValueError):
+        return False
+
+
 def _guard(folders: list[str], report: int) -> None:
     """Refuse and report every change of a file outside these folders; devices may be opened."""
     roots = [os.path.realpath(folder) for folder in folders]
 
-    def allowed(path: Any, *, itself: bool) -> bool:
-        """`itself`: a link is changed, not what it leads to."""
+    def allowed(path: Any, *, itself: bool, making: bool) -> bool:
+        """`itself`: a link is changed, not what it leads to. `making`: a folder."""
         if isinstance(path, int):
             return True
         try:
@@ -223,7 +231,7 @@ def _guard(folders: list[str], report: int) -> None:
             real = f"{os.path.realpath(folder)}/{name}" if itself else os.path.realpath(path)
         except (TypeError, ValueError):  # no name of a file
             return True
-        if not Path(real).parent.is_dir():  # that fails by itself
+        if not Path(real).parent.is_dir() or (making and os.path.lexists(path)):  # that fails by itself
             return True
         return any(real == root or real.startswith(root + os.sep) for root in roots)
 
@@ -232,11 +240,11 @@ def _guard(folders: list[str], report: int) -> None:
             path, _, flags = arguments
             if not flags & _WRITING or isinstance(path, int):
                 return
-            paths = [path] if not os.fsdecode(os.path.realpath(path)).startswith("/dev/") else []
+            paths = [] if _is_device(path) else [path]
         else:
             paths = [arguments[index] for index in _CHANGES.get(event, ())]
         for path in paths:
-            if not allowed(path, itself=event in _OF_LINKS):
+            if not allowed(path, itself=event in _OF_LINKS, making=event == "os.mkdir"):
                 os.write(report, f"{event} {os.fsdecode(path)!r}\n".encode(errors="backslashreplace"))
                 raise PermissionError(13, "outside the folders of the fuzz", os.fsdecode(path))
 

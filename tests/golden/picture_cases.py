@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from judge.compare.answers import Count, Points
 from judge.data.module import load_module
-from judge.diagnose.picture import compose
-from judge.diagnose.picture.svg import to_svg
-from judge.spec.load import load_problem
+from judge.drawing.svg import to_svg
+from judge.problem.load import load_problem
+from judge.problem.topic import Shown
+from judge.values.reread import reread
 
 ROOT = Path(__file__).parent.parent.parent
 FOLDER = Path(__file__).parent / "pictures"
@@ -33,18 +33,17 @@ CASES = {
 }
 
 
-def wanted_words(answer):
-    if isinstance(answer, Count):
-        return str(answer.value)
-    if isinstance(answer, Points):
-        return f"[{', '.join(f'({float(x)!r}, {float(y)!r})' for x, y in answer.points)}]"
-    return "None" if answer.t is None else repr(float(answer.t))
+def wanted_words(problem, exact):
+    return problem.answer.wanted(problem.answer.target(exact, problem.groups[0].tolerance))
 
 
 def picture_of(problem, case, got, module=None, heading="a case"):
-    exact = (module or load_module(problem)).reference(*case)
+    module = module or load_module(problem)
+    exact = module.solve(*case).answer
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
-    return compose(problem, values, exact, wanted=wanted_words(exact), got=got, heading=heading)
+    given = reread(problem.answer, got)
+    words = wanted_words(problem, exact)
+    return module.topic.picture(Shown(problem, values, exact, words, got, given, heading))
 
 
 def drawn(name):

@@ -10,9 +10,10 @@ from picture_cases import CASES, FOLDER, ROOT, drawn, picture_of, wanted_words
 
 from judge.data import load_data
 from judge.data.module import load_module
-from judge.diagnose.picture.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
-from judge.diagnose.picture.svg import to_svg
-from judge.spec.load import load_problem
+from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
+from judge.drawing.svg import to_svg
+from judge.problem.load import load_problem
+from judge.problem.topic import Shown
 
 SVG = "{http://www.w3.org/2000/svg}"
 ANSWERS = ["1", "None", "[]", "[(1.5, 2.0), (-3e9, 1e-300)]", "[(1e300, -4)]", "2 1 2 3 4", "0.25", "\x00<&"]
@@ -56,6 +57,7 @@ def test_kept_pictures_are_sound(name):
     check_svg(drawn(name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["count", "exact-count", "ray-nearest", "segment"])
 def test_any_case_can_be_drawn_with_any_answer(name):
     problem = load_problem(ROOT / "problems" / name)
@@ -63,7 +65,7 @@ def test_any_case_can_be_drawn_with_any_answer(name):
     chosen = random.Random(name)
     for group in load_data(problem).groups:
         for case in chosen.sample(group.cases, min(2, len(group.cases))):
-            right = wanted_words(module.reference(*case))
+            right = wanted_words(problem, module.solve(*case).answer)
             for got in (right, chosen.choice(ANSWERS)):
                 picture = picture_of(problem, case, got, module)
                 check_svg(to_svg(picture))
@@ -112,6 +114,12 @@ def test_the_lens_shows_on_which_side_the_end_of_the_segment_is():
     assert picture.lens.note == "B is 2.9e-9 e outside the circle"
 
 
-def test_other_problems_have_no_picture():
+def test_a_problem_without_a_topic_has_no_picture():
     problem = load_problem(ROOT / "tests" / "fixtures" / "pack" / "problems" / "middle")
-    assert picture_of(problem, (1, 2), "1") is None
+    assert load_module(problem).topic.picture is None
+
+
+def test_a_case_of_another_form_is_not_drawn():
+    problem = load_problem(ROOT / "problems" / "count")
+    shown = Shown(problem, {"a": 1, "b": [1, 2]}, None, "1", "2")
+    assert load_module(problem).topic.picture(shown) is None

@@ -10,7 +10,7 @@ from judge.data import load_data
 from judge.data.module import load_module
 from judge.data.pins import differences, read_pins
 from judge.data.validate import Validator, prove
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 NAMES = ["count", "exact-count", "ray-nearest", "segment"]
@@ -33,7 +33,7 @@ def test_every_group_is_as_it_was_pinned(problem, data):
 
 
 def test_every_case_is_proved(problem, data):
-    validator = Validator(problem, load_module(problem).promise)
+    validator = Validator(problem, load_module(problem).solve)
     for group in data.groups:
         prove(validator, group.group.name, group.cases, problem.id)
         assert len(group.cases) == len(group.targets) == group.group.count

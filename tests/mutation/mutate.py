@@ -22,10 +22,11 @@ from msgspec.structs import replace
 from mutants import Mutant, mutants
 
 from judge.data import ProblemData, load_data
-from judge.run.execute import Settings, run_submission
+from judge.problem import Verdict
+from judge.problem.load import load_problem
+from judge.run.execute import run_submission
 from judge.run.parallel import in_order
-from judge.spec import Verdict
-from judge.spec.load import load_problem
+from judge.run.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")

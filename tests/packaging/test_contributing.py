@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from pages import ROOT, claims_hold
-from walk import WALKS, go, steps
+from walk import WALKS, changed, go, steps
+
+from judge.kata.begin import begin_kata
 
 PAGE = ROOT / WALKS[1][0]
 
@@ -21,9 +24,9 @@ def walk():
 def test_a_kata_is_added_as_told(walk, tmp_path):
     taken = go(walk, tmp_path)
     claims_hold(taken)
-    assert [each.status for each in taken] == [0, 1, 0]
-    pinned = tmp_path / "problems" / "tangent-length" / "hashes.json"
-    assert len(json.loads(pinned.read_text(encoding="utf-8"))) > 0
+    assert [each.status for each in taken] == [0, 0, 0, 1, 0]
+    pinned = tmp_path / "problems" / "two-points" / "hashes.json"
+    assert "far-together" in json.loads(pinned.read_text(encoding="utf-8"))["groups"]
 
 
 def test_a_fault_in_a_step_is_noticed(walk, tmp_path):
@@ -31,17 +34,37 @@ def test_a_fault_in_a_step_is_noticed(walk, tmp_path):
     from dataclasses import replace
 
     spoilt = [
-        replace(step, text=step.text.replace("- r * r", "- r")) if step.words.endswith("problem.py") else step
+        replace(step, text=step.text.replace("apart = 9", "apart = 900")) if step.is_change else step
         for step in walk
     ]
     with pytest.raises(AssertionError, match="does not show as told"):
         claims_hold(go(spoilt, tmp_path))
 
 
-def test_every_file_of_a_kata_is_told(walk):
-    told = {step.words.rpartition("/")[2] for step in walk if step.is_file}
-    assert {"problem.toml", "problem.py", "statement.md", "hints.md"} <= told
-    assert {step.words.split("/")[2] for step in walk if step.words.startswith("solutions/")} == {
-        "accepted",
-        "wrong",
-    }
+def test_a_change_that_does_not_fit_is_noticed():
+    assert changed("a = 1\nb = 2\n", " a = 1\n-b = 2\n+b = 3\n") == "a = 1\nb = 3\n"
+    for text in ("a = 1\n", "b = 2\nb = 2\n"):
+        with pytest.raises(AssertionError, match="does not fit"):
+            changed(text, "-b = 2\n+b = 3\n")
+
+
+def test_every_file_of_a_kata_is_told(walk, tmp_path):
+    page = PAGE.read_text(encoding="utf-8")
+    begin_kata(tmp_path, "mine")
+    for path in tmp_path.rglob("*"):
+        if path.is_file():
+            assert f"`{path.name}`" in page or f"`{path.parent.name}/*.py`" in page, path
+
+
+def test_every_path_that_is_told_is_there():
+    told = set(
+        re.findall(r"`((?:judge|tests|problems|solutions)/[^`<>*\s]+)`", PAGE.read_text(encoding="utf-8"))
+    )
+    own = {path for path in told if "two-points" not in path}  # the page's own kata is made as one goes
+    assert len(own) > 30
+    assert [path for path in sorted(own) if not (ROOT / path).exists()] == []
+
+
+def test_the_page_about_problem_toml_is_linked():
+    assert "(../judge/manual/problem-toml.md)" in PAGE.read_text(encoding="utf-8")
+    assert (ROOT / "judge" / "manual" / "problem-toml.md").is_file()

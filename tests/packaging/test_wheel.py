@@ -46,6 +46,7 @@ def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/run.json"}
     wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
+    wanted |= {f"judge/manual/{path.name}" for path in (ROOT / "judge" / "manual").iterdir()}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
             if path.is_file() and "__pycache__" not in path.parts:

@@ -3,6 +3,7 @@
 A walk is a section of a page. Its steps are the fenced blocks, in order:
 
     … `name/of/file` …      a paragraph; the block below it is written into the first file it names
+    ```diff                 or changes that file: the lines after - and a blank are found, and replaced
     ```console              lines `$ command` to be run, and below each what it shows, in parts or whole:
     $ judge next            a line … stands for lines left out
 
@@ -46,6 +47,7 @@ class Step:
     words: str  # the file's name, or the command
     text: str
     is_file: bool
+    is_change: bool = False
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ def steps(page: str, title: str) -> list[Step]:
                 command, _, shown = part.partition("\n")
                 found.append(Step(command, shown, is_file=False))
         elif name := re.search(r"`([\w./-]+\.\w+)`", block["about"] or ""):
-            found.append(Step(name[1], block["text"], is_file=True))
+            found.append(Step(name[1], block["text"], is_file=True, is_change=block["kind"] == "diff"))
     return found
 
 
@@ -80,11 +82,24 @@ def go(walk: list[Step], folder: Path) -> list[Taken]:
         if step.is_file:
             path = folder / step.words
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(step.text, encoding="utf-8")
+            text = changed(path.read_text(encoding="utf-8"), step.text) if step.is_change else step.text
+            path.write_text(text, encoding="utf-8")
         else:
             status, shown, errors = run(["sh", "-c", step.words], folder, settings)
             taken.append(Taken(step, status, plain(shown), errors))
     return taken
+
+
+def changed(text: str, diff: str) -> str:
+    """The text after the change; each part of a diff, between lines @@, must be there once."""
+    for part in re.split(r"^@@.*\n", diff, flags=re.MULTILINE):
+        lines = part.splitlines(keepends=True)
+        old = "".join(line[1:] for line in lines if line[0] in " -")
+        new = "".join(line[1:] for line in lines if line[0] in " +")
+        if part:
+            assert text.count(old or "\0") == 1, f"the diff does not fit:\n{part}"
+            text = text.replace(old, new)
+    return text
 
 
 def plain(shown: str) -> str:

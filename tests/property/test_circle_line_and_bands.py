@@ -9,7 +9,9 @@ from fractions import Fraction
 import flint
 import pytest
 
-from judge.exact import Bands, CircleLine, Surd, integers
+from judge.exact import Surd, integers
+from judge.topics.circles.bands import Bands
+from judge.topics.circles.line import CircleLine
 
 SNAP, CLEAR = Fraction(1, 10**12), Fraction(1, 10**7)
 BANDS = Bands(SNAP, CLEAR)

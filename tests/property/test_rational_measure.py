@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from judge.compare.tolerance import exact_ends, measure
 from judge.exact import Surd
-from judge.spec import Tolerance
+from judge.problem import Tolerance
+from judge.values.interval import exact_ends, measure
 
 TOLERANCES = (
     Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4)),

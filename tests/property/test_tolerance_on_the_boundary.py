@@ -10,13 +10,11 @@ from fractions import Fraction
 import flint
 import pytest
 
-from judge.compare import CountTarget, ParameterTarget, PointsTarget, check, check_line, compile_answer
-from judge.compare.answers import Count, Parameter, Points
-from judge.compare.check import Accepted, Rejection
-from judge.compare.tolerance import acceptance, exact_ends, measure, widths
 from judge.errors import ProblemError
-from judge.exact import CircleLine, Surd, rounding
-from judge.spec import AnswerKind, Tolerance
+from judge.exact import Surd, rounding
+from judge.topics.circles.line import CircleLine
+from judge.values import Accepted, Real, Rejection, Tolerance, parse, vector
+from judge.values.interval import acceptance, exact_ends, measure, widths
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
@@ -24,6 +22,7 @@ SIXTEEN = Tolerance(ulps=Fraction(16))
 MIXED = Tolerance(Fraction(1, 10**6), Fraction(1, 10**9), Fraction(1, 10**5), Fraction(3, 2))
 ALL = (POINTS, RELATIVE, SIXTEEN, MIXED, Tolerance())
 TINY = Fraction(1, 10**20)
+REAL = parse("real")
 
 
 def ask(answer, tolerance):
@@ -31,14 +30,12 @@ def ask(answer, tolerance):
 
 
 def accepts(answer, tolerance, raw) -> bool:
-    outcome = check(AnswerKind.PARAMETER, raw, compile_answer(answer, tolerance), ask(answer, tolerance))
+    outcome = REAL.check(raw, REAL.target(answer, tolerance), ask(answer, tolerance))
     return isinstance(outcome, Accepted)
 
 
 def accepts_text(answer, tolerance, line) -> bool:
-    outcome = check_line(
-        AnswerKind.PARAMETER, line, compile_answer(answer, tolerance), ask(answer, tolerance)
-    )
+    outcome = REAL.check_line(line, REAL.target(answer, tolerance), ask(answer, tolerance))
     return isinstance(outcome, Accepted)
 
 
@@ -65,9 +62,9 @@ def rational_cases(count: int):
 
 def test_fractions_on_the_boundary_of_a_rational_answer():
     for x, unit, tolerance in rational_cases(400):
-        answer = Parameter(Surd.of(x), Surd.of(unit))
+        answer = Real(Surd.of(x), Surd.of(unit))
         width = half_width(x, tolerance, unit)
-        assert exact_ends(answer.t, tolerance, answer.unit) == (x - width, x + width)
+        assert exact_ends(answer.x, tolerance, answer.unit) == (x - width, x + width)
         for side in (-1, 1):
             edge = x + side * width
             step = abs(edge) * TINY or TINY
@@ -81,7 +78,7 @@ def test_decimal_text_on_the_boundary():
     for _ in range(400):
         x = Fraction(source.randint(-(10**12), 10**12), 10**6)
         tolerance = Tolerance(relative=Fraction(1, 10 ** source.randint(3, 12)))
-        answer = Parameter(Surd.of(x), Surd(1))
+        answer = Real(Surd.of(x), Surd(1))
         for side in (-1, 1):
             edge = x * (1 + side * tolerance.relative)
             text = decimal_of(edge, 40)
@@ -119,7 +116,7 @@ def test_fractions_around_the_boundary_of_an_irrational_answer():
     flint.ctx.prec = 500
     for x, unit in irrational_cases(150):
         for tolerance in (POINTS, RELATIVE, SIXTEEN, MIXED):
-            answer = Parameter(x, unit)
+            answer = Real(x, unit)
             for side, end in zip((-1, 1), exact_ends(x, tolerance, unit), strict=True):
                 near = Fraction(end.decimal(60))
                 step = abs(near) * TINY
@@ -160,7 +157,7 @@ def test_intervals_of_doubles_are_the_exact_ones_rounded_inward():
 def test_doubles_next_to_the_ends():
     for x, unit in irrational_cases(100):
         for tolerance in (POINTS, RELATIVE, SIXTEEN):
-            answer = Parameter(x, unit)
+            answer = Real(x, unit)
             lo, hi = acceptance(x, tolerance, unit)
             low, high = exact_ends(x, tolerance, unit)
             for inside in (lo, hi, float(x)):
@@ -176,14 +173,14 @@ def test_doubles_next_to_the_ends():
 def test_a_pythagorean_boundary_is_accepted_in_every_form():
     """(6,7) and (9,16) on the circle about (6,12): rational points, exact boundaries."""
     line = CircleLine.through(6, 12, 5, (4, 1), (5, 4))
-    answer = Points((line.point(-1), line.point(1)), line.extent_length())
+    points, answer = parse("points"), [vector(line.point(which), line.extent_length()) for which in (-1, 1)]
     tolerance = Tolerance(extent=Fraction(1, 2**20))
-    target = compile_answer(answer, tolerance)
+    target = points.target(answer, tolerance)
     width = Fraction(11, 2**20)
-    assert answer.unit == 11
+    assert answer[0][0].unit == 11
 
     def outcome(y):
-        return check(AnswerKind.POINTS, [[6, y], [9, 16]], target, ask(answer, tolerance))
+        return points.check([[6, y], [9, 16]], target, ask(answer, tolerance))
 
     assert isinstance(outcome(float(7 + width)), Accepted)
     assert isinstance(outcome(fraction_json(7 - width)), Accepted)
@@ -196,15 +193,15 @@ def test_a_pythagorean_boundary_is_accepted_in_every_form():
 def test_large_integers_on_the_boundary():
     """2**53 + 1 is no double: an int answer is not judged as one."""
     x = 2**60 + 1
-    answer = Parameter(Surd(x), Surd(1))
+    answer = Real(Surd(x), Surd(1))
     exactly = Tolerance()
     assert accepts(answer, exactly, x)
     assert not accepts(answer, exactly, x - 1)
     assert not accepts(answer, exactly, float(x))
     assert accepts_text(answer, exactly, str(x))
     assert not accepts_text(answer, exactly, str(x + 1))
-    target = compile_answer(answer, exactly)
-    assert target.t[0] > target.t[1]  # no double is accepted
+    target = REAL.target(answer, exactly)
+    assert target[0] > target[1]  # no double is accepted
     within_one = Tolerance(extent=Fraction(1))
     assert accepts(answer, within_one, x + 1)
     assert not accepts(answer, within_one, x + 2)
@@ -214,8 +211,8 @@ def test_large_integers_on_the_boundary():
 def test_zero_takes_the_zero_tolerance_times_an_irrational_unit():
     unit = Surd(0, 1, 2)
     tolerance = Tolerance(relative=Fraction(1, 2), zero=Fraction(1, 4))
-    answer = Parameter(Surd(0), unit)
-    assert exact_ends(answer.t, tolerance, unit) == (-unit / 4, unit / 4)
+    answer = Real(Surd(0), unit)
+    assert exact_ends(answer.x, tolerance, unit) == (-unit / 4, unit / 4)
     assert accepts(answer, tolerance, 0)
     assert accepts(answer, tolerance, -0.0)
     assert accepts(answer, tolerance, 0.3535533905932737)
@@ -228,14 +225,14 @@ def test_zero_takes_the_zero_tolerance_times_an_irrational_unit():
 
 def test_an_extent_tolerance_of_an_irrational_unit_is_refused():
     with pytest.raises(ProblemError, match="extent"):
-        compile_answer(Parameter(Surd(0, 1, 3), Surd(0, 1, 2)), POINTS)
+        REAL.target(Real(Surd(0, 1, 3), Surd(0, 1, 2)), POINTS)
     with pytest.raises(ProblemError, match="extent"):
         exact_ends(Surd(2), POINTS, Surd(0, 1, 2))
 
 
 def test_a_relative_tolerance_of_one_reaches_zero_exactly():
     tolerance = Tolerance(relative=Fraction(1))
-    answer = Parameter(Surd(0, 1, 2), Surd(1))
+    answer = Real(Surd(0, 1, 2), Surd(1))
     assert accepts(answer, tolerance, 0)
     assert not accepts(answer, tolerance, -5e-324)
     assert not accepts(answer, tolerance, fraction_json(-Fraction(1, 10**400)))
@@ -303,36 +300,16 @@ def test_extreme_magnitudes(scale):
 
 def test_answers_beyond_the_largest_double():
     x = Surd(10**400, 1, 2)
-    answer = Parameter(x, Surd(1))
-    target = compile_answer(answer, RELATIVE)
-    assert all(map(math.isfinite, target.t))
-    assert target.t[4] == math.ulp(1e308)
-    assert target.t[0] > target.t[1]
+    answer = Real(x, Surd(1))
+    target = REAL.target(answer, RELATIVE)
+    assert all(map(math.isfinite, target))
+    assert target[4] == math.ulp(1e308)
+    assert target[0] > target[1]
     assert accepts(answer, RELATIVE, {"int": f"{10**400:x}"})
     assert accepts_text(answer, RELATIVE, "1" + "0" * 400)
     assert accepts_text(answer, RELATIVE, "1e400")
     assert not accepts_text(answer, RELATIVE, "1.1e400")
     assert not accepts(answer, RELATIVE, 1.7e308)
-
-
-def test_targets_keep_through_json():
-    import json
-
-    from judge.compare import from_json, to_json
-
-    line = CircleLine.through(0.5, 1, 1.3, (1, 2), (4, 1.5))
-    answers = [
-        (AnswerKind.COUNT, Count(None), CountTarget),
-        (AnswerKind.COUNT, Count(2), CountTarget),
-        (AnswerKind.POINTS, Points((), Surd(1)), PointsTarget),
-        (AnswerKind.POINTS, Points((line.point(-1), line.point(1)), line.extent_length()), PointsTarget),
-        (AnswerKind.PARAMETER, Parameter(None, Surd(1)), ParameterTarget),
-        (AnswerKind.PARAMETER, Parameter(line.root(1), line.extent_parameter()), ParameterTarget),
-    ]
-    for kind, answer, shape in answers:
-        target = compile_answer(answer, RELATIVE)
-        assert isinstance(target, shape)
-        assert from_json(kind, json.loads(json.dumps(to_json(target)))) == target
 
 
 @pytest.mark.parametrize("x", [Surd(7, 0, 0, 3), Surd(1, 1, 2, 3), Surd(-1, -1, 2, 3)])

@@ -7,31 +7,34 @@ from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
 
-from judge.compare.targets import CountTarget, ParameterTarget
 from judge.data.model import GroupData, ProblemData
+from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
 from judge.run import run_submission
-from judge.spec import AnswerKind, Group, Limits, Parameter, ParameterType, Problem, Tier, Tolerance
+from judge.values import Words, parse
 
-LIMITS = Limits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+LIMITS = GroupLimits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]
 COUNTS = [1, 1, 2, 0]
 GOOD = b"def answer(n, P):\n    return int(n + P[0] + P[1])\n"
+
+
+WORDS = Words(answer="t", meant="0, 1, 2 or none")
 
 
 def make_group(name="one", points=100):
     return Group(name, "", "examples", MappingProxyType({}), 1, len(CASES), points, Tolerance(), ())
 
 
-def make_problem(groups, kind=AnswerKind.COUNT, limits=LIMITS):
+def make_problem(groups, answer="count", limits=LIMITS):
     low, high = Fraction(-10), Fraction(10)
     parameters = (
-        Parameter("n", ParameterType.NUMBER, low, high, ""),
-        Parameter("P", ParameterType.POINT, low, high, ""),
+        Parameter("n", parse("number"), low, high, ""),
+        Parameter("P", parse("point"), low, high, ""),
     )
     folder = Path("/nowhere")
     return Problem(
-        "sum", "Sum", Tier.JUNIOR, "", "answer", kind, parameters, MappingProxyType({}), limits, groups,
-        folder, folder,
+        "sum", "Sum", Tier.JUNIOR, "", "answer", parse(answer, words=WORDS), parameters, MappingProxyType({}),
+        limits, groups, folder, folder,
     )  # fmt: skip
 
 
@@ -45,7 +48,7 @@ def make_data(*names, limits=LIMITS, cases=CASES, counts=COUNTS, step=0):
             GroupData(
                 group,
                 [(n + place * step, P) for n, P in cases],
-                [CountTarget(count + place * step) for count in counts],
+                [count + place * step for count in counts],
             )
             for place, group in enumerate(groups)
         ),
@@ -55,8 +58,8 @@ def make_data(*names, limits=LIMITS, cases=CASES, counts=COUNTS, step=0):
 def make_parameter_data(values):
     """One case for each v, wanted within v ± 1."""
     group = make_group()
-    problem = make_problem((group,), AnswerKind.PARAMETER)
-    targets = [ParameterTarget((v - 1.0, v + 1.0, v, 0.0, math.ulp(v))) for v in values]
+    problem = make_problem((group,), "parameter")
+    targets = [(v - 1.0, v + 1.0, v, 0.0, math.ulp(v)) for v in values]
     return ProblemData(problem, (GroupData(group, [(v, (0, 0)) for v in values], targets),))
 
 

@@ -8,13 +8,14 @@ from html.parser import HTMLParser
 
 from past_runs import StoppedClock
 
-from judge.diagnose import known_mistakes
 from judge.kata.history import History
-from judge.report.page.compose import Known, compose_page
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
+from judge.report.page.compose import compose_page
+from judge.report.page.known import KnownProblem
 from judge.report.page.render import render
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
-from judge.spec import Verdict
-from judge.spec.find import find_problem
 
 GENERATED = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
 INPUT = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}
@@ -59,7 +60,7 @@ def known(*names, matrix=None):
         problem = find_problem(name)
         # Backwards, so that the usual program of a mistake has the last word over its variants.
         advice = {mistake.name: mistake.advice for mistake in reversed(known_mistakes(problem))}
-        found.append(Known(problem, advice, matrix))
+        found.append(KnownProblem(problem, advice, matrix))
     return found
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from datetime import UTC, datetime, timedelta
 
+from judge.problem import Verdict
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
-from judge.spec import Verdict
 
 START = datetime(2026, 3, 1, 9, 0, tzinfo=UTC)
 

@@ -181,7 +181,7 @@ def test_it_goes_with_the_next_file_written_there(write, left):
 
 def test_it_goes_when_a_cache_is_read(left, tmp_path, monkeypatch):
     from judge.data import load_data
-    from judge.spec.load import load_problem
+    from judge.problem.load import load_problem
 
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     problem = load_problem(ROOT / "tests" / "fixtures" / "problems" / "root-count")

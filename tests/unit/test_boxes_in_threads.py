@@ -12,9 +12,11 @@ import pytest
 from judging import judged, make_data
 from sandboxed import LIMITS, children, limits, require
 
+from judge.problem import Verdict
 from judge.run import Settings
 from judge.sandbox import LEVELS, Stop, open_box
-from judge.spec import Verdict
+
+pytestmark = pytest.mark.slow
 
 THREADS = 4
 

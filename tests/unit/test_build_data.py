@@ -11,12 +11,13 @@ import pytest
 
 from judge.data import load_data
 from judge.data.model import reseeded
-from judge.data.module import load_module
+from judge.data.module import Solved, load_module
 from judge.data.pins import differences, hash_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
-from judge.spec import Parameter, ParameterType
-from judge.spec.load import load_problem
+from judge.problem import Parameter
+from judge.problem.load import load_problem
+from judge.values import parse
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -33,12 +34,12 @@ def test_cases_and_targets_of_every_group():
     data = load_data(problem, cache=False)
     examples, small = data.groups
     assert examples.cases == [(4,), (-1,)]
-    assert [target.value for target in examples.targets] == [2, 0]
+    assert examples.targets == [2, 0]
     assert len(set(small.cases)) == 5
-    assert [target.value for target in small.targets] == [(c > 0) - (c < 0) + 1 for (c,) in small.cases]
+    assert small.targets == [(c > 0) - (c < 0) + 1 for (c,) in small.cases]
     assert data.notes == ()
     answer, tolerance = data.exact((9,), small.group)
-    assert (answer.value, tolerance) == (2, small.group.tolerance)
+    assert (answer, tolerance) == (2, small.group.tolerance)
 
 
 def test_building_again_gives_the_same():
@@ -114,19 +115,17 @@ def test_a_broken_file_of_pins_is_a_fault(copy, text):
 
 def parameters(*types):
     return tuple(
-        Parameter(f"p{at}", kind, Fraction(-5), Fraction(11, 2), "") for at, kind in enumerate(types)
+        Parameter(f"p{at}", parse(text), Fraction(-5), Fraction(11, 2), "") for at, text in enumerate(types)
     )
 
 
 class Problem:
-    parameters = parameters(
-        ParameterType.NUMBER, ParameterType.INTEGER, ParameterType.POINT, ParameterType.INTEGER_POINT
-    )
+    parameters = parameters("number", "integer", "point", "integer-point")
 
 
 def test_a_valid_case_has_no_fault():
-    validator = Validator(Problem, lambda *case: None)
-    assert validator.fault((5.5, -5, (0, -0.0), (1, 2))) is None
+    validator = Validator(Problem, lambda *case: Solved(7, None))
+    assert validator.proof((5.5, -5, (0, -0.0), (1, 2))) == (None, 7)
 
 
 @pytest.mark.parametrize(
@@ -148,13 +147,13 @@ def test_a_valid_case_has_no_fault():
     ],
 )
 def test_an_invalid_case_is_named(case, fault):
-    validator = Validator(Problem, lambda *case: "three" if case[1] == 3 else None)
-    assert validator.fault(case) == fault
+    validator = Validator(Problem, lambda *case: Solved(7, "three" if case[1] == 3 else None))
+    assert validator.proof(case) == (fault, None)
 
 
 def test_proving_stops_at_the_first_bad_case():
     problem = load_problem(SOUND)
-    validator = Validator(problem, load_module(problem).promise)
+    validator = Validator(problem, load_module(problem).solve)
     prove(validator, "small", [(1,), (9,)], "root-count/problem.py")
     with pytest.raises(ProblemError, match="case 2 of group 'small' is invalid: c has 10, outside -9 to 9"):
         prove(validator, "small", [(1,), (10,), (11,)], "root-count/problem.py")
@@ -162,8 +161,8 @@ def test_proving_stops_at_the_first_bad_case():
 
 def test_two_problems_of_one_name_keep_their_own_code(copy):
     text = (copy / "problem.py").read_text()
-    (copy / "problem.py").write_text(text.replace("Count((c > 0) - (c < 0) + 1)", "Count(1)"))
+    (copy / "problem.py").write_text(text.replace("return (c > 0) - (c < 0) + 1", "return 1"))
     other, own = load_module(load_problem(copy)), load_module(load_problem(SOUND))
-    assert other.reference(4).value == 1
-    assert own.reference(4).value == 2
+    assert other.solve(4).answer == 1
+    assert own.solve(4).answer == 2
     assert not (copy / "__pycache__").exists()

@@ -7,8 +7,9 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import BuilderError, counting
-from judge.data.draw import Rejected, SeededDraw
+from judge.data.draw import BuilderError, Rejected, SeededDraw
+from judge.topics.circles.recipes import counting
+from judge.topics.circles.signature import flat
 
 SNAP, CLEAR = Fraction(1, 10**12), Fraction(1, 10**7)
 
@@ -17,7 +18,7 @@ def cases(family, count=40, **parameters):
     found = []
     for seed in range(2000):
         try:
-            found.append(getattr(counting, family)(SeededDraw(f"{family}/{seed}"), **parameters))
+            found.append(flat(getattr(counting, family)(SeededDraw(f"{family}/{seed}"), **parameters)))
         except Rejected:
             continue
         if len(found) == count:
@@ -25,14 +26,14 @@ def cases(family, count=40, **parameters):
     return found
 
 
-def flat(case):
+def numbers_of(case):
     cx, cy, r, a, b = case
     return cx, cy, r, *a, *b
 
 
 def within(case, width):
     """Whether d ≤ r + width·e, d ≥ r − width·e, by squares of fractions."""
-    cx, cy, r, ax, ay, bx, by = map(Fraction, flat(case))
+    cx, cy, r, ax, ay, bx, by = map(Fraction, numbers_of(case))
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
     a, cross = dx * dx + dy * dy, dx * fy - dy * fx
     extent = max(r, abs(fx), abs(fy), abs(bx - cx), abs(by - cy))
@@ -123,7 +124,7 @@ def test_offset_figures_are_small_and_far_away():
 @pytest.mark.parametrize(("numbers", "types"), [("int", {int}), ("float", {float}), ("mixed", {int, float})])
 def test_numbers_arrive_in_the_types_asked_for(numbers, types):
     drawn = cases("any_kind", size=100, numbers=numbers)
-    assert {type(value) for case in drawn for value in flat(case)} == types
+    assert {type(value) for case in drawn for value in numbers_of(case)} == types
 
 
 def test_parameters_that_make_no_sense_are_refused():

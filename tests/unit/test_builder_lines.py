@@ -6,10 +6,10 @@ from math import gcd, isqrt
 
 import pytest
 
-from judge.data.builders import BuilderError, lines
-from judge.data.builders.numbers import is_prime
-from judge.data.builders.transform import line
-from judge.data.draw import Rejected, SeededDraw
+from judge.data.draw import BuilderError, Rejected, SeededDraw
+from judge.topics.circles.figures import lines
+from judge.topics.circles.figures.figure import line
+from judge.topics.circles.figures.numbers import is_prime
 
 SIZES = [20, 10**3, 10**6, 10**40]
 

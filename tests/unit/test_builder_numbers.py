@@ -8,8 +8,8 @@ from math import gcd, isqrt
 import flint
 import pytest
 
-from judge.data.builders import numbers
 from judge.data.draw import Rejected, SeededDraw
+from judge.topics.circles.figures import numbers
 
 
 @pytest.mark.parametrize("seed", range(50))

@@ -6,10 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import posing
-from judge.data.builders.transform import Turn, line, ray
 from judge.data.draw import SeededDraw
 from judge.errors import ProblemError
+from judge.topics.circles.figures import posing
+from judge.topics.circles.figures.figure import Turn, line, ray
+from judge.topics.circles.signature import flat
 
 FIGURE = line((0, 0), 5, (-9, 3), (7, 3))
 
@@ -36,29 +37,29 @@ def numbers(case):
 @pytest.mark.parametrize("poses", [["axis"], ["exact"]])
 @pytest.mark.parametrize("scale", [-30, 0, 12])
 def test_exact_poses_keep_the_shape(poses, scale):
-    cases = [posing.posed(draw, FIGURE, poses=poses, scale=scale) for draw in draws()]
-    assert all(shape(case) == shape(FIGURE.case) for case in cases)
+    cases = [flat(posing.posed(draw, FIGURE, poses=poses, scale=scale)) for draw in draws()]
+    assert all(shape(case) == shape(flat(FIGURE)) for case in cases)
     assert len(set(cases)) == len(cases)
 
 
 def test_any_pose_keeps_the_shape_but_for_rounding():
     for draw in draws():
-        case = posing.posed(draw, FIGURE, poses=["any"], scale=-3)
+        case = flat(posing.posed(draw, FIGURE, poses=["any"], scale=-3))
         assert {type(number) for number in numbers(case)} <= {int, float}
         assert all(
-            abs(got - wanted) < 1e-14 for got, wanted in zip(shape(case), shape(FIGURE.case), strict=True)
+            abs(got - wanted) < 1e-14 for got, wanted in zip(shape(case), shape(flat(FIGURE)), strict=True)
         )
 
 
 def test_an_axis_pose_is_level_or_upright():
-    cases = [posing.posed(draw, FIGURE, poses=["axis"]) for draw in draws()]
+    cases = [flat(posing.posed(draw, FIGURE, poses=["axis"])) for draw in draws()]
     assert {(a[0] == b[0], a[1] == b[1]) for *_, a, b in cases} == {(True, False), (False, True)}
 
 
 def test_far_figures_are_moved_exactly():
     for draw in draws():
-        case = posing.posed(draw, FIGURE, poses=["exact"], numbers="float", scale=-6, far=27)
-        assert shape(case) == shape(FIGURE.case)
+        case = flat(posing.posed(draw, FIGURE, poses=["exact"], numbers="float", scale=-6, far=27))
+        assert shape(case) == shape(flat(FIGURE))
         assert min(abs(case[0]), abs(case[1])) > 2**25
         assert {type(number) for number in numbers(case)} == {float}
 
@@ -66,10 +67,10 @@ def test_far_figures_are_moved_exactly():
 def test_a_divisor_shrinks_the_figure():
     big = line((0, 0), 5 * 10**7, (-9 * 10**7, 3 * 10**7), (7 * 10**7, 3 * 10**7))
     for draw in draws(10):
-        case = posing.posed(draw, big, poses=["any"], divisor=10**7)
+        case = flat(posing.posed(draw, big, poses=["any"], divisor=10**7))
         assert case[2] == 5
         assert all(
-            abs(got - wanted) < 1e-14 for got, wanted in zip(shape(case), shape(FIGURE.case), strict=True)
+            abs(got - wanted) < 1e-14 for got, wanted in zip(shape(case), shape(flat(FIGURE)), strict=True)
         )
 
 
@@ -82,7 +83,7 @@ def test_only_any_pose_divides_and_poses_have_names():
 
 def test_a_spin_is_exact_and_turns_vectors():
     spun = posing.spun(ray((1, 0), 5, (2, 1), (0, 1)), Turn(3, 4, 5))
-    assert spun.case == (3, 4, 25, (2, 11), (-4, 3))
+    assert flat(spun) == (3, 4, 25, (2, 11), (-4, 3))
     with pytest.raises(ProblemError, match="a turn keeps lengths"):
         posing.spun(FIGURE, Turn(1, 1, 1))
 

@@ -6,19 +6,20 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import rays
 from judge.data.draw import Rejected, SeededDraw
 from judge.errors import ProblemError
+from judge.topics.circles.recipes import rays
+from judge.topics.circles.signature import flat
 
 EXACT = ["axis", "exact"]
 
 
-def made(builder, count=60, **parameters):
-    """Cases of a builder, those it rejects left out."""
+def made(recipe, count=60, **parameters):
+    """Cases of a recipe, those it rejects left out."""
     cases = []
     for number in range(count):
         try:
-            cases.append(builder(SeededDraw(f"rays/{number}"), **parameters))
+            cases.append(flat(recipe(SeededDraw(f"rays/{number}"), **parameters)))
         except Rejected:
             continue
     assert len(cases) >= count // 4

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.builders import BuilderError
-from judge.data.builders import transform as t
-from judge.data.draw import SeededDraw
+from judge.data.draw import BuilderError, SeededDraw
+from judge.topics.circles.figures import figure as t
+from judge.topics.circles.signature import flat
 
 FIGURE = t.line((2, -3), 5, (7, 1), (-4, 6))
 RAY = t.ray((2, -3), 5, (7, 1), (-11, 5))
@@ -23,8 +23,8 @@ def squares(figure):
 
 
 def test_a_case_lists_the_arguments_of_a_call():
-    assert FIGURE.case == (2, -3, 5, (7, 1), (-4, 6))
-    assert RAY.case == (2, -3, 5, (7, 1), (-11, 5))
+    assert flat(FIGURE) == (2, -3, 5, (7, 1), (-4, 6))
+    assert flat(RAY) == (2, -3, 5, (7, 1), (-11, 5))
     assert t.swapped(FIGURE).points == ((-4, 6), (7, 1))
 
 
@@ -35,7 +35,7 @@ def test_the_extent_is_seen_from_the_centre():
 
 
 def test_a_move_leaves_vectors_alone():
-    assert t.moved(RAY, 10, -20).case == (12, -23, 5, (17, -19), (-11, 5))
+    assert flat(t.moved(RAY, 10, -20)) == (12, -23, 5, (17, -19), (-11, 5))
 
 
 def test_a_move_that_would_round_is_refused():

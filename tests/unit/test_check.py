@@ -7,36 +7,38 @@ from typing import Any
 
 import pytest
 
-from judge.compare import Accepted, Rejection, check, compile_answer, wanted_text
-from judge.compare.answers import Count, Parameter, Points
-from judge.exact import CircleLine, Surd
-from judge.spec import AnswerKind, Tolerance
+from judge.exact import Surd
+from judge.topics.circles.line import CircleLine
+from judge.values import Accepted, Real, Rejection, Tolerance, Words, parse, vector
 
 POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
 LINE = CircleLine.through(2, 1, 1, (0, 1), (4, 1))
-TWO = Points((LINE.point(-1), LINE.point(1)), LINE.extent_length())
-ONE = Points((CircleLine.through(2, 1, 1, (3, 0), (3, 3)).point(0),), Surd(2))
-NONE = Points((), Surd(2))
+TWO = [vector(LINE.point(which), LINE.extent_length()) for which in (-1, 1)]
+ONE = [vector(CircleLine.through(2, 1, 1, (3, 0), (3, 3)).point(0), 2)]
+NONE = []
+POINTS = parse("points", words=Words(order="they come in the order of t along the line"))
+COUNT = parse("count", words=Words(meant="0, 1, 2 or none"))
+PARAMETER = parse("parameter", words=Words(answer="t", missing="but the ray hits"))
 
 
 def never():
     raise AssertionError("the exact answer was asked for without need")
 
 
-def points(raw: Any, answer: Points = TWO):
+def points(raw: Any, answer: Any = TWO):
     exact = lambda: (answer, POINTS_TOLERANCE)  # noqa: E731
-    return check(AnswerKind.POINTS, raw, compile_answer(answer, POINTS_TOLERANCE), exact)
+    return POINTS.check(raw, POINTS.target(answer, POINTS_TOLERANCE), exact)
 
 
 def count(raw: Any, value: int | None = 1):
-    return check(AnswerKind.COUNT, raw, compile_answer(Count(value), T_TOLERANCE), never)
+    return COUNT.check(raw, COUNT.target(value, T_TOLERANCE), never)
 
 
 def parameter(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
-    answer = Parameter(t, Surd(2))
+    answer = None if t is None else Real(t, 2)
     exact = lambda: (answer, T_TOLERANCE)  # noqa: E731
-    return check(AnswerKind.PARAMETER, raw, compile_answer(answer, T_TOLERANCE), exact)
+    return PARAMETER.check(raw, PARAMETER.target(answer, T_TOLERANCE), exact)
 
 
 @pytest.mark.parametrize(
@@ -75,12 +77,13 @@ def test_worst_error_is_measured_in_ulps():
     [
         ([], "2 points wanted, none given"),
         ([[1.0, 1.0]], "2 points wanted, 1 given"),
-        ([[1.0, 1.0]] * 3, "3 points given"),
+        ([[1.0, 1.0]] * 3, "3 points given where at most 2 are meant"),
         ([[3.0, 1.0], [1.0, 1.0]], "the right points in the wrong order"),
         ([[3, 1], [1.0, 1.0]], "the right points in the wrong order"),
         (None, "None where a list of points is meant"),
         (2, "2 where a list of points is meant"),
-        ([1.0, 1.0], "point 1 is meant to be (x, y)"),
+        ([1.0, 1.0], "a point where a list of points is meant"),
+        ([1.0, [1.0]], "1.0 where point 1 is meant to be (x, y)"),
         ([[1.0, 1.0, 0.0], [3.0, 1.0]], "point 1 has 3 coordinates"),
         ([[1.0, None], [3.0, 1.0]], "None where y of point 1 is meant"),
         ([[1.0, 1.0], [float("nan"), 1.0]], "nan where x of point 2 is meant"),
@@ -222,22 +225,17 @@ def test_absurd_answers_are_rejected_and_never_raise(raw):
 
 
 def test_fast_answers_need_no_exact_one():
-    target = compile_answer(TWO, POINTS_TOLERANCE)
+    target = POINTS.target(TWO, POINTS_TOLERANCE)
     for raw in (
         [[1.0, 1.0], [3.0, 1.0]],
         [[1, 1], [3, 1]],
         [[1.0, 1.0], [3.0, 9.0]],
         [[1, {"decimal": "7"}]] * 2,
     ):
-        check(AnswerKind.POINTS, raw, target, never)
-
-
-def test_a_target_of_another_kind_is_a_fault_of_the_caller():
-    with pytest.raises(TypeError, match="points"):
-        check(AnswerKind.POINTS, [], compile_answer(Count(1), T_TOLERANCE), never)
+        POINTS.check(raw, target, never)
 
 
 def test_wanted_text():
-    assert wanted_text(compile_answer(Count(None), T_TOLERANCE)) == "None"
-    assert wanted_text(compile_answer(NONE, T_TOLERANCE)) == "[]"
-    assert wanted_text(compile_answer(Parameter(Surd(0, 1, 2), Surd(1)), T_TOLERANCE)) == repr(2**0.5)
+    assert COUNT.wanted(COUNT.target(None, T_TOLERANCE)) == "None"
+    assert POINTS.wanted(POINTS.target(NONE, T_TOLERANCE)) == "[]"
+    assert PARAMETER.wanted(PARAMETER.target(Real(Surd(0, 1, 2), 1), T_TOLERANCE)) == repr(2**0.5)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
+import random
 import shutil
+import struct
 import subprocess
 import sys
 import threading
@@ -13,9 +16,10 @@ from pathlib import Path
 
 import pytest
 
-from judge.data import load_data
+from judge.data import cache, load_data
+from judge.data.kept import KeptFile
 from judge.data.pins import hash_of
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent
 SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"
@@ -220,7 +224,7 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
         "from judge.data import load_data\n"
-        "from judge.spec.find import find_problem\n"
+        "from judge.problem.find import find_problem\n"
         "load_data(find_problem('segment'))\n"
         "print(*sys.modules)"
     )
@@ -229,7 +233,7 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     for expected in (True, False):
         done = subprocess.run(run, capture_output=True, text=True, env=environment, timeout=60, check=True)
         names = done.stdout.split()
-        for heavy in ("judge.exact", "judge.data.build", "judge.data.module", "judge.data.builders"):
+        for heavy in ("judge.exact", "judge.data.build", "judge.data.module", "judge.topics"):
             assert (heavy in names) is expected, heavy
         assert any(name.startswith("judge_problem_segment") for name in names) is expected
         assert not any(name.startswith(("rich", "hypothesis")) for name in names)
@@ -242,3 +246,21 @@ def test_the_file_is_plain_json_below_its_checksum(folder):
     _, _, body = content.partition(b"\n")
     assert content == with_checksum(file, body)
     assert list(json.loads(body)) == ["examples", "small"]
+
+
+@pytest.mark.parametrize("package", cache._CODE)
+def test_every_package_that_the_key_stands_for_is_there(package):
+    assert cache.code_files([package])
+
+
+def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
+    """Whatever parses the file: doubles of every size to the last bit, integers of any length, infinity."""
+    draw = random.Random(1)
+    doubles = [struct.unpack("d", draw.randbytes(8))[0] for _ in range(20_000)]
+    near = [math.nextafter(10.0**power, 0.0) for power in range(-307, 309)]
+    value = [x for x in doubles if math.isfinite(x)] + near + [5e-324, -0.0, 1.7976931348623157e308]
+    integers = [draw.randint(-(10**digits), 10**digits) for digits in (5, 19, 20, 400, 4000)]
+    for content in (value, integers, [math.inf, 1.5]):
+        file = KeptFile(lambda: tmp_path, "data", "numbers-", "key")
+        assert file.write({"numbers": content}) is None
+        assert repr(file.read()["numbers"]) == repr(content)

@@ -8,7 +8,7 @@ from judge.data.draw import RecordedDraw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.module import load_module
 from judge.data.strategy import strategy
 from judge.errors import ProblemError
-from judge.spec.find import find_problem
+from judge.problem.find import find_problem
 
 
 def some(draw):

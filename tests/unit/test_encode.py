@@ -11,14 +11,15 @@ import subprocess
 import sys
 import typing
 import warnings
+from array import array
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import judge.sandbox.encode as encode_module
-from judge.compare.decode import Fault, Written, number
 from judge.sandbox.encode import MOST_ITEMS, encode
+from judge.values.decode import Fault, Written, number, numbers
 
 
 def through(value):
@@ -92,7 +93,14 @@ class Loud:
         (True, wrong("bool", "True")),
         (float("nan"), wrong("float", "nan")),
         (float("-inf"), wrong("float", "-inf")),
-        ("1", wrong("str", "'1'")),
+        ("1", {"word": "1"}),
+        ("x" * 33, wrong("str", repr("x" * 33))),
+        ("a\nb", wrong("str", repr("a\nb"))),
+        ((2,), {"tuple": [2]}),
+        (((1, 2),), {"tuple": [[1, 2]]}),
+        (array("d", [1.5, 2]), [1.5, 2.0]),
+        (array("u", "ab"), wrong("array", "of characters")),
+        ([True] * 1001, [wrong("bool", "True")] * 1001),
         (b"1", wrong("bytes", "b'1'")),
         (1 + 2j, wrong("complex", "(1+2j)")),
         (Liar([1]), wrong("Liar", "a subclass of list with its own way of reading it")),
@@ -175,10 +183,41 @@ def test_bounds_of_depth_and_items():
     wide: list = [0] * 50
     wide[:] = [wide] * 50
     assert len(json.dumps(encode(wide))) < 100 * MOST_ITEMS
-    assert through([0] * (MOST_ITEMS + 1)) == wrong("list", f"more than {MOST_ITEMS} items")
-    assert through(np.zeros(MOST_ITEMS + 1)) == wrong("list", f"more than {MOST_ITEMS} items")
+    many = wrong("list", f"of more than {MOST_ITEMS} items")
+    assert through([(0, 0)] * (MOST_ITEMS // 3 + 1)) == [[0, 0]] * (MOST_ITEMS // 3) + [many]
+    assert through([None] * (MOST_ITEMS + 1)) == many
+    assert encode([None] * 5, 4) == wrong("list", "of more than 4 items")
+    assert encode([None] * (MOST_ITEMS + 1), MOST_ITEMS + 1) == [None] * (MOST_ITEMS + 1)
     assert len(through("x" * 10**6)["text"]) <= 80
     assert len(through(type("N" * 10**5, (), {})())["type"]) <= 80
+
+
+@pytest.mark.parametrize(
+    ("value", "code"),
+    [
+        ([3] * 2000, "q"),
+        ([0.5] * 2000, "d"),
+        ((0.5,) * 2000, "d"),
+        (array("b", [3] * 2000), "b"),
+        (array("l", [3] * 2000), "q"),
+        (array("H", [3] * 2000), "H"),
+        (np.full(2000, 3, dtype=np.int8), "b"),
+        (np.full(2000, 0.5), "d"),
+        (np.full(2000, 0.5, dtype=">f8"), "d"),
+        (np.full(4000, 0.5)[::2], "d"),
+    ],
+)
+def test_many_numbers_of_one_type_are_sent_as_bytes(value, code):
+    sent = through(value)
+    assert list(sent) == ["array"]
+    assert sent["array"][0] == code
+    assert numbers(sent).tolist() == [float(each) for each in value]
+
+
+def test_many_things_that_are_no_numbers_are_not():
+    assert through([2**70] * 1001)[0] == {"int": f"{2**70:x}"}
+    assert through([1, 0.5] * 501) == [1, 0.5] * 501
+    assert through(np.zeros(2000, dtype=bool)) == wrong("array", "of bool")
 
 
 def test_nothing_foreign_runs(monkeypatch):

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError, UsageError
-from judge.spec.find import all_problems, find_problem, problem_folders
+from judge.problem.find import all_problems, find_problem, problem_folders
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 

@@ -8,17 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from judge.compare.targets import PointsTarget, compile_answer, to_json
 from judge.data.draw import QuickDraw, Rejected, ReplayedDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
-from judge.data.images import SYMMETRIES, mirror_images
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import numbers_of
 from judge.errors import ProblemError, UsageError
-from judge.spec.find import find_problem
-from judge.spec.load import load_problem
-from judge.spec.statement import EXAMPLES
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.problem.statement import EXAMPLES
+from judge.topics.circles.images import SYMMETRIES, images_under
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 PROBLEMS = ("count", "segment", "ray-nearest", "exact-count")
@@ -34,16 +33,15 @@ def cases(source, series):
     return [(each.round, each.data.group.name, each.data.cases) for each in islice(source.series(), series)]
 
 
-def assert_same(one, other):
+def assert_same(answer, one, other):
     """The same target, but that (x − nearest)/ulp(x) is known to some digits only."""
-    plain, mirrored = to_json(one), to_json(other)
-    if isinstance(one, PointsTarget):
-        assert len(plain) == len(mirrored)
-        for first, second in zip(chain(*plain), chain(*mirrored), strict=True):
-            assert abs(first.pop(3) - second.pop(3)) < 1e-12
-            assert first == second
+    if answer.depth:
+        assert len(one) == len(other)
+        for first, second in zip(chain(*one), chain(*other), strict=True):
+            assert abs(first[3] - second[3]) < 1e-12
+            assert (first[:3], first[4]) == (second[:3], second[4])
     else:
-        assert plain == mirrored
+        assert one == other
 
 
 def test_a_quick_draw_reaches_both_ends_and_nothing_beyond():
@@ -92,20 +90,22 @@ def test_the_examples_have_no_fresh_ones():
 def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
     source = fresh(name)
     problem, module = find_problem(name), load_module(find_problem(name))
-    validator = Validator(problem, module.promise)
+    validator = Validator(problem, module.solve)
     for series in islice(source.series(), len(source.groups)):
         group, pairs = series.data.group, list(zip(series.data.cases, series.data.targets, strict=True))
         assert len(series.starts) == BUILT
         assert BUILT < len(pairs) <= BUILT * (1 + IMAGES_EACH)
         for case, target in pairs:
-            assert validator.fault(case) is None
-            assert_same(compile_answer(module.reference(*case), group.tolerance), target)
+            proof = validator.proof(case)
+            assert proof.fault is None
+            again = problem.answer.target(proof.answer, group.tolerance)
+            assert_same(problem.answer, again, target)
             assert all(math.copysign(1, number) > 0 for number in numbers_of(case) if number == 0)
 
 
 def test_the_seven_images_of_a_case_differ_and_keep_its_types():
     case = (1, 2.5, 3, (4, -5.5), (0.0, 7))
-    images = [image for image, _ in mirror_images(case, None, SYMMETRIES)]
+    images = [image for image, _ in images_under(find_problem("count"), case, None, SYMMETRIES)]
     assert len({case, *images}) == 8
     assert (5.5, 0.0) not in images
     assert (-1, 2.5, 3, (-4, -5.5), (0.0, 7)) in images
@@ -114,7 +114,7 @@ def test_the_seven_images_of_a_case_differ_and_keep_its_types():
 
 
 def test_an_image_that_is_the_case_itself_is_none():
-    assert mirror_images((0, 0, 1, (0, 0), (0, 0)), None, SYMMETRIES) == []
+    assert images_under(find_problem("count"), (0, 0, 1, (0, 0), (0, 0)), None, SYMMETRIES) == []
 
 
 @pytest.mark.parametrize(
@@ -148,7 +148,7 @@ def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
     def never(draw, odd):
         draw.reject()
 
-    stubborn = type(module)(module.reference, module.promise, {"pairs": never})
+    stubborn = type(module)(module.solve, {"pairs": never})
     source = Fresh(problem, stubborn, problem.groups, 1)
     with pytest.raises(ProblemError, match="'whole': the builder 'pairs' gives no case 1"):
         next(source.series())

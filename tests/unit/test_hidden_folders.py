@@ -19,6 +19,8 @@ from judge.sandbox import concealed, levels, open_box, places, roots
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 
+pytestmark = pytest.mark.slow
+
 LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
 AVAILABLE = {level.name for level in levels() if level.available}
 LOOK = b"""

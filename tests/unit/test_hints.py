@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.spec.find import all_problems
-from judge.spec.hints import read_hints
-from judge.spec.load import load_problem
+from judge.problem.find import all_problems
+from judge.problem.hints import read_hints
+from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parents[2]
 SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"

@@ -11,8 +11,8 @@ from past_runs import START, StoppedClock, past_result
 
 from judge.errors import UsageError
 from judge.kata.history import Current, History
+from judge.problem import Verdict
 from judge.run.result import Failure, Mode, Result
-from judge.spec import Verdict
 
 
 @pytest.fixture

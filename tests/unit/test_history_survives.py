@@ -46,7 +46,7 @@ from judge.kata.database import writing
 history = History.open()
 with writing(history._connection, history.path) as connection:
     connection.execute("INSERT INTO sources VALUES ('half', 'written')")
-    connection.execute("INSERT INTO current VALUES (1, 'half', 'written')")
+    connection.execute("INSERT INTO current (id, problem, path) VALUES (1, 'half', 'written')")
     print("written", flush=True)
     sys.stdin.readline()
 """

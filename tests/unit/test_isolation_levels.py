@@ -16,6 +16,8 @@ from judge.sandbox import launch, levels, open_box, roots
 from judge.sandbox import probe as probing
 from judge.sandbox.boundary import Limits
 
+pytestmark = pytest.mark.slow
+
 PACKAGE = Path(roots.__file__).parent.parent
 LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
 

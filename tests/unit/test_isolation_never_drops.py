@@ -17,6 +17,8 @@ from judge.errors import JudgeError, ShortageError, UsageError
 from judge.sandbox import Boxes, container, holder, levels, probe, refusal
 from judge.sandbox.inside.again import PAUSES
 
+pytestmark = pytest.mark.slow
+
 AGAIN = "Resource temporarily unavailable"
 PASSING = [
     f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1",
@@ -191,7 +193,7 @@ def test_a_level_that_lacks_something_is_never_tried(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN])
-@pytest.mark.parametrize("place", ["socket.socketpair", "shared.region", "_STARTER.start"])
+@pytest.mark.parametrize("place", ["_socket.socketpair", "shared.region", "_STARTER.start"])
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
     failed = []

@@ -7,9 +7,9 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 
+from judge.problem import Verdict
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
-from judge.spec import Verdict
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.
@@ -60,7 +60,7 @@ REJECTED = Result(
     Mode.FUNCTION,
     Verdict.WA,
     (group("grid", Verdict.AC, 10), group("tangent", Verdict.WA, 9), group("band", Verdict.TLE)),
-    Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": [0, 2.5]}, "2", "1"),
+    Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": (0, 2.5)}, "2", "1"),
     pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
 )
 

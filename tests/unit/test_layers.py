@@ -10,7 +10,10 @@ import pytest
 import judge
 
 PACKAGE = Path(judge.__file__).parent
-ROOMS = ["cli", "report", "kata", "diagnose", "run", "data", "compare", "spec", "exact", "reading", "errors"]
+ROOMS = [
+    *("cli", "judging", "report", "kata", "topics", "diagnose", "run", "data"),
+    *("problem", "drawing", "values", "exact", "language", "reading", "errors"),
+]
 
 
 def imported(path: Path) -> set[str]:
@@ -48,3 +51,12 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 def test_every_room_has_its_place():
     rooms = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     assert rooms <= {*ROOMS, "sandbox", "schema"}
+
+
+def test_no_engine_room_knows_a_topic():
+    found = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in PACKAGE.rglob("*.py")
+        if "topics" not in path.relative_to(PACKAGE).parts and "topics" in imported(path)
+    }
+    assert found == set()

@@ -8,11 +8,11 @@ import pytest
 from judging import make_group
 from msgspec.structs import replace
 
+from judge.problem import Verdict
 from judge.report.values import percent
 from judge.report.verified import matrix_lines
 from judge.run.matrix import CaseName, greedy_cover, kill_matrix
 from judge.run.result import GroupResult
-from judge.spec import Verdict
 
 
 def group(name, *kills):

@@ -8,16 +8,16 @@ from collections import Counter
 
 import pytest
 
-from judge.compare.outline import line_outline, outline
-from judge.compare.targets import CountTarget, ParameterTarget, PointsTarget
 from judge.data import load_data
 from judge.diagnose.agreement import Alike, WrongAnswer
 from judge.diagnose.known import Answers, known_behaviours
-from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.naming import LEAST, Known, best_match
+from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.run import Settings
-from judge.spec import AnswerKind
-from judge.spec.find import find_problem
+from judge.values import Usual, parse
+
+pytestmark = pytest.mark.slow
 
 # Programs of one mistake in two hands; the first is recognised by the second alone.
 TWINS = [
@@ -35,6 +35,19 @@ MIXTURES = [
 ]
 
 
+class Groups(tuple):
+    """A problem's groups, with the type of its answers."""
+
+    def __new__(cls, groups, answer):
+        made = super().__new__(cls, groups)
+        made.answer = answer
+        return made
+
+
+def matched(behaviour, known, groups):
+    return best_match(behaviour, known, groups, groups.answer)
+
+
 @pytest.fixture(scope="module")
 def library(tmp_path_factory):
     """Each problem's groups and known programs, judged once."""
@@ -47,7 +60,7 @@ def library(tmp_path_factory):
             does, note = known_behaviours(data, None, mistakes, settings=Settings(measured=False), workers=2)
             assert note is None
             known = [Known(each.name, behaviour) for each, behaviour in zip(mistakes, does, strict=True)]
-            found[name] = data.groups, known, [each.path.name for each in mistakes]
+            found[name] = Groups(data.groups, problem.answer), known, [each.path.name for each in mistakes]
     return found
 
 
@@ -65,7 +78,7 @@ def named(match, known):
 def test_a_known_program_is_recognised(library):
     for groups, known, _ in library.values():
         for each in known[::2]:
-            match = best_match(each.behaviour, known, groups)
+            match = matched(each.behaviour, known, groups)
             assert match is not None
             assert 0.7 <= match.score <= 1.0
             assert len(match.places) == 1
@@ -79,7 +92,7 @@ def test_a_mistake_is_recognised_by_another_program_that_makes_it(library, path)
     groups, known, files = library[problem]
     left_out = known[files.index(file)]
     others = [each for each in known if each is not left_out]
-    assert named(best_match(left_out.behaviour, others, groups), others) == {left_out.name}
+    assert named(matched(left_out.behaviour, others, groups), others) == {left_out.name}
 
 
 @pytest.mark.parametrize(("problem", "one", "other"), MIXTURES)
@@ -93,7 +106,7 @@ def test_two_mistakes_at_once(library, problem, one, other):
         )
         for name in first.behaviour
     }
-    match = best_match(mixed, known, groups)
+    match = matched(mixed, known, groups)
     assert {first.name, second.name} == named(match, known) or match.score > 0.97
     assert len(match.places) == 2
 
@@ -109,7 +122,7 @@ def test_silence_on_noise(library, share):
             )
             for group in groups
         }
-        assert best_match(noise, known, groups) is None
+        assert matched(noise, known, groups) is None
 
 
 @pytest.mark.parametrize("answer", [("count", (0.0,)), ("points 0", ()), ("none", ())])
@@ -118,29 +131,24 @@ def test_silence_on_one_answer_to_everything(library, answer):
         always = {
             group.group.name: Answers(
                 len(group.cases),
-                {i: answer for i, target in enumerate(group.targets) if right(target) != answer},
+                {
+                    i: answer
+                    for i, target in enumerate(group.targets)
+                    if groups.answer.right(target) != answer
+                },
             )
             for group in groups
         }
-        assert best_match(always, known, groups) is None
-
-
-def right(target):
-    """The outline of a right answer, as far as one answer for all cases can be right."""
-    if isinstance(target, PointsTarget):
-        return ("points 0", ()) if not target.points else None
-    if isinstance(target, CountTarget):
-        return ("none", ()) if target.value is None else ("count", (float(target.value),))
-    return ("none", ()) if target.t is None else None
+        assert matched(always, known, groups) is None
 
 
 def test_silence_without_evidence(library):
     groups, known, _ = library["count"]
-    assert best_match({}, known, groups) is None
-    assert best_match({groups[0].group.name: Answers(13, {})}, known, groups) is None
-    assert best_match({groups[0].group.name: Answers(13, {3: ("text", ())})}, [], groups) is None
+    assert matched({}, known, groups) is None
+    assert matched({groups[0].group.name: Answers(13, {})}, known, groups) is None
+    assert matched({groups[0].group.name: Answers(13, {3: ("text", ())})}, [], groups) is None
     one_case = {groups[1].group.name: Answers(200, {5: ("count", (9.0,))})}
-    assert best_match(one_case, known, groups) is None
+    assert matched(one_case, known, groups) is None
 
 
 def test_unfinished_groups_are_compared_as_far_as_they_went(library):
@@ -152,7 +160,7 @@ def test_unfinished_groups_are_compared_as_far_as_they_went(library):
         )
         for name, answers in whole.items()
     }
-    match = best_match(half, known, groups)
+    match = matched(half, known, groups)
     assert named(match, known) == {"tangent-twice"}
     assert match.score > 0.95
 
@@ -164,7 +172,7 @@ def test_most_unknown_mistakes_are_met_with_silence(library):
         for each, file in zip(known[::2], files[::2], strict=True):
             if file == f"{each.name}.py":
                 others = [other for other in known if other.name != each.name]
-                outcomes[best_match(each.behaviour, others, groups) is None] += 1
+                outcomes[matched(each.behaviour, others, groups) is None] += 1
     assert outcomes[True] > 0.6 * outcomes.total()
 
 
@@ -175,7 +183,7 @@ def test_a_mistake_is_recognised_by_its_other_programs(library):
         for each in known[::3]:
             others = [other for other in known if other is not each]
             if any(other.name == each.name for other in others):
-                match = best_match(each.behaviour, others, groups)
+                match = matched(each.behaviour, others, groups)
                 outcomes["silent" if match is None else each.name in named(match, others)] += 1
     assert outcomes[True] > 0.4 * outcomes.total()
     assert outcomes[True] > 1.5 * outcomes[False]
@@ -186,21 +194,22 @@ def number(value):
     return (value - 0.1, value + 0.1, value, 0.0, 2.0**-52)
 
 
-POINT = PointsTarget(((number(1.0), number(1.0)),))
-CHORD = PointsTarget(((number(1.0), number(2.0)), (number(3.0), number(2.0))))
-NO_T, T = ParameterTarget(None), ParameterTarget(number(1.0))
+POINT = ("points", [(number(1.0), number(1.0))])
+CHORD = ("points", [(number(1.0), number(2.0)), (number(3.0), number(2.0))])
+NO_T, T = ("parameter", None), ("parameter", number(1.0))
+USUAL = Usual(frozenset({0.0, 1.0, 2.0}))
 
 
 @pytest.mark.parametrize(
     ("one", "other", "target", "wanted"),
     [
-        (("count", (1.0,)), ("count", (0.0,)), CountTarget(2), Alike.NOTHING),
-        (("count", (-1.0,)), ("count", (99.0,)), CountTarget(None), Alike.ALL),
-        (("count", (3.0,)), ("type float", ()), CountTarget(None), Alike.ALL),
-        (("type float", (1.0,)), ("count", (0.0,)), CountTarget(2), Alike.NOTHING),
-        (("none", ()), ("count", (0.0,)), CountTarget(2), Alike.NOTHING),
-        (("raised ValueError", ()), ("count", (0.0,)), CountTarget(2), Alike.KIND),
-        (("raised ValueError", ()), ("raised ZeroDivisionError", ()), CountTarget(2), Alike.KIND),
+        (("count", (1.0,)), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
+        (("count", (-1.0,)), ("count", (99.0,)), ("count", None), Alike.ALL),
+        (("count", (3.0,)), ("type float", ()), ("count", None), Alike.ALL),
+        (("type float", (1.0,)), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
+        (("none", ()), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
+        (("raised ValueError", ()), ("count", (0.0,)), ("count", 2), Alike.KIND),
+        (("raised ValueError", ()), ("raised ZeroDivisionError", ()), ("count", 2), Alike.KIND),
         (("points 1", (3.0, 4.0)), ("points 1", (3.0, 4.0000001)), POINT, Alike.ALL),
         (("points 1", (3.0, 4.0)), ("points 1", (4.0, 3.0)), POINT, Alike.NOTHING),
         (("points 1", (1.000001, 1.0)), ("points 1", (1.0, 0.999999)), POINT, Alike.KIND),
@@ -223,34 +232,40 @@ NO_T, T = ParameterTarget(None), ParameterTarget(number(1.0))
     ],
 )
 def test_how_alike_wrong_answers_are(one, other, target, wanted):
-    assert WrongAnswer(one, target).alike(other) == wanted == WrongAnswer(other, target).alike(one)
-    assert WrongAnswer(one, target).alike(one) == Alike.ALL
+    text, doubles = target
+    answer = parse(text)
+
+    def alike(first, second):
+        return WrongAnswer(first, answer.right(doubles), answer, USUAL).alike(second)
+
+    assert alike(one, other) == wanted == alike(other, one)
+    assert alike(one, one) == Alike.ALL
 
 
 @pytest.mark.parametrize(
     ("kind", "answer", "wanted"),
     [
-        (AnswerKind.COUNT, 3, ("count", (3.0,))),
-        (AnswerKind.COUNT, 1.0, ("type float", (1.0,))),
-        (AnswerKind.COUNT, {"type": "bool", "text": "True"}, ("type bool", ())),
-        (AnswerKind.COUNT, None, ("none", ())),
-        (AnswerKind.POINTS, [[1, 2.5]], ("points 1", (1.0, 2.5))),
-        (AnswerKind.POINTS, [0.5, 1], ("shape 2", (0.5, 1.0))),
-        (AnswerKind.POINTS, [], ("points 0", ())),
-        (AnswerKind.POINTS, 4.0, ("number", (4.0,))),
-        (AnswerKind.PARAMETER, {"fraction": ["1", "2"]}, ("number", (0.5,))),
-        (AnswerKind.PARAMETER, [1.0, None], ("shape 2", (1.0,))),
-        (AnswerKind.PARAMETER, {"int": "f" * 300}, ("number", (float("inf"),))),
-        (AnswerKind.PARAMETER, {"what": "ever"}, ("type dict", ())),
+        ("count", 3, ("count", (3.0,))),
+        ("count", 1.0, ("type float", (1.0,))),
+        ("count", {"type": "bool", "text": "True"}, ("type bool", ())),
+        ("count", None, ("none", ())),
+        ("points", [[1, 2.5]], ("points 1", (1.0, 2.5))),
+        ("points", [0.5, 1], ("shape 2", (0.5, 1.0))),
+        ("points", [], ("points 0", ())),
+        ("points", 4.0, ("number", (4.0,))),
+        ("parameter", {"fraction": ["1", "2"]}, ("number", (0.5,))),
+        ("parameter", [1.0, None], ("shape 2", (1.0,))),
+        ("parameter", {"int": "f" * 300}, ("number", (float("inf"),))),
+        ("parameter", {"what": "ever"}, ("type dict", ())),
     ],
 )
 def test_outlines(kind, answer, wanted):
-    assert outline(kind, answer) == wanted
+    assert parse(kind).outline(answer) == wanted
 
 
 def test_a_line_has_the_outline_of_its_answer():
-    assert line_outline(AnswerKind.POINTS, "1 0.5 2") == ("points 1", (0.5, 2.0))
-    assert line_outline(AnswerKind.COUNT, "none") == ("none", ())
-    assert line_outline(AnswerKind.PARAMETER, "0.1e1") == ("number", (1.0,))
-    assert line_outline(AnswerKind.COUNT, "two") == ("text", ())
+    assert parse("points").line_outline("1 0.5 2") == ("points 1", (0.5, 2.0))
+    assert parse("count").line_outline("none") == ("none", ())
+    assert parse("parameter").line_outline("0.1e1") == ("number", (1.0,))
+    assert parse("count").line_outline("two") == ("text", ())
     assert LEAST == 0.7

@@ -12,6 +12,8 @@ from sandboxed import limits, lost_at_3, run
 from judge.sandbox import bundle, container, open_box, shared
 from judge.sandbox.boundary import Limits, Stop
 
+pytestmark = pytest.mark.slow
+
 LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
 ELSEWHERE = {
     "judge.sandbox.inside.server": ("(~pid << 3) | 2", "10**30"),  # no such clock

@@ -8,7 +8,7 @@ from judge.data.load import load_data
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode, problem_name
 from judge.errors import ProblemError, UsageError
-from judge.spec.find import find_problem
+from judge.problem.find import find_problem
 
 CASE = (0, 0, 1, (0, 1), (80, 0))
 
@@ -30,8 +30,9 @@ def test_every_group_comes_back_from_values_and_from_choices(problem):
                 assert choices is not None
             for replay in {encode(problem, data.group, case), encode(problem, data.group, case, choices)}:
                 assert problem_name(replay) == problem.id
-                group, again = decode(replay, problem, module)
+                group, again, answer = decode(replay, problem, module)
                 assert (group, repr(again)) == (data.group, repr(case))
+                assert answer == module.solve(*case).answer
 
 
 @pytest.mark.parametrize(

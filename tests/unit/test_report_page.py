@@ -12,15 +12,15 @@ import pytest
 from msgspec.structs import replace
 from page_support import Outline, check_html, html_of, kept, known, outcome, page_of
 
-from judge.diagnose.picture.svg import style
+from judge.drawing.svg import style
 from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
+from judge.problem import Verdict
 from judge.report.page.compose import MOST_RUNS
 from judge.report.page.kills import kill_table
 from judge.report.page.plot import MOST, ratio_plot
 from judge.report.page.render import _TEMPLATES, is_report
 from judge.run.matrix import Kill, Matrix, Row
 from judge.run.result import Failure, Mode, Result
-from judge.spec import Verdict
 
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"

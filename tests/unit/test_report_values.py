@@ -1,15 +1,18 @@
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 
 import pytest
 
-from judge.report.values import arguments, bound, counted, seconds, size
+from judge.report.values import arguments, bound, counted, seconds, size, with_points
 
 
 def test_arguments_are_written_in_full():
-    values = {"cx": 0, "r": 0.1, "A": [10**40, -2.5], "B": (1, 2)}
-    assert arguments(values) == f"cx=0, r=0.1, A=({10**40}, -2.5), B=(1, 2)"
+    values = {"cx": 0, "r": 0.1, "A": (10**40, -2.5), "B": [(1, 2), (3, 4)], "w": "lit"}
+    assert arguments(values) == f"cx=0, r=0.1, A=({10**40}, -2.5), B=[(1, 2), (3, 4)], w='lit'"
+    assert arguments(with_points(json.loads(json.dumps(values)))) == arguments(values)
+    assert arguments({"xs": [0] * 41}).endswith("0, …] (41 items)")
 
 
 @pytest.mark.parametrize(

@@ -6,11 +6,13 @@ import pytest
 from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
+from judge.problem import Verdict
 from judge.run import Mode
 from judge.run.budget import MOST_LOSSES, Budget
-from judge.run.tally import Tally, group_limits
-from judge.sandbox import Stop, Usage, levels
-from judge.spec import Verdict
+from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun, group_limits
+from judge.run.replies import Replies
+from judge.sandbox import Reply, Stop, Usage, levels
 
 
 def test_an_accepted_submission():
@@ -44,7 +46,7 @@ def test_a_wrong_answer_shows_the_first_failing_case():
     assert result.groups[0].passed == 3
     failure = result.failure
     assert (failure.group, failure.case) == ("one", 2)
-    assert failure.input == {"n": 0, "P": [0.5, 0.5]}
+    assert failure.input == {"n": 0, "P": (0.5, 0.5)}
     assert (failure.expected, failure.got) == ("1", "0")
 
 
@@ -102,19 +104,24 @@ def test_a_submission_is_given_up_after_ten_losses_in_all():
     assert told[-1][0] == 3 * 9  # three losses in each of three groups; the fourth has one and no more
 
 
+def ended(stop, usage=Usage()):  # noqa: B008 - it is frozen
+    """A call that ended its process, unless it answered."""
+    return Replies([Reply(stop, None, "x")], usage, stop, lost=stop is not Stop.ANSWERED)
+
+
 def test_what_is_given_up_says_why_and_never_decides():
     data = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
     budget = Budget(data.problem)
-    tallies = [Tally(data, group, Mode.FUNCTION) for group in data.groups]
+    runs = [GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups]
     for _ in range(MOST_LOSSES):
         assert budget.over is None
-        budget.spent(Usage(), Stop.TAMPERED)
-    tallies[0].give_up(*budget.over)
-    tallies[1].failed(0, Verdict.WA, "wrong")
-    tallies[1].give_up(*budget.over)
-    assert [tally.given_up for tally in tallies[:2]] == [True, False]
-    assert tallies[0].failure.message == "not run: its process was lost 10 times"
-    assert [tally.verdict for tally in tallies[:2]] == [Verdict.RTE, Verdict.WA]
+        budget.booked(ended(Stop.TAMPERED))
+    runs[0].give_up(*budget.over)
+    runs[1].failed(0, Verdict.WA, "wrong")
+    runs[1].give_up(*budget.over)
+    assert [run.given_up for run in runs[:2]] == [True, False]
+    assert runs[0].failure.message == "not run: its process was lost 10 times"
+    assert [run.verdict for run in runs[:2]] == [Verdict.RTE, Verdict.WA]
 
 
 SLEEPER = "import time\ndef answer(n, P):\n    time.sleep(0.05)\n    return int(n + P[0] + P[1])\n"
@@ -142,17 +149,17 @@ def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
 def test_who_has_waited_too_long_is_told_so():
     limits = replace(LIMITS, wall_seconds=10.0)
     data = make_data("one", "two", limits=limits)
-    budget, one = Budget(data.problem), group_limits(data.problem, Usage())
+    budget, one = Budget(data.problem), group_limits(data.problem, data.problem.groups[0], Usage())
     assert budget.within(one).waiting_seconds == 30.0
-    budget.spent(Usage(2.0, 31.0), Stop.ANSWERED)
+    budget.booked(ended(Stop.ANSWERED, Usage(2.0, 31.0)))
     assert budget.within(one).waiting_seconds == 1.0
     assert budget.over is None
-    budget.spent(Usage(0.0, 0.999), Stop.WAITING)
+    told = budget.booked(ended(Stop.WAITING, Usage(0.0, 0.999)))
     verdict, reason = budget.over
     assert (verdict, reason) == (Verdict.TLE, "it waited more than 30 s in all its groups together before")
     assert budget.within(one).waiting_seconds == 0.0
-    assert budget.told(Stop.WAITING, "x") == "it waited more than 30 s in all its groups together"
-    assert budget.told(Stop.WALL, "x") == "x"
+    assert told.trouble == "it waited more than 30 s in all its groups together"
+    assert budget.booked(ended(Stop.WALL)).trouble == "x"
 
 
 def test_an_endless_loop_ends_the_run_after_two_groups():

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from judging import CASES, judged, make_data
 
+from judge.problem import Verdict
 from judge.run import Mode, budget, program
 from judge.run.program import answer_lines, render_group
-from judge.spec import Verdict
 
 PROGRAM = """
 import sys
@@ -19,9 +19,12 @@ for line in lines[1:]:
 """
 
 
+PROBLEM = make_data("one").problem
+
+
 def test_a_group_as_standard_input():
-    assert render_group(CASES) == b"4\n1 0 0\n0 0.5 0.5\n2 -1 1\n0 0 0\n"
-    assert render_group([(10**40, (5e-324, -0.0))]) == b"1\n" + b"1" + b"0" * 40 + b" 5e-324 -0.0\n"
+    assert render_group(PROBLEM, CASES) == b"4\n1 0 0\n0 0.5 0.5\n2 -1 1\n0 0 0\n"
+    assert render_group(PROBLEM, [(10**40, (5e-324, -0.0))]) == b"1\n" + b"1" + b"0" * 40 + b" 5e-324 -0.0\n"
 
 
 @pytest.mark.parametrize(
@@ -84,7 +87,9 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
     monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)
     rendered = []
-    monkeypatch.setattr(program, "render_group", lambda cases: rendered.append(cases) or render_group(cases))
+    monkeypatch.setattr(
+        program, "render_group", lambda *given: rendered.append(given) or render_group(*given)
+    )
     body = "import time\ncount = int(input())\nwhile count < 4 and time.process_time() < 0.4: pass\n1 / 0\n"
     result = judged(body, make_data(*"abcdefgh"))
     assert {group.verdict for group in result.groups} == {Verdict.RTE}
@@ -98,6 +103,13 @@ def test_a_misspelt_entry_is_pointed_out():
         "0 lines printed, 4 wanted: one for each case; it was run as a program because it defines no answer; "
         "is anwser (line 3) meant to be it?"
     )
+
+
+def test_a_variable_of_a_program_that_reads_its_input_is_no_misspelt_entry():
+    message = judged("anwser = 7\nfor _ in range(int(input())):\n    print(anwser)\n").failure.message
+    assert "anwser" not in message
+    message = judged("anwser = 7\nfor _ in range(4):\n    print(anwser)\n").failure.message
+    assert "is anwser (line 1) meant to be it?" in message
 
 
 def test_an_entry_inside_a_class_is_pointed_out():

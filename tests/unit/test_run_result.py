@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 
+from judge.problem import Verdict
 from judge.run import Failure, GroupResult, Mode, Ratio, Result, Timing, exit_code, judge_fault
-from judge.spec import Verdict
 
 GROUPS = (
     GroupResult("easy", Verdict.AC, 60, 60, 1.5, 0.25, 40),

@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pair, decide, race, summary
+from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pace, Pair, decide, race, summary
 
 LIMIT = 10.0
 
@@ -114,3 +114,67 @@ def test_noise_of_ten_per_cent_seldom_turns_a_verdict():
         verdicts = [race(noisy(0.01 * factor * LIMIT), noisy(0.01), LIMIT).too_slow for _ in range(100)]
         assert sum(verdict != slow for verdict in verdicts) <= 10
     assert CLEARLY_ABOVE > 1
+
+
+class Counted:
+    """A run that takes each of these times in turn, then the last again, and counts its turns."""
+
+    def __init__(self, *values):
+        self.turns = 0
+        self._run = runs(*values)
+
+    def __call__(self):
+        self.turns += 1
+        return self._run()
+
+
+def paced(*times):
+    """The pace of a reference that took these times."""
+    pace = Pace()
+    for seconds in times:
+        pace.add(seconds)
+    return pace
+
+
+def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference():
+    mine, theirs = Counted(0.05), Counted(0.0105)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
+    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (3, 1, 3)
+    assert decision.ratio.median == pytest.approx(5.0)  # by the median of the turns before
+
+
+def test_one_far_below_the_limit_of_a_known_reference_needs_one_turn():
+    mine, theirs = Counted(0.02, 0.9), Counted(0.0105)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
+    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (1, 1, 1)
+    assert (decision.too_slow, decision.borderline, decision.ratio.unreliable) == (False, False, "")
+    assert decision.ratio.median == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("times", [(), (0.01, 0.01), (0.02, 0.02, 0.02), (0.01, 0.012, 0.012)])
+def test_a_reference_that_is_not_known_or_takes_another_time_now_is_raced_anew(times):
+    mine, theirs = Counted(0.02), Counted(0.01)
+    decision = race(mine, theirs, LIMIT, pace=paced(*times))
+    assert mine.turns == theirs.turns == decision.ratio.pairs
+
+
+@pytest.mark.parametrize("mine", [(0.095,), (0.05, 0.095), (0.05, 0.05, 0.095)])
+def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
+    mine, theirs = Counted(*mine), Counted(0.01)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
+    assert (theirs.turns, decision.ratio.pairs) == (MOST_PAIRS, MOST_PAIRS)
+
+
+def test_a_pace_knows_every_speed_of_the_machine():
+    pace = paced(0.01, 0.01, 0.01)
+    assert pace.add(0.01) == 0.01
+    assert [pace.add(0.02) for _ in range(4)] == [None, None, None, 0.02]
+    assert (pace.add(0.0099), pace.add(0.015)) == (0.01, None)
+
+
+@pytest.mark.parametrize("later", [(0.06,), (0.05, 0.06)])
+def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
+    mine, theirs = Counted(0.05, *later), Counted(0.01)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
+    assert theirs.turns == decision.ratio.pairs
+    assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out

@@ -10,9 +10,9 @@ import sys
 import pytest
 from sandboxed import LIMITS, call, children, limits, lost_at_3
 
-from judge.compare.decode import number
 from judge.errors import ShortageError
 from judge.sandbox import Stop, open_box
+from judge.values.decode import number
 
 NUMBERS = [(n,) for n in range(5)]
 on_linux = pytest.mark.skipif(

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import shutil
+import tomllib
 from datetime import timedelta
+from pathlib import Path
 
 import pytest
 from past_runs import START, StoppedClock, past_result
 
 from judge.errors import ProblemError, UsageError
 from judge.kata.history import History
-from judge.kata.sets import find_set, set_names
-from judge.kata.skills import Need, Skill, SkillState, assess, load_skills
+from judge.kata.sets import find_set, set_names, unknown_sets
+from judge.kata.skills import Need, Skill, SkillState, assess, skills_of, unknown_skills
 from judge.kata.standing import State, standings
-from judge.spec.find import all_problems, find_problem
+from judge.problem.find import all_problems, find_problem
+from judge.problem.load import load_problem
+
+ROOT = Path(__file__).parents[2]
+PACK = ROOT / "tests" / "fixtures" / "pack"
 
 
 @pytest.fixture(autouse=True)
@@ -33,39 +39,131 @@ def folder(tmp_path):
     return write
 
 
-def test_the_shipped_sets_name_every_problem_in_order():
+@pytest.fixture
+def problem(tmp_path):
+    """Write a small problem into a folder of one's own; its problem.toml begins and ends with these lines."""
+
+    def write(name, head="", tail=""):
+        place = tmp_path / "problems" / name
+        shutil.copytree(PACK / "problems" / "middle", place)
+        text = (place / "problem.toml").read_text(encoding="utf-8")
+        (place / "problem.toml").write_text(f"{head}\n{text}\n{tail}\n", encoding="utf-8")
+        return [tmp_path / "problems"]
+
+    return write
+
+
+def ids(chosen):
+    return [problem.id for problem in chosen.problems]
+
+
+def test_the_shipped_sets_hold_the_problems_that_name_them_in_order():
     assert set_names() == ["junior", "middle", "senior", "professional", "path"]
-    tiers = ["junior", "middle", "senior", "professional"]
-    shipped = {problem.id: problem for problem in all_problems()}
-    path = find_set("path").problems
-    assert set(path) == set(shipped)
-    places = [tiers.index(shipped[name].tier.value) for name in path]
-    assert places == sorted(places)
-    for name in tiers:
-        chosen = find_set(name)
-        assert name in [shipped[problem].tier.value for problem in chosen.problems]
-        assert [problem for problem in path if problem in chosen.problems] == list(chosen.problems)
-        assert chosen.about.endswith(".")
+    assert ids(find_set("junior")) == ["count"]
+    assert ids(find_set("middle")) == ["count", "segment"]
+    assert ids(find_set("senior")) == ["segment", "ray-nearest"]
+    assert ids(find_set("professional")) == ["ray-nearest", "exact-count"]
+    path = find_set("path")
+    assert ids(path)[:4] == ["count", "segment", "ray-nearest", "exact-count"]
+    assert {problem.id for problem in all_problems()} == set(ids(path))
+    assert path.faults == ()
+    for name in set_names():
+        assert find_set(name).about.endswith(".")
 
 
-def test_the_shipped_skills_need_every_group_and_none_that_is_not_there():
-    skills, problems = load_skills()
+def test_the_shipped_problems_name_no_set_and_no_skill_that_is_not_there():
+    problems = all_problems()
+    assert [str(fault) for each in problems for fault in unknown_sets(each, set_names())] == []
+    assert [str(fault) for fault in unknown_skills(problems)] == []
+
+
+def test_the_shipped_skills_are_shown_by_every_group_and_each_by_some():
+    problems = all_problems()
+    skills = skills_of(problems)
     for skill in skills:
         assert skill.about.endswith("."), skill.name
         assert len(skill.name) <= 28  # a row of the checklist
-        assert len({need.problem for need in skill.needs}) == len(skill.needs), skill.name
-    needed = Counter(
-        (need.problem, group) for skill in skills for need in skill.needs for group in need.groups
+    needed = {(need.problem, group) for skill in skills for need in skill.needs for group in need.groups}
+    there = {(problem.id, group.name) for problem in problems for group in problem.groups}
+    assert {(problem, group) for problem, group in there - needed if group != "examples"} == set()
+    explained = tomllib.loads((ROOT / "problems" / "skills.toml").read_text(encoding="utf-8"))["skills"]
+    assert [skill.name for skill in skills][: len(explained)] == [each["name"] for each in explained]
+
+
+def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
+    before = {path: path.read_bytes() for path in (ROOT / "problems").rglob("*.toml")}
+    own = '[skills]\n"no slopes" = ["whole"]\n"half" = { groups = ["half"], about = "Halves are kept." }\n'
+    extra = problem("halves", 'sets = ["junior", "path"]\nplace = 1', own)
+    assert ids(find_set("junior", extra)) == ["halves", "count"], "its place comes before none"
+    assert ids(find_set("path", extra))[:3] == ["halves", "count", "segment"]
+    skills = {skill.name: skill for skill in skills_of(find_set("path", extra).problems, extra)}
+    assert Need("halves", ("whole",)) in skills["no slopes"].needs
+    assert skills["half"] == Skill("half", "Halves are kept.", (Need("halves", ("half",)),))
+    assert list(skills)[-1] == "half", "what a problem brings comes last"
+    assert {path: path.read_bytes() for path in (ROOT / "problems").rglob("*.toml")} == before
+
+
+def test_problems_of_one_tier_are_in_the_order_of_their_places(problem):
+    problem("second", 'sets = ["junior"]\nplace = 2')
+    problem("nowhere", 'sets = ["junior"]')
+    extra = problem("first", 'sets = ["junior"]\nplace = -1')
+    assert ids(find_set("junior", extra)) == ["first", "second", "count", "nowhere"]
+
+
+def test_a_problem_that_cannot_be_read_costs_the_set_only_itself(problem, folder):
+    problem("mine", 'sets = ["junior"]', '[skills]\n"half" = ["whole"]\n"r = 1" = ["half"]')
+    problem("strange", 'sets = ["juinor"]')
+    extra = problem("torn", "sets = [")
+    junior = find_set("junior", extra)
+    assert ids(junior) == ["count", "mine"]
+    torn, strange = map(str, junior.faults)
+    assert torn.startswith("torn/problem.toml:2: no TOML: ")
+    assert strange == (
+        "strange/problem.toml:1: no practice set is called 'juinor'; did you mean 'junior'?; "
+        "a new one needs a file sets/juinor.toml"
     )
-    there = {(problem.id, group.name) for problem in problems.values() for group in problem.groups}
-    assert set(problems) == {problem.id for problem in all_problems()}
-    assert {(problem, group) for problem, group in there - set(needed) if group != "examples"} == set()
-    assert set(needed) <= there
+    folder("sets/empty.toml", GOOD)
+    with pytest.raises(ProblemError, match=r"torn/problem\.toml:2"):
+        find_set("empty", extra)  # which it may be the only problem of
+    half, one = map(str, unknown_skills(junior.problems, extra))
+    assert half.startswith("mine/problem.toml:")
+    assert "no skill is called 'half'; explain it here" in half
+    assert one.endswith("no skill is called 'r = 1'; did you mean 'r = 0'?")
+    assert "half" not in [skill.name for skill in skills_of(junior.problems, extra)]
+
+
+@pytest.mark.parametrize(
+    ("head", "tail", "wanted"),
+    [
+        ('sets = "path"', "", r"mine/problem.toml:1: sets is text; give a list"),
+        ('sets = ["path", 1]', "", r"mine/problem.toml:1: sets is a whole number; give text"),
+        ('sets = ["Path"]', "", r"mine/problem.toml:1: 'Path' is no name for a practice set; use small"),
+        ('sets = ["path", "path"]', "", r"mine/problem.toml:1: 'path' is there twice in sets; remove one"),
+        ('place = "first"', "", r"mine/problem.toml:1: place is text; give a whole number"),
+        ("", '[skills]\n"a b" = 1', r"mine/problem.toml:\d+: skills.a b is a whole number; give a list"),
+        ("", '[skills]\n\n"a b" = [1]', r"mine/problem.toml:\d+: skills.a b is a whole number; give text"),
+        ("", '[skills]\na = ["half"]\nb = []', r"mine/problem.toml:LAST: no group shows 'b'; name at least"),
+        ("", '[skills]\na = ["hafl"]', r"mine/problem.toml:LAST: there is no group 'hafl' to show 'a'; did"),
+        ("", '[skills]\na = ["half", "half"]', r"mine/problem.toml:LAST: 'a' names the group 'half' twice"),
+        ("", '[skills]\n" " = ["half"]', r"mine/problem.toml:LAST: a skill has no name"),
+        ("", "[skills.a]\ngroups = []\nabuot = 'b'", r"mine/problem.toml:LAST: unknown key 'abuot'; did you"),
+        ("", "[skills.a]\nabout = 'b'", r"the key 'groups' is missing in skills.a; add groups = …"),
+        ("", "[skills.a]\ngroups = ['half']\nabout = ''", r"mine/problem.toml:LAST: 'a' is not explained"),
+    ],
+)
+def test_what_a_problem_says_wrongly_of_sets_and_skills_is_one_clear_line(head, tail, wanted, problem):
+    (folder,) = problem("mine", head, tail)
+    last = len((folder / "mine" / "problem.toml").read_text(encoding="utf-8").splitlines())
+    with pytest.raises(ProblemError) as caught:
+        load_problem(folder / "mine")
+    assert caught.match(wanted.replace("LAST", str(last)))
+    assert "\n" not in str(caught.value)
 
 
 def test_an_own_set_comes_first_and_may_mix_packs(folder):
-    extra = folder("sets/junior.toml", 'title = "Mine"\nabout = "Own."\nproblems = ["count", "segment"]\n')
+    extra = folder("sets/junior.toml", 'title = "Mine"\nabout = "Own."\nproblems = ["segment", "count"]\n')
     assert find_set("junior", extra).title == "Mine"
+    assert ids(find_set("junior", extra)) == ["segment", "count"], "in the order of the list"
     folder("sets/zz.toml", "")
     assert set_names(extra)[-1] == "zz"
 
@@ -85,10 +183,11 @@ GOOD = 'title = "T"\nabout = "A"\n'
     [
         (GOOD + "problems = [", r"sets/mine.toml:3: no TOML: .*; repair this line"),
         (GOOD + "problems = " + "[" * 3000, r"sets/mine.toml: no TOML: its lists or tables are nested too"),
-        (GOOD, r"sets/mine.toml:1: the key 'problems' is missing; add problems = …"),
+        (GOOD, r"sets/mine.toml:1: the set holds no problem; name 'mine' in the sets of a problem.toml"),
+        ('about = "A"\n', r"sets/mine.toml:1: the key 'title' is missing; add title = …"),
         (GOOD + "problems = []\n", r"sets/mine.toml:3: the set holds no problem; name at least one"),
         (GOOD + 'problems = "count"\n', r"sets/mine.toml:3: problems is text; give a list"),
-        (GOOD + "problems = [1]\n", r"sets/mine.toml:3: problems is a number; give text"),
+        (GOOD + "problems = [1]\n", r"sets/mine.toml:3: problems is a whole number; give text"),
         (
             GOOD + 'problems = ["cuont"]\n',
             r"sets/mine.toml:3: no problem is called 'cuont'; did you mean 'count'",
@@ -110,27 +209,15 @@ SKILL = '[[skills]]\nname = "n"\nabout = "a"\n'
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
-        (SKILL + "needs = []\n", r"skills.toml:4: 'n' needs nothing"),
-        (
-            SKILL + 'needs = [{problem = "count", groups = ["tangnet"]}]\n',
-            r"skills.toml:4: count has no group 'tangnet'; did you mean 'tangent'",
-        ),
-        (SKILL + 'needs = [{problem = "count", groups = []}]\n', r"skills.toml:4: a need names no group"),
-        (
-            SKILL + 'needs = [{problem = "cuont", groups = ["x"]}]\n',
-            r"skills.toml:4: no problem is called 'cuont'; did you mean 'count'",
-        ),
-        (SKILL + 'needs = [{problem = "count"}]\n', r"skills.toml:4: the key 'groups' is missing"),
-        (
-            (SKILL + 'needs = [{problem = "count", groups = ["band"]}]\n') * 2,
-            r"skills.toml:5: 'n' is there twice",
-        ),
+        (SKILL + 'needs = [{problem = "count"}]\n', r"skills.toml:4: unknown key 'needs'; remove it"),
+        ('[[skills]]\nname = "n"\n', r"skills.toml:1: the key 'about' is missing"),
+        (SKILL * 2, r"skills.toml:4: 'n' is there twice"),
         ("skill = 1\n", r"skills.toml:1: (unknown key 'skill'|the key 'skills' is missing)"),
     ],
 )
 def test_broken_skills_are_one_clear_line(text, wanted, folder):
     with pytest.raises(ProblemError) as caught:
-        load_skills(folder("skills.toml", text))
+        skills_of(all_problems(), folder("skills.toml", text))
     assert caught.match(wanted)
     assert "\n" not in str(caught.value)
 
@@ -139,7 +226,7 @@ def test_a_file_that_is_no_text(folder, tmp_path):
     extra = folder("skills.toml", "")
     (tmp_path / "problems" / "skills.toml").write_bytes(b"\xff")
     with pytest.raises(ProblemError, match="byte 0 is not UTF-8"):
-        load_skills(extra)
+        skills_of([], extra)
 
 
 CLAMP = Skill("clamp", "…", (Need("segment", ("beyond", "tangent-beyond")),))
@@ -156,7 +243,7 @@ def after():
             for result in results:
                 history.add(result, repr(result).encode(), "")
                 clock.forward(days=1)
-            problems = {name: find_problem(name) for name in ("segment", "count")}
+            problems = [find_problem(name) for name in ("segment", "count")]
             return assess([skill], history.runs(), problems)[0]
 
     return run
@@ -201,8 +288,6 @@ def test_a_skill_of_two_problems(after):
     assert (half.state, half.met, half.since) == (SkillState.PART, 1, None)
     whole = after(SMALL, past_result("count", passed=("small",)))
     assert (whole.state, whole.since) == (SkillState.SHOWN, START + timedelta(days=1))
-    assert SMALL.within(["count"]).needs == SMALL.needs[1:]
-    assert SMALL.within(["ray-nearest"]) is None
 
 
 def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):

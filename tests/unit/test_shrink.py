@@ -18,16 +18,20 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
-from judge.diagnose import shrink
-from judge.diagnose.figures import levelled
-from judge.diagnose.mistakes import known_mistakes
 from judge.diagnose.replay import decode
+from judge.diagnose.shrink import shrink
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
-from judge.run import Mode, Reference, Settings, run_submission
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
+from judge.run import Reference, Settings, run_submission
+from judge.run.function import FunctionRunner
+from judge.run.runner import runner_for
 from judge.sandbox import open_box
-from judge.spec import Verdict
-from judge.spec.find import find_problem
+from judge.topics.circles.simpler import levelled
+
+pytestmark = pytest.mark.slow
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
@@ -153,15 +157,15 @@ def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with ExitStack() as stack:
         box = stack.enter_context(open_box(source, "mine.py"))
+        runner = runner_for(problem, box.inspect(), source)
         reference = stack.enter_context(Reference(problem, open_box))
         found = shrink(
-            problem,
             data,
             box,
-            result.mode,
+            runner,
             result.verdict,
             result.failure,
-            reference=lambda: reference.open(result.mode),
+            reference=lambda: reference.open(runner.reference(problem.time)),
             budget_seconds=budget,
             clock=clock or Clock(),
         )
@@ -176,8 +180,8 @@ def test_the_smallest_case_of_a_mistake(name, mistake):
     problem, result, found = shrunk(name, source)
     assert found is not None
     module = load_module(problem)
-    assert Validator(problem, module.promise).fault(found.case) is None
-    assert decode(found.replay, problem, module) == (problem.group(found.group), found.case)
+    assert Validator(problem, module.solve).proof(found.case).fault is None
+    assert decode(found.replay, problem, module)[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     assert found.expected != found.got
     assert found.message
@@ -268,6 +272,14 @@ def test_a_call_that_never_ends_shrinks():
     assert found.calls < 5_000
 
 
+def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
+    """Its lines were once put together for a single case, and the program was said to answer at random."""
+    source = b"for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
+    _, _, found = shrunk("count", source)
+    assert found.message == "2 lines printed, 1 wanted: one for each case"
+    assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
+
+
 @pytest.mark.parametrize("verdict", [Verdict.OLE, Verdict.CE, Verdict.AC])
 def test_what_no_case_can_show_is_left_alone(verdict):
     problem = find_problem("count")
@@ -275,7 +287,7 @@ def test_what_no_case_can_show_is_left_alone(verdict):
     source = b"def line_count(cx, cy, r, A, B):\n    return 3\n"
     result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
     with open_box(source, "mine.py") as box:
-        assert shrink(problem, data, box, Mode.FUNCTION, verdict, result.failure) is None
+        assert shrink(data, box, FunctionRunner(problem), verdict, result.failure) is None
 
 
 @pytest.mark.parametrize(
@@ -319,3 +331,18 @@ def test_every_case_can_be_laid_level(name):
     cases = [group.cases[number] for group in data.groups for number in (0, -1)]
     shorter = [sum(measure(level) < measure(case) for level in levelled(case)) for case in cases]
     assert sum(map(bool, shorter)) > len(cases) / 2
+
+
+@pytest.mark.parametrize(
+    ("simpler", "other"),
+    [
+        (((-1,),), ((0, 0, -1),)),  # an item weighs as a digit does
+        (((0, 1),), ((0, 0, 1),)),
+        (((10**6,),), ((0,) * 9,)),
+        ((((0, 0, 0),),), (((0, 0, 0), (0, 0, 0)),)),
+        (((1.0,),), ((1.0,) * 4,)),
+        ((0, (1, 2)), (3, (1, 2))),  # of one shape the numbers decide
+    ],
+)
+def test_a_case_of_fewer_items_is_simpler(simpler, other):
+    assert measure(simpler) < measure(other)

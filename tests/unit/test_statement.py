@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.spec.load import load_problem
+from judge.problem.load import load_problem
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -17,11 +17,12 @@ SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 def stating(tmp_path):
     """Loads the sound problem with another statement."""
 
-    def load(text, kind="count"):
+    def load(text, kind="count", parameter="integer"):
         folder = tmp_path / "problems" / "root-count"
         shutil.copytree(SOUND, folder, dirs_exist_ok=True)
         (folder / "statement.md").write_text(text, encoding="utf-8")
         table = (SOUND / "problem.toml").read_text().replace('answer = "count"', f'answer = "{kind}"')
+        table = table.replace('type = "integer"', f'type = "{parameter}"')
         tolerance = "" if kind == "count" else "[tolerance]\nrelative = 1e-9\n"
         (folder / "problem.toml").write_text(table.replace("[limits]", f"{tolerance}[limits]"))
         return load_problem(folder)
@@ -51,7 +52,7 @@ def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
 
 
 def test_a_call_may_go_on_over_lines_and_write_points_as_lists(stating):
-    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n")
+    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n", parameter="point")
     assert wanted(problem) == [(((1, -2.5),), 1)]
 
 
@@ -85,7 +86,6 @@ def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
         stating(f">>> {call}\n2\n")
 
 
-HUGE = "9" * 400  # no double
 NUMBERS = [
     '"1"',
     "True",
@@ -100,23 +100,20 @@ NUMBERS = [
     "[1, 2]",
 ]
 ANSWERS = {
-    "count": ("neither a whole number nor None", [*NUMBERS, "1.0", "[]", "(1, 2)"]),
-    "parameter": ("neither a number nor None", [*NUMBERS, "[]", "(1, 2)", HUGE]),
-    "points": (
-        "no list of points (x, y)",
-        [*NUMBERS, "1", "None", "(1, 2)", "[(1, 2), 3]", "[(1e999, 1)]", f"[(1, {HUGE})]", "'ab'"],
-    ),
+    "count": [*NUMBERS, "1.0", "[]", "(1, 2)"],
+    "parameter": [*NUMBERS, "[]", "(1, 2)"],
+    "points": [*NUMBERS, "1", "None", "(1, 2)", "[(1, 2), 3]", "[(1e999, 1)]", "'ab'"],
 }
 
 
 @pytest.mark.parametrize(
-    ("kind", "said", "answer"),
-    [(kind, said, answer) for kind, (said, answers) in ANSWERS.items() for answer in answers],
+    ("kind", "answer"), [(kind, answer) for kind, answers in ANSWERS.items() for answer in answers]
 )
-def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, said, answer, stating):
+def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, answer, stating):
     with pytest.raises(ProblemError, match=r"^root-count/statement.md:3: the example's answer ") as caught:
         stating(f"A sentence.\n\n>>> root_count(4)\n{answer}\n", kind)
-    assert f" is {said}; correct it, or " in str(caught.value)
+    assert f" {answer!r} is none: it " in str(caught.value)
+    assert str(caught.value).endswith("; correct it, or the answer that problem.toml declares")
 
 
 @pytest.mark.parametrize(
@@ -139,7 +136,7 @@ def test_an_answer_of_its_type(kind, answer, stating):
     "argument", ['"4"', "True", "None", "1e999", "1j", "b'4'", "{}", "{[]}", "[1]", "[1, '2']", "[[1], [2]]"]
 )
 def test_an_argument_that_is_no_number_and_no_point_is_a_fault_with_its_line(argument, stating):
-    with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .* no plain numbers and points"):
+    with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .*(no plain|is invalid: )"):
         stating(f">>> root_count({argument})\n2\n")
 
 

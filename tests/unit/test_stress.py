@@ -9,12 +9,14 @@ import pytest
 from judge.data import ProblemData
 from judge.data.fresh import Fresh
 from judge.data.module import load_module
+from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.report.stress import stress_lines
 from judge.run.result import Mode
 from judge.run.stress import stress
 from judge.sandbox import open_box
-from judge.spec import Verdict
-from judge.spec.find import find_problem
+
+pytestmark = pytest.mark.slow
 
 EXACT = (find_problem("count").solutions / "accepted" / "exact.py").read_text()
 PROGRAM = (find_problem("count").solutions / "accepted" / "program.py").read_text()

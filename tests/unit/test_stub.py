@@ -16,10 +16,11 @@ from msgspec.structs import replace
 from judge.data import load_data
 from judge.errors import ProblemError
 from judge.kata.stub import file_name, make_stub
+from judge.problem import Verdict
+from judge.problem.find import all_problems
+from judge.problem.load import load_problem
 from judge.run import Mode, run_submission
-from judge.spec import AnswerKind, ParameterType, Verdict
-from judge.spec.find import all_problems
-from judge.spec.load import load_problem
+from judge.values import parse
 
 ROOT = Path(__file__).parents[2]
 PROBLEMS = [problem for problem in all_problems() if problem.folder.parent == ROOT / "problems"]
@@ -86,7 +87,7 @@ def test_it_holds_the_contract_with_its_numbers_filled_in(problem):
     for width in problem.bands.values():
         assert f"{float(width):g}".replace("e-0", "e-") in text
     assert max(map(len, stub.splitlines())) <= 88
-    assert stub.count("def ") == 1 + (problem.answer is not AnswerKind.COUNT)
+    assert stub.count("def ") == 1 + problem.answer.measured
 
 
 @pytest.mark.parametrize("tool", [["ruff", "check"], ["ruff", "format", "--check"], ["mypy", "--strict"]])
@@ -132,7 +133,7 @@ def test_a_long_signature_is_broken_as_formatters_do():
     assert "\n    a_long_name_0: float, a_long_name_1: float, a_long_name_2: float\n) -> " in make_stub(
         replace(MIDDLE, parameters=many, entry="middle_of_them_all", examples=(), statement="")
     )
-    many += tuple(replace(each, name=f"{each.name}x", type=ParameterType.INTEGER_POINT) for each in many)
+    many += tuple(replace(each, name=f"{each.name}x", type=parse("integer-point")) for each in many)
     stub = make_stub(replace(MIDDLE, parameters=many, examples=(), statement=""))
     assert "\n    a_long_name_2: float,\n    a_long_name_0x: IntPoint,\n" in stub
     assert "\nIntPoint = tuple[int, int]\n" in stub

@@ -6,10 +6,13 @@ import shutil
 from pathlib import Path
 
 import pytest
+from broken_problems import broken
 
+from judge.problem import Verdict
+from judge.problem.load import load_problem
 from judge.run.verify import verify_problem
-from judge.spec import Verdict
-from judge.spec.load import load_problem
+
+pytestmark = pytest.mark.slow
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 
@@ -82,11 +85,11 @@ def test_missing_or_broken_pins_are_a_fault(pack, content, what):
     assert (fault.where, "--pin" in fault.remedy) == ("root-count/hashes.json", True)
 
 
-def test_data_that_cannot_be_built_are_the_one_fault():
-    report = verify_problem(load_problem(FIXTURES / "broken_problems" / "example-contradicts"))
+def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
+    report = verify_problem(load_problem(broken("example-contradicts", tmp_path)))
     (fault,) = report.faults
     assert fault.where == "example-contradicts/statement.md:5"
-    assert "contradicts the reference" in fault.what
+    assert "contradicts solve" in fault.what
     assert (report.ok, report.solutions) == (False, ())
 
 
@@ -95,6 +98,17 @@ def test_no_accepted_solution(pack):
     no_solution, no_mistake = faults(pack)
     assert no_solution.startswith("root-count/accepted: there is no accepted solution; add one to ")
     assert "no wrong program makes the mistake 'sign-forgotten' that group 'small' names" in no_mistake
+
+
+def test_a_time_limit_is_a_solutions_that_is_there(pack):
+    toml = pack / "problems" / "root-count" / "problem.toml"
+    toml.write_text(toml.read_text() + '\n[time]\nlimit = 100\nfunction = "sings.py"\n')
+    line = toml.read_text().count("\n")
+    (fault,) = faults(pack)
+    assert fault == (
+        f"root-count/problem.toml:{line}: [time] names 'sings.py', which is no accepted solution; "
+        "did you mean 'signs.py'?"
+    )
 
 
 FINE = "def root_count(c):\n    return 2 if c > 0 else 1 if c == 0 else 0\n"

@@ -7,23 +7,23 @@ from pathlib import Path
 import click
 
 from judge.cli.options import (
-    chosen_groups,
     group_option,
     json_option,
     problems_option,
     seed_option,
     write_json,
 )
-from judge.data import load_data
 from judge.data.atomic import replace_file
+from judge.data.load import load_data
 from judge.errors import ExitCode, UsageError, unwritable
+from judge.problem.choose import chosen_groups
+from judge.problem.find import find_problem
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
 from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.report.values import counted
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 _KINDS = (".in", ".ans", ".json")

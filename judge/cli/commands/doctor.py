@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from judge import __version__
-from judge.cli.containment import every_hidden_folder
-from judge.cli.isolation import keep_level
 from judge.cli.options import json_option, write_json
-from judge.data import cache_folder
+from judge.data.cache import cache_folder
 from judge.errors import ExitCode
+from judge.judging.containment import every_hidden_folder
+from judge.judging.isolation import keep_level
 from judge.report.doctor import doctor_lines
 from judge.report.screen import note, out
 from judge.sandbox import levels

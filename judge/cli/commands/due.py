@@ -11,9 +11,9 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode
 from judge.kata import history as kept
 from judge.kata.review import Review, reviews
+from judge.problem.find import problem_folders
 from judge.report.due import due_lines, nothing_lines
 from judge.report.screen import out
-from judge.spec.find import problem_folders
 
 SCHEMA = 1
 

@@ -10,10 +10,10 @@ from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, UsageError
+from judge.problem import Problem
+from judge.problem.hints import Hint
 from judge.report.hint import hint_text
 from judge.report.screen import out
-from judge.spec import Problem
-from judge.spec.hints import Hint
 
 SCHEMA = 1
 

@@ -12,10 +12,10 @@ import click
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, UsageError
 from judge.kata.history import History, Run
+from judge.problem.find import find_problem
 from judge.report.history import history_lines
 from judge.report.layout import line, printable
 from judge.report.screen import out
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 _COLUMNS = (  # of the CSV: the keys of a run's object

@@ -10,9 +10,9 @@ from judge.cli.kata import Kata, take_up, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
+from judge.problem.find import find_problem
 from judge.report.kata import begun_lines
 from judge.report.screen import out
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 

@@ -8,13 +8,12 @@ from typing import Any
 import click
 
 from judge.cli.options import json_option, problems_option, write_json
-from judge.errors import ExitCode, ProblemError
+from judge.errors import ExitCode
+from judge.problem import Problem
+from judge.problem.find import sound_problems
 from judge.report.layout import Style
 from judge.report.problems import cases, list_lines
 from judge.report.screen import note, out
-from judge.spec import Problem, Tier
-from judge.spec.find import problem_folders
-from judge.spec.load import load_problem
 
 SCHEMA = 1
 
@@ -27,7 +26,7 @@ def command(as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
 
     Easiest first. A broken one is named on standard error and the others are listed all the same.
     """
-    problems, faults = _load(folders)
+    problems, faults = sound_problems(folders)
     if as_json:
         for problem in problems:
             write_json(as_object(problem))
@@ -52,14 +51,3 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "cases": cases(problem),
         "points": sum(group.points for group in problem.groups),
     }
-
-
-def _load(folders: tuple[Path, ...]) -> tuple[list[Problem], list[ProblemError]]:
-    problems, faults = [], []
-    for folder in problem_folders(folders):
-        try:
-            problems.append(load_problem(folder))
-        except ProblemError as fault:
-            faults.append(fault)
-    tiers = list(Tier)
-    return sorted(problems, key=lambda problem: (tiers.index(problem.tier), problem.id)), faults

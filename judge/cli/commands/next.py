@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from judge.cli.kata import Kata, next_problem, take_up, write_stub
+from judge.cli.kata import Kata, next_problem, take_up, tell_faults, the_path, with_folder_of, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
+from judge.problem import Problem
 from judge.report.kata import begun_lines, finished_lines, next_lines
 from judge.report.screen import out
-from judge.spec import Problem
+
+if TYPE_CHECKING:
+    from judge.kata.history import Current
 
 SCHEMA = 1
 
@@ -28,7 +32,11 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     That is the next of the path that is not passed. It is then in hand: judge run, judge watch and judge hint
     are about it. Its file is looked for in the current folder, under the problem's name.
     """
-    problem = next_problem(_current(db), folders, db)
+    current = _current(db)
+    folders = with_folder_of(current, folders)
+    path, katas = the_path(folders, db)
+    tell_faults(path)
+    problem = next_problem(current.problem if current else "", katas)
     screen = out()
     if problem is None:
         if as_json:
@@ -50,13 +58,12 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     return ExitCode.ACCEPTED
 
 
-def _current(db: Path | None) -> str:
-    """The kata in hand, or nothing."""
+def _current(db: Path | None) -> Current | None:
+    """The kata in hand, if there is one."""
     from judge.kata.history import History
 
     with History.open(db, reading=True) as history:
-        current = history.current()
-    return current.problem if current else ""
+        return history.current()
 
 
 def _object(problem: Problem | None, kata: Kata | None) -> dict[str, object]:

@@ -9,17 +9,16 @@ from typing import Any
 import click
 from msgspec import Struct
 
-from judge.cli.kata import shown, write_stub
+from judge.cli.kata import folder_to_keep, shown, tell_faults, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.history import Current, History
 from judge.kata.sets import USUAL, PracticeSet, find_set
 from judge.kata.standing import Standing, State, standings
 from judge.kata.stub import file_name
+from judge.problem import Problem
 from judge.report.practice import all_passed_lines, next_lines, practice_lines
 from judge.report.screen import out
-from judge.spec import Problem
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 _NEXT = "judge run"  # without arguments: the kata in hand
@@ -48,11 +47,11 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     The sets are junior, middle, senior, professional and path, which is all of them and the usual one.
     """
     chosen = find_set(name, folders)
-    problems = [find_problem(each, folders) for each in chosen.problems]
+    tell_faults(chosen)
     with History.open(db) as history:
         found = standings(history.runs())
-        kata = _taken_up(history, problems, found)
-    katas = [(problem, found.get(problem.id, Standing())) for problem in problems]
+        kata = _taken_up(history, chosen.problems, found)
+    katas = [(problem, found.get(problem.id, Standing())) for problem in chosen.problems]
     if as_json:
         write_json(_as_object(chosen, katas, kata))
         return ExitCode.ACCEPTED
@@ -79,7 +78,7 @@ def _taken_up(history: History, problems: Sequence[Problem], found: Mapping[str,
     if made:
         write_stub(problem, path)
     if not known:
-        history.take_up(problem.id, str(path))
+        history.take_up(problem.id, str(path), folder_to_keep(problem))
     return _Kata(Current(problem.id, str(path)), shown(path), made)
 
 

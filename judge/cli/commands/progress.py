@@ -8,12 +8,21 @@ from typing import Any
 
 import click
 
+from judge.cli.kata import tell_faults
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.history import History
 from judge.kata.sets import USUAL, find_set
-from judge.kata.skills import NeedProgress, SkillProgress, assess, load_skills, mistake_names
-from judge.report.screen import out
+from judge.kata.skills import (
+    NeedProgress,
+    SkillProgress,
+    assess,
+    mistake_names,
+    skills_of,
+    unknown_skills,
+)
+from judge.report.layout import Style
+from judge.report.screen import note, out
 from judge.report.skills import progress_lines
 
 SCHEMA = 1
@@ -32,11 +41,13 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     Beside it are the runs that it took, and the mistakes that were named on the way.
     """
     chosen = find_set(name, folders)
-    skills, problems = load_skills(folders)
-    within = [found for skill in skills if (found := skill.within(chosen.problems))]
+    tell_faults(chosen)
+    for fault in unknown_skills(chosen.problems, folders):
+        note(str(fault), Style.BAD)
+    names = {problem.id for problem in chosen.problems}
     with History.open(db, reading=True) as history:
-        runs = [run for run in history.runs() if run.problem in chosen.problems]
-    assessed = assess(within, runs, problems)
+        runs = [run for run in history.runs() if run.problem in names]
+    assessed = assess(skills_of(chosen.problems, folders), runs, chosen.problems)
     mistakes = Counter(mistake for run in runs if run.counts for mistake in mistake_names(run))
     if as_json:
         write_json(

@@ -11,26 +11,24 @@ from typing import TYPE_CHECKING
 import click
 
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.target import Target
+from judge.cli.target import OutFile
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
+from judge.problem import Problem
+from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
 from judge.report.names import shown_name
 from judge.report.progress import progress
 from judge.report.screen import note, out
-from judge.spec import Problem
-from judge.spec.find import problem_folders
-from judge.spec.load import load_problem
 
 if TYPE_CHECKING:
     from judge.kata.skills import SkillProgress
-    from judge.report.page.compose import Known
+    from judge.report.page.known import KnownProblem
     from judge.run.matrix import Matrix
 
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
 _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
-_AT_ONCE = 4  # known-wrong programs
 
 
 @click.command("report")
@@ -69,7 +67,7 @@ def command(
 
     Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
     """
-    target = Target(path, "--out", "report", _is_report)
+    target = OutFile(path, "--out", "report", _is_report)
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with History.open(db, reading=True) as history:
         runs = history.runs()
@@ -82,41 +80,41 @@ def command(
     from judge.report.page.render import render
 
     known = _known(folders, last, matrix=matrix)
-    skills = _skills(folders, runs)
+    skills = _skills([each.problem for each in known], folders, runs)
     page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
     target.write(page)
     _tell(path, page, runs, last, as_json=as_json)
     return ExitCode.ACCEPTED
 
 
-def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[Known]:
+def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[KnownProblem]:
     """Every sound problem, with the mistakes of those that were tried."""
-    from judge.diagnose import known_mistakes
-    from judge.report.page.compose import Known
+    from judge.problem.solutions import known_mistakes
+    from judge.report.page.known import KnownProblem
 
     found = []
-    for folder in problem_folders(folders):
-        try:
-            problem = load_problem(folder)
-        except ProblemError as fault:  # its runs are told of all the same
-            note(f"{folder.name} is left out: {fault}")
-            continue
+    problems, faults = sound_problems(folders)
+    for fault in faults:  # its runs are told of all the same
+        note(f"a problem is left out: {fault}")
+    for problem in problems:
         if problem.id not in tried:
-            found.append(Known(problem))
+            found.append(KnownProblem(problem))
             continue
         advice: dict[str, str] = {}
         for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
             advice.setdefault(mistake.name, mistake.advice)
-        found.append(Known(problem, advice, _matrix(problem) if matrix else None))
+        found.append(KnownProblem(problem, advice, _matrix(problem) if matrix else None))
     return found
 
 
-def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
+def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
     """How every skill stands; a checklist that is broken is left out."""
-    from judge.kata.skills import assess, load_skills
+    from judge.kata.skills import assess, skills_of, unknown_skills
 
     try:
-        skills, problems = load_skills(folders)
+        for fault in unknown_skills(problems, folders):
+            note(str(fault))
+        skills = skills_of(problems, folders)
     except ProblemError as fault:
         note(f"the checklist is left out: {fault}")
         return []
@@ -125,23 +123,15 @@ def _skills(folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]
 
 def _matrix(problem: Problem) -> Matrix | None:
     """The kill matrix, as it is kept or by judging the known-wrong programs now; a fault is but a note."""
-    from judge.cli.containment import Containment
-    from judge.data import load_data
-    from judge.diagnose import Namer
+    from judge.judging.session import Session
 
     try:
-        with progress(f"building {problem.id}") as advance:
-            data = load_data(problem, progress=advance)
-        with Containment(problem, None) as containment:
-            settings = containment.settings(submissions=1)
-            workers = min(_AT_ONCE, os.cpu_count() or 1)
-            label = f"learning the mistakes of {problem.id}"
-            namer = Namer(data, None, settings, workers, lambda: progress(label))
-            matrix = namer.matrix()
+        with Session(problem, bars=progress) as session:
+            matrix, notes = session.naming.matrix()
     except JudgeError as fault:
         note(f"the matrix of {problem.id} is left out: {fault}")
         return None
-    for text in (*data.notes, *namer.notes):
+    for text in (*session.data.notes, *notes):
         note(text)
     return matrix
 

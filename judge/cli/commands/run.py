@@ -7,10 +7,19 @@ from pathlib import Path
 
 import click
 
-from judge.cli.containment import isolation_option, jobs_option
-from judge.cli.diagnosis import no_shrink_option, save_regression_option
-from judge.cli.judging import Wish, judged, named_problem
-from judge.cli.kata import file_in_hand
+from judge.cli.judging_options import (
+    chosen_format,
+    format_option,
+    isolation_option,
+    jobs_option,
+    junit_option,
+    no_history_option,
+    no_name_option,
+    no_shrink_option,
+    save_regression_option,
+    svg_option,
+)
+from judge.cli.kata import file_in_hand, problem_of
 from judge.cli.options import (
     db_option,
     group_option,
@@ -18,11 +27,13 @@ from judge.cli.options import (
     problems_option,
     seed_option,
 )
-from judge.cli.outputs import OnScreen, Outputs, chosen_format, format_option, junit_option
-from judge.cli.picture import check_svg, svg_option
-from judge.cli.recording import no_history_option
+from judge.cli.outputs import OnScreen, Outputs
 from judge.cli.submissions import read_submissions
+from judge.cli.target import check_svg
+from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, UsageError
+from judge.judging.job import Terms
+from judge.problem.choose import chosen_groups
 
 
 @click.command("run")
@@ -34,7 +45,7 @@ from judge.errors import ExitCode, UsageError
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
 @seed_option
-@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
+@no_name_option
 @jobs_option
 @isolation_option
 @no_shrink_option
@@ -69,9 +80,12 @@ def command(
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
+    from judge.cli.judging import judged
+
+    current = None
     if name is None:
-        name, *files_in_hand = file_in_hand(db)
-        files = tuple(files_in_hand)
+        current, file = file_in_hand(db)
+        name, files = current.problem, (file,)
     elif not files:
         named_problem(name, folders)  # whose own complaint goes first
         remedy = f"write judge run {name} FILE, or judge run alone for the kata in hand"
@@ -79,24 +93,23 @@ def command(
     form = chosen_format(form, as_json=as_json)
     show = Outputs(form, OnScreen(brief=quiet, pointing=not unrecorded), junit)
     try:
-        problem = named_problem(name, folders)
+        problem = problem_of(current, folders) if current else named_problem(name, folders)
         submissions = show.expected = read_submissions(files)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
             agree_on(regression)
-        check_svg(svg, len(submissions))
-        wish = Wish(
-            groups=groups,
-            seed=seed,
-            jobs=jobs,
-            level=level,
+        if svg is not None:
+            check_svg(svg, len(submissions))
+        chosen_groups(problem, groups)  # a name that is none is told before anything is built
+        terms = Terms(
+            groups,
+            seed,
+            level,
             diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
-            regression=regression,
-            kept=not unrecorded,
-            db=db,
         )
+        wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db)
         with closing(judged(problem, submissions, wish)) as drawings:
             for drawing in drawings:
                 show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)

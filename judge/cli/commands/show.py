@@ -10,12 +10,12 @@ import click
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
+from judge.problem import Group, Parameter, Problem, Tolerance
+from judge.problem.find import find_problem
 from judge.report.layout import line
 from judge.report.problems import detail_lines
 from judge.report.screen import out
 from judge.report.statement import show_statement
-from judge.spec import Group, Parameter, Problem, Tolerance
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 
@@ -49,7 +49,7 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "tier": problem.tier.value,
         "summary": problem.summary,
         "entry": problem.entry,
-        "answer": problem.answer.value,
+        "answer": str(problem.answer),
         "parameters": [_parameter(parameter) for parameter in problem.parameters],
         "bands": {name: str(width) for name, width in problem.bands.items()},
         "limits": {
@@ -73,7 +73,7 @@ def _named(problem: Problem, case: tuple[Any, ...]) -> dict[str, Any]:
 def _parameter(parameter: Parameter) -> dict[str, Any]:
     return {
         "name": parameter.name,
-        "type": parameter.type.value,
+        "type": str(parameter.type),
         "low": str(parameter.low),
         "high": str(parameter.high),
         "about": parameter.about,

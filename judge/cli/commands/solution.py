@@ -10,9 +10,9 @@ from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, UsageError
 from judge.kata.model import model_solution
+from judge.problem import Problem
 from judge.report.screen import out
 from judge.report.solution import solution_text
-from judge.spec import Problem
 
 SCHEMA = 1
 

@@ -9,10 +9,11 @@ from typing import Any
 import click
 from msgspec.structs import replace
 
-from judge.cli.isolation import kept_level
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
+from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
+from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
@@ -20,7 +21,6 @@ from judge.report.verified import report_lines, summary_line
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
 from judge.sandbox import Boxes
-from judge.spec.find import find_problem, problem_folders
 
 SCHEMA = 1
 
@@ -38,14 +38,14 @@ def command(
 
     That every case keeps the promise, that examples agree with the reference, that the data are the pinned
     ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
-    made. Without a name: all problems.
+    made. Without a name: all problems of the folders that --problems gives, or of all there are.
 
     With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
     groups that are the only ones to reject no program; and a small set of cases that rejects all programs.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
-    chosen = names or tuple(sorted(folder.name for folder in problem_folders(folders)))
+    chosen = names or tuple(sorted(folder.name for folder in _chosen(folders)))
     reports = []
     for name in dict.fromkeys(chosen):
         report = _verify(name, folders, pin=pin)
@@ -61,6 +61,11 @@ def command(
     return ExitCode.ACCEPTED if all(report.ok for report in reports) else ExitCode.FAULT
 
 
+def _chosen(folders: Sequence[Path]) -> list[Path]:
+    """The problems to check where none is named: a setter means their own, not all that can be found."""
+    return folders_within(folders) if folders else problem_folders()
+
+
 def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
     """The report on one problem; one that cannot even be read has that as its only fault."""
     try:
@@ -71,7 +76,7 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
     boxes = Boxes(least=kept_level())
     with stages(name) as progress:
         report = verify_problem(problem, update_pins=pin, progress=progress, box_factory=boxes)
-    return replace(report, faults=(*report.faults, *kata_faults(problem)))
+    return replace(report, faults=(*report.faults, *kata_faults(problem, folders)))
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:

@@ -12,13 +12,14 @@ from typing import NoReturn
 
 import click
 
-from judge.cli.containment import isolation_option
-from judge.cli.desk import Desk, await_event, handled
-from judge.cli.diagnosis import no_shrink_option
-from judge.cli.judging import Wish, named_problem
-from judge.cli.kata import Kata, file_in_hand, take_up
+from judge.cli.judging_options import (
+    isolation_option,
+    no_history_option,
+    no_name_option,
+    no_shrink_option,
+)
+from judge.cli.kata import Kata, file_in_hand, problem_of, take_up, with_folder_of
 from judge.cli.options import (
-    chosen_groups,
     db_option,
     group_option,
     json_option,
@@ -27,10 +28,14 @@ from judge.cli.options import (
     write_json,
 )
 from judge.cli.outputs import show_result
-from judge.cli.recording import no_history_option
 from judge.cli.submissions import read_submissions
+from judge.cli.watching import WatchedFile, await_event, handled
+from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, HistoryError, UsageError
+from judge.judging.job import Terms
 from judge.kata.saves import Saves
+from judge.problem import Problem
+from judge.problem.choose import chosen_groups
 from judge.report.screen import is_terminal, note, out
 from judge.report.terminal import draws
 
@@ -43,7 +48,7 @@ _ENDINGS = ("SIGTERM", "SIGHUP")
 @json_option
 @group_option
 @seed_option
-@click.option("--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers.")
+@no_name_option
 @isolation_option
 @no_shrink_option
 @no_history_option
@@ -68,23 +73,21 @@ def command(
     the reasons of the failing test group, a picture of the failing case, another run, or end it. Elsewhere
     each result is written as judge run does.
     """
-    kata = _kata(name, file, folders, db)
+    if name is None:
+        current, file = file_in_hand(db)
+        kata = _kata(problem_of(current, folders), file)
+        folders = with_folder_of(current, folders)
+    else:
+        kata = _kata(named_problem(name, folders), file)
     chosen_groups(kata.problem, groups)  # a name that is none is told before anything else
-    wish = Wish(
-        groups=groups,
-        seed=seed,
-        level=level,
-        diagnosed=not unshrunk,
-        named=not no_name,
-        kept=not unrecorded,
-        db=db,
-    )
+    terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name)
+    wish = Wish(terms, kept=not unrecorded, db=db)
     if not unrecorded:
         _take_up(kata, db)
     with handled(dict.fromkeys(_ENDINGS, _leave)):
         if as_json or not (draws(out()) and is_terminal(sys.stdin)):
-            _write_on(Desk(kata, wish), as_json=as_json)
-        from judge.cli.board import watch_on_screen  # what draws and reads keys, for who sits there
+            _write_on(WatchedFile(kata, wish), as_json=as_json)
+        from judge.cli.watch_screen import watch_on_screen  # what draws and reads keys, for who sits there
 
         return watch_on_screen(kata, wish, folders)
 
@@ -94,12 +97,9 @@ def _leave(number: int, _frame: FrameType | None) -> NoReturn:
     raise SystemExit(128 + number)
 
 
-def _kata(name: str | None, file: str | None, folders: tuple[Path, ...], db: Path | None) -> Kata:
-    if name is None:
-        name, file = file_in_hand(db)
-    problem = named_problem(name, folders)
+def _kata(problem: Problem, file: str | None) -> Kata:
     if file is None:
-        remedy = f"write judge watch {name} FILE, or judge watch alone for the kata in hand"
+        remedy = f"write judge watch {problem.id} FILE, or judge watch alone for the kata in hand"
         raise UsageError("missing argument 'FILE'", remedy=remedy)
     path = Path(file)
     _check_watchable(path, file)
@@ -131,13 +131,13 @@ def _take_up(kata: Kata, db: Path | None) -> None:
         note(f"not kept in the history: {fault}")
 
 
-def _write_on(desk: Desk, *, as_json: bool) -> NoReturn:
+def _write_on(watched: WatchedFile, *, as_json: bool) -> NoReturn:
     """Write every result, for whoever is no terminal; ends when the process does."""
     events: SimpleQueue[str] = SimpleQueue()
-    with Saves(desk.kata.path, lambda: events.put("saved")):
+    with Saves(watched.kata.path, lambda: events.put("saved")):
         while True:
-            if desk.saved():
-                found = desk.judge()
+            if watched.saved():
+                found = watched.judge()
                 if isinstance(found, str):
                     note(found)
                 elif as_json:

@@ -1,4 +1,4 @@
-"""`judge why`: what the test groups of a problem probe, and the mistakes they are there for."""
+"""`judge why`: what the test groups of a problem probe, and the mistakes they should catch."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ from typing import Any
 
 import click
 
-from judge.cli.options import chosen_groups, json_option, problems_option, write_json
-from judge.diagnose.mistakes import known_mistakes
+from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
+from judge.problem import Group
+from judge.problem.choose import chosen_groups
+from judge.problem.find import find_problem
+from judge.problem.solutions import known_mistakes
 from judge.report.screen import out
 from judge.report.why import why_lines
-from judge.spec import Group
-from judge.spec.find import find_problem
 
 SCHEMA = 1
 
@@ -25,7 +26,7 @@ SCHEMA = 1
 @json_option
 @problems_option
 def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
-    """Say what the test groups probe, and which mistakes they are there for.
+    """Say what the test groups probe, and which mistakes they should catch.
 
     With a GROUP, only that one.
     """

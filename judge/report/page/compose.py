@@ -6,15 +6,16 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime, tzinfo
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from judge import __version__
 from judge.kata.history import Run
 from judge.kata.skills import SkillProgress, mistake_names
+from judge.problem import Problem, Tier, Verdict
 from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
 from judge.report.page.checklist import skill_lines
 from judge.report.page.kills import kill_table
+from judge.report.page.known import KnownProblem
 from judge.report.page.parts import (
     GroupMark,
     OverviewLine,
@@ -27,8 +28,6 @@ from judge.report.page.parts import (
 from judge.report.page.plot import ratio_plot
 from judge.report.page.record import GroupRecord, read_record
 from judge.report.values import counted, times
-from judge.run.matrix import Matrix
-from judge.spec import Problem, Tier, Verdict
 
 MOST_RUNS = 300  # of one problem in its tables
 _FIRST_RUNS = 12  # that are in sight; the earlier ones are folded away
@@ -37,17 +36,9 @@ _LONGEST_SOURCE = 12_000  # characters
 _TIERS = {tier.value: place for place, tier in enumerate(Tier)}
 
 
-class Known(Struct, frozen=True):
-    """What is known of a problem now: itself, its mistakes' advice by name, and its matrix if it was made."""
-
-    problem: Problem
-    advice: Mapping[str, str] = {}
-    matrix: Matrix | None = None
-
-
 def compose_page(
     runs: Sequence[Run],
-    known: Sequence[Known],
+    known: Sequence[KnownProblem],
     sources: Mapping[str, bytes],
     skills: Sequence[SkillProgress] = (),
     *,
@@ -58,7 +49,7 @@ def compose_page(
     """The page of these runs, oldest first, at least one.
 
     Args:
-        runs: of all problems; one that is not in `known` any more is told of as far as its runs do.
+        runs: of all problems; one that is not in `known` any more is shown by its runs alone.
         known: all problems, tried or not.
         sources: by problem, what the last run judged.
         skills: how they stand after these runs; without any there is no checklist.
@@ -97,7 +88,7 @@ def _in_zone(run: Run, zone: tzinfo | None) -> Run:
     return replace(run, when=run.when.astimezone(zone))
 
 
-def _place(known: Known | None) -> int:
+def _place(known: KnownProblem | None) -> int:
     """Where a problem stands on the path; one that is gone, last."""
     return _TIERS[known.problem.tier.value] if known else len(_TIERS)
 
@@ -118,7 +109,7 @@ def _tiles(
 
 
 def _overview(
-    name: str, known: Known | None, runs: Sequence[Run] | None, part: ProblemPart | None
+    name: str, known: KnownProblem | None, runs: Sequence[Run] | None, part: ProblemPart | None
 ) -> OverviewLine:
     solved = [run.ratio for run in runs or () if run.solved and run.ratio is not None]
     return OverviewLine(
@@ -134,7 +125,7 @@ def _overview(
 # -- one problem -------------------------------------------------------------------------------------------
 
 
-def _part(anchor: str, runs: Sequence[Run], known: Known | None, source: bytes) -> ProblemPart:
+def _part(anchor: str, runs: Sequence[Run], known: KnownProblem | None, source: bytes) -> ProblemPart:
     """`anchor` is its place in the page: a problem's own name may be any word, of the page's own too."""
     problem, name = known.problem if known else None, runs[0].problem
     places = anchors(anchor, runs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from fractions import Fraction
+from pathlib import PurePath
 
 from judge.report.page.parts import KillCell, KillLine, KillTable
 from judge.report.values import counted, percent
@@ -24,7 +25,7 @@ def kill_table(matrix: Matrix, made: Counter[str]) -> KillTable | None:
 def _line(matrix: Matrix, row: Row, made: Counter[str]) -> KillLine:
     kills = {kill.group: kill for kill in row.kills}
     cells = tuple(_cell(group, kills.get(group), row) for group in matrix.groups)
-    name = row.file.removeprefix("wrong/").removesuffix(".py")
+    name = PurePath(row.file).stem
     return KillLine(name, made[row.mistake], cells)
 
 

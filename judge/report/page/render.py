@@ -1,6 +1,6 @@
 """From a page to the bytes of one HTML file.
 
-The templates escape whatever they are given; only the drawings, which `judge.diagnose.picture` has escaped,
+The templates escape whatever they are given; only the drawings, which `judge.drawing` has escaped,
 go in as they are. The page's policy allows its one style sheet, by its hash, and nothing else.
 """
 
@@ -12,7 +12,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge.diagnose.picture.svg import style
+from judge.drawing.svg import style
 from judge.report.layout import printable
 from judge.report.page.parts import Page
 

@@ -15,6 +15,7 @@ import resource
 import sys
 from _json import encode_basestring_ascii as quoted
 from _json import make_encoder
+from array import array
 from types import CodeType, ModuleType
 
 from judge.sandbox.encode import encode
@@ -78,19 +79,19 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     os._exit(_finish(status) & 0xFF)
 
 
-def make_calls(
-    code: CodeType, name: str, region: wire.Region, payload: int, series: int, limit: int, stop: int
-) -> NoReturn:
+def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Request, limit: int) -> NoReturn:
     """Import the module, call its entry once for each argument list, append a reply for each.
 
     Between two series it stops, so that each is measured apart; it finds the next arguments in the place of
     the last. `limit` is that of a series' replies.
     """
-    entry, count, calls = marshal.loads(region.payload(payload))
+    entry, count, most, places, calls = marshal.loads(region.payload(request.payload))
+    calls = _with_arrays(calls, places)
     me, pause = os.getpid(), os.kill
+    series = request.series
     module = _main_module("submission", name)  # its own name may be that of a module it imports
     start_the_clock()
-    replies = _Replies(region, limit, stop)
+    replies = _Replies(region, limit, request.stop)
     try:
         exec(code, module.__dict__)
     except MemoryError as error:
@@ -104,11 +105,27 @@ def make_calls(
         for place in range(series):
             if place:
                 pause(me, signal.SIGSTOP)
-                _, _, calls = marshal.loads(region.payload(payload))
-            replies.make(module.__dict__[entry], calls, name)
+                _, _, _, places, calls = marshal.loads(region.payload(request.payload))
+                calls = _with_arrays(calls, places)
+            replies.make(module.__dict__[entry], calls, name, most)
     else:
         replies.all_raised(f"the module has no {entry} once it is imported", count)
     os._exit(_flushed(0))
+
+
+def _with_arrays(calls: list[tuple[Any, ...]], places: tuple[int, ...]) -> list[tuple[Any, ...]]:
+    """The calls with an array wherever the arguments at `places` are its code and its bytes."""
+    if not places:
+        return calls
+    return [
+        tuple(
+            [
+                array(*value) if place in places and type(value) is tuple else value
+                for place, value in enumerate(arguments)
+            ]
+        )
+        for arguments in calls
+    ]
 
 
 class _Replies:
@@ -120,13 +137,15 @@ class _Replies:
         self._limit = limit  # of a series
         self._stop = stop
 
-    def make(self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str) -> None:
+    def make(
+        self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str, most: int
+    ) -> None:
         memory, words, used = self._region.memory, self._region.words, wire.USED
         at, as_json, form_of = self._at, _json, encode
         stop = min(at + self._limit, self._stop)
         for arguments in calls:
             try:
-                answer = form_of(function(*arguments))
+                answer = form_of(function(*arguments), most)
                 kind = type(answer)
                 plain = kind is int or kind is float
                 line = (

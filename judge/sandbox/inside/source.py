@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 MOST_NAMES = 10_000
 TEXT_LENGTH = 500
 
+_HOLDING_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
 
 
@@ -66,11 +67,10 @@ def _imported(tree: Any) -> set[str]:
         node = waiting.pop()
         if isinstance(node, _ast.Import):
             modules.update(alias.name for alias in node.names)
-        elif isinstance(node, _ast.ImportFrom):
-            if node.module and not node.level:
-                modules.add(node.module)
-        else:
-            waiting += _children(node)
+        elif isinstance(node, _ast.ImportFrom) and node.module and not node.level:
+            modules.add(node.module)
+        for field in _HOLDING_STATEMENTS:  # an expression holds none
+            waiting += getattr(node, field, ())
     return modules
 
 

@@ -27,7 +27,6 @@ as JSON, never believed.
 from __future__ import annotations
 
 import _socket
-import array
 import mmap
 import struct
 from _blake2 import blake2b  # hashlib's own, without the rest of hashlib
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FRAME = 64
-REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
+REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of Request
 MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
@@ -68,6 +67,32 @@ NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says 
 EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
 
 
+class Request:
+    """One request, unpacked."""
+
+    __slots__ = (
+        "cpu_ns",
+        "descriptors",
+        "kind",
+        "memory",
+        "output",
+        "payload",
+        "series",
+        "stop",
+        "waiting_ns",
+        "wall_ns",
+    )
+
+    cpu_ns: int
+
+    def __init__(self, frame: bytes, descriptors: list[int]) -> None:
+        fields = REQUEST.unpack_from(frame)
+        self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
+        self.payload, self.stop = fields[6:8]
+        self.series = fields[8]  # how many series of calls, each with cpu_ns, wall_ns and output to itself
+        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the series
+
+
 class Channel:
     """Frames and descriptors over one end of a socket pair."""
 
@@ -88,7 +113,7 @@ class Channel:
 
     def send(self, message: bytes, descriptors: Sequence[int] = ()) -> None:
         """Send one frame with copies of the descriptors. Raises OSError when the other side is gone."""
-        carried = array.array("i", descriptors)
+        carried = struct.pack(f"={len(descriptors)}i", *descriptors)
         ancillary = [(_socket.SOL_SOCKET, _socket.SCM_RIGHTS, carried)] if descriptors else []
         self._end.sendmsg([message.ljust(FRAME, b"\0")], ancillary)
 
@@ -96,16 +121,16 @@ class Channel:
         """One frame and the descriptors that came with it; an empty frame at the end. Raises OSError."""
         room = _socket.CMSG_SPACE(descriptors * 4) if descriptors else 0
         message, ancillary, _, _ = self._end.recvmsg(FRAME, room)
-        found = array.array("i")
+        found: list[int] = []
         for level, kind, data in ancillary:
             if level == _socket.SOL_SOCKET and kind == _socket.SCM_RIGHTS:
-                found.frombytes(data[: len(data) - len(data) % 4])
+                found += struct.unpack(f"={len(data) // 4}i", data[: len(data) - len(data) % 4])
         while message and len(message) < FRAME:
             more = self._end.recv(FRAME - len(message))
             if not more:
-                return b"", list(found)
+                return b"", found
             message += more
-        return message, list(found)
+        return message, found
 
 
 class Region:

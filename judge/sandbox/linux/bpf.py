@@ -8,7 +8,10 @@ the call's number in the accumulator, or returns.
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
+
+TYPE_CHECKING = False  # collections take longer to import than all of this
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Instruction = tuple[int, int, int, int]  # code, jump if true, jump if false, constant
 

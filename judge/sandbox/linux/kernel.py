@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 import struct
 
-_LIBC = ctypes.CDLL(None, use_errno=True)
+from judge.sandbox.linux.foreign import Int, Long, ULong, function, get_errno
+
+_PRCTL = function("prctl")
+_SYSCALL = function("syscall")
 
 PR_SET_PDEATHSIG = 1
 PR_SET_DUMPABLE = 4
@@ -20,18 +22,17 @@ _CAPABILITY_VERSION_3 = 0x20080522
 
 def prctl(option: int, argument: int) -> None:
     """One prctl(2) with one argument. Raises OSError."""
-    zero = ctypes.c_ulong(0)
-    if _LIBC.prctl(ctypes.c_int(option), ctypes.c_ulong(argument), zero, zero, zero) != 0:
-        code = ctypes.get_errno()
+    zero = ULong(0)
+    if _PRCTL(Int(option), ULong(argument), zero, zero, zero) != 0:
+        code = get_errno()
         raise OSError(code, f"prctl {option}: {os.strerror(code)}")
 
 
 def syscall(number: int, *arguments: object) -> int:
     """One raw system call; the arguments are ctypes values, bytes or None. Raises OSError."""
-    _LIBC.syscall.restype = ctypes.c_long
-    result = int(_LIBC.syscall(ctypes.c_long(number), *arguments))
+    result = int(_SYSCALL(Long(number), *arguments))
     if result < 0:
-        code = ctypes.get_errno()
+        code = get_errno()
         raise OSError(code, f"system call {number}: {os.strerror(code)}")
     return result
 

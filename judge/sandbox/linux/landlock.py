@@ -10,13 +10,16 @@ What landlock does not govern (stat, chmod, utime, xattr, readlink, chdir) the s
 
 from __future__ import annotations
 
-import ctypes
 import os
 import stat
 import struct
-from collections.abc import Iterable
 
 from judge.sandbox.linux import kernel
+from judge.sandbox.linux.foreign import Int, UInt, ULong
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 _CREATE, _ADD, _RESTRICT = 444, 445, 446  # the same numbers on every machine
 _VERSION = 1  # flag of landlock_create_ruleset: tell the ABI instead
@@ -32,7 +35,7 @@ _OF_A_FILE = _EXECUTE | _WRITE_FILE | _READ_FILE
 def abi() -> int:
     """The kernel's landlock version, 0 without landlock."""
     try:
-        return kernel.syscall(_CREATE, None, ctypes.c_size_t(0), ctypes.c_uint(_VERSION))
+        return kernel.syscall(_CREATE, None, ULong(0), UInt(_VERSION))
     except OSError:
         return 0
 
@@ -50,7 +53,7 @@ def restrict(readable: Iterable[str], writable: Iterable[str] = ()) -> None:
             _allow(ruleset, path, _READ & governed)
         for path in writable:
             _allow(ruleset, path, (_READ_FILE | _WRITE_FILE) & governed)
-        kernel.syscall(_RESTRICT, ctypes.c_int(ruleset), ctypes.c_uint(0))
+        kernel.syscall(_RESTRICT, Int(ruleset), UInt(0))
     finally:
         os.close(ruleset)
 
@@ -65,7 +68,7 @@ def _create(version: int, files: int) -> int:
     scopes = 0b11 if version >= 6 else 0  # abstract unix sockets, signals to outside
     size = 24 if version >= 6 else 16 if version >= 4 else 8
     attributes = struct.pack("=QQQ", files, network, scopes)[:size]
-    return kernel.syscall(_CREATE, attributes, ctypes.c_size_t(size), ctypes.c_uint(0))
+    return kernel.syscall(_CREATE, attributes, ULong(size), UInt(0))
 
 
 def _allow(ruleset: int, path: str, rights: int) -> None:
@@ -77,6 +80,6 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
         if not stat.S_ISDIR(os.fstat(descriptor).st_mode):
             rights &= _OF_A_FILE
         rule = struct.pack("=Qi", rights, descriptor)
-        kernel.syscall(_ADD, ctypes.c_int(ruleset), ctypes.c_int(_PATH_BENEATH), rule, ctypes.c_uint(0))
+        kernel.syscall(_ADD, Int(ruleset), Int(_PATH_BENEATH), rule, UInt(0))
     finally:
         os.close(descriptor)

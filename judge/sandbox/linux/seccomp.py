@@ -7,11 +7,14 @@ the fork server needs: new processes, signals to others, descriptors over socket
 
 from __future__ import annotations
 
-import ctypes
 import errno
-from collections.abc import Iterable
 
 from judge.sandbox.linux import bpf, kernel, syscalls
+from judge.sandbox.linux.foreign import Byte, Pointer, Structure, UInt, UShort, addressof, byref
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 _REFUSED = bpf.errno_action(errno.EPERM)
 _UNKNOWN = bpf.errno_action(errno.ENOSYS)
@@ -52,10 +55,10 @@ _CLONE_NAMESPACES = 0x7E020080  # every CLONE_NEW*
 _SET_FILTER = 1  # seccomp(2): SECCOMP_SET_MODE_FILTER
 
 
-class _Program(ctypes.Structure):
+class _Program(Structure):
     """struct sock_fprog."""
 
-    _fields_ = (("length", ctypes.c_ushort), ("rows", ctypes.c_void_p))
+    _fields_ = (("length", UShort), ("rows", Pointer))
 
 
 def available() -> bool:
@@ -63,9 +66,9 @@ def available() -> bool:
     machine = syscalls.machine()
     if not syscalls.supported(machine):
         return False
-    action = ctypes.c_uint(bpf.KILL)
+    action = UInt(bpf.KILL)
     try:
-        kernel.syscall(_number("seccomp", machine), ctypes.c_uint(2), ctypes.c_uint(0), ctypes.byref(action))
+        kernel.syscall(_number("seccomp", machine), UInt(2), UInt(0), byref(action))
     except OSError:
         return False
     return True
@@ -104,15 +107,13 @@ class Filter:
 
     def __init__(self, rows: list[bpf.Instruction]) -> None:
         self._bytes = bpf.assemble(rows)
-        self._buffer = (ctypes.c_char * len(self._bytes)).from_buffer(self._bytes)
-        self._program = _Program(len(rows), ctypes.addressof(self._buffer))
+        self._buffer = (Byte * len(self._bytes)).from_buffer(self._bytes)
+        self._program = _Program(len(rows), addressof(self._buffer))
         self._number = _number("seccomp", syscalls.machine())
 
     def load(self) -> None:
         """Hold this process and its children to the filter from here on. Raises OSError."""
-        kernel.syscall(
-            self._number, ctypes.c_uint(_SET_FILTER), ctypes.c_uint(0), ctypes.byref(self._program)
-        )
+        kernel.syscall(self._number, UInt(_SET_FILTER), UInt(0), byref(self._program))
 
 
 class ChildFilter(Filter):

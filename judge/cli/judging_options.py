@@ -1,0 +1,73 @@
+"""The options of the commands that judge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from judge.errors import UsageError
+from judge.sandbox.boundary import LEVELS
+
+F = TypeVar("F", bound=Callable[..., Any])
+TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
+
+isolation_option: Callable[[F], F] = click.option(
+    "--isolation",
+    "level",
+    metavar="LEVEL",
+    type=click.Choice(LEVELS),
+    help="Demand full, strong or limits; without it, the best there is. See 'judge doctor'.",
+)
+jobs_option: Callable[[F], F] = click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(1, 256),
+    default=1,
+    metavar="N",
+    help="Do so many things at once; time is still measured alone.",
+)
+no_name_option: Callable[[F], F] = click.option(
+    "--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers."
+)
+no_shrink_option: Callable[[F], F] = click.option(
+    "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
+)
+save_regression_option: Callable[[F], F] = click.option(
+    "--save-regression",
+    "regression",
+    metavar="FILE",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Write the smallest failing case as a pytest case; add to FILE if it holds such cases.",
+)
+svg_option: Callable[[F], F] = click.option(
+    "--svg",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Draw the failing case of a submission into an SVG file.",
+)
+format_option: Callable[[F], F] = click.option(
+    "--format",
+    "form",
+    metavar="FORMAT",
+    type=click.Choice(FORMATS),
+    help="text, json (as --json) or github: annotations at the file's lines.",
+)
+junit_option: Callable[[F], F] = click.option(
+    "--junit",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write the results into a JUnit XML file too.",
+)
+no_history_option: Callable[[F], F] = click.option(
+    "--no-history", "unrecorded", is_flag=True, help="Do not keep the runs in the history."
+)
+
+
+def chosen_format(form: str | None, *, as_json: bool) -> str:
+    """The format that the options come to. Raises UsageError where they contradict each other."""
+    if as_json and form not in (None, JSON):
+        raise UsageError(f"--json and --format {form} contradict each other", remedy="leave one out")
+    return JSON if as_json else form or TEXT

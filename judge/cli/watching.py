@@ -1,0 +1,90 @@
+"""Where a kata lies that is being watched: its file, its saves, its judging."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager
+from queue import Empty, SimpleQueue
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from judge.cli.kata import Kata
+from judge.cli.submissions import read_submissions
+from judge.cli.wish import Wish
+from judge.errors import JudgeError, UsageError
+from judge.kata.saves import SavedMark, mark, settled
+from judge.problem import Verdict
+
+if TYPE_CHECKING:
+    from judge.cli.picture import Drawing
+
+_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
+
+
+class WatchedFile:
+    """A kata under watch: whether its file was saved since it was judged, and judging it."""
+
+    def __init__(self, kata: Kata, wish: Wish) -> None:
+        self.kata = kata
+        self._wish = wish
+        self._seen: SavedMark | None = None
+        self._looked = False
+
+    def saved(self) -> bool:
+        """Whether there is something new to judge or to tell; waits while the file is being written."""
+        if self._looked and mark(self.kata.path) == self._seen:
+            return False
+        now = settled(self.kata.path)
+        new = not self._looked or now != self._seen
+        self._seen, self._looked = now, True
+        return new
+
+    def judge(self) -> Drawing | str:
+        """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
+
+        Raises:
+            UsageError: the isolation that was demanded cannot be had.
+        """
+        from judge.cli.judging import judged
+
+        name = self.kata.name
+        if self._seen is None:
+            return f"{name} is gone; it is judged again when it is back"
+        try:
+            submissions = read_submissions([name])
+        except UsageError as fault:
+            return str(fault)
+        if not submissions[0].source.strip():
+            return f"{name} is empty; it is judged when there is something in it"
+        try:
+            with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
+                drawing = next(drawings)
+        except UsageError:
+            raise
+        except JudgeError as fault:
+            return str(fault)
+        if drawing.result.verdict is not Verdict.JE:  # that one was held nowhere
+            self._wish = replace(self._wish, had=drawing.result.isolation)
+        return drawing
+
+
+def await_event(events: SimpleQueue[str]) -> str | None:
+    """The next event, or None after a second without one."""
+    try:
+        return events.get(timeout=_LOOK)
+    except Empty:
+        return None
+
+
+@contextmanager
+def handled(handlers: Mapping[str, Callable[[int, FrameType | None], Any]]) -> Iterator[None]:
+    """Have these signals handled while the block runs."""
+    before = {name: signal.signal(getattr(signal, name), handler) for name, handler in handlers.items()}
+    try:
+        yield
+    finally:
+        for name, handler in before.items():
+            signal.signal(getattr(signal, name), handler)

@@ -1,0 +1,39 @@
+"""What a person who has submissions judged asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.errors import UsageError
+from judge.judging.job import Terms
+from judge.language import is_program
+from judge.problem import Problem
+from judge.problem.find import find_problem
+
+
+class Wish(Struct, frozen=True):
+    """How submissions are to be judged, and what is to be done about those that fail."""
+
+    terms: Terms
+    jobs: int = 1
+    had: str | None = None  # the level of isolation that the command has had before
+    regression: Path | None = None
+    kept: bool = True  # in the history
+    db: Path | None = None
+
+
+def named_problem(name: str, folders: Sequence[Path]) -> Problem:
+    """The problem of that name. Raises UsageError, which says so where the name is a file's."""
+    try:
+        return find_problem(name, folders)
+    except UsageError as fault:
+        if is_program(name):
+            remedy = "the problem comes first: judge run PROBLEM FILE"
+            raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
+        if "/" in name:
+            remedy = "give its id, and the folder it is in with --problems"
+            raise UsageError(f"{name!r} is no problem's name", remedy=remedy) from fault
+        raise

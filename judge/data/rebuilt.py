@@ -1,0 +1,48 @@
+"""Big cases, kept as what they are built from: the attempt that made each, and a hash of the inputs.
+
+Case i of a group is the builder's answer to the seed text `seed/group/i/attempt` (see build.py).
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from typing import Any
+
+from judge.data.build import attempt_of, bound_builder, case_seed
+from judge.data.draw import SeededDraw
+from judge.data.model import GroupData
+from judge.data.module import ProblemModule, blaming
+from judge.problem import Case, Group, Problem
+
+
+def as_seeds(data: GroupData, problem: Problem, module: ProblemModule) -> dict[str, Any]:
+    """What a group's cases are built from, as JSON; the targets are kept as ever. Raises ProblemError."""
+    builder = bound_builder(problem, module, data.group)
+    with blaming(problem, f"group {data.group.name!r}: the builder fails"):
+        attempts = [attempt_of(data.group, builder, at, case) for at, case in enumerate(data.cases)]
+    return {"attempts": attempts, "inputs": _hash(data.cases), "targets": data.targets}
+
+
+def from_seeds(plain: dict[str, Any], problem: Problem, module: ProblemModule, group: Group) -> list[Case]:
+    """The cases that `as_seeds` wrote.
+
+    Raises:
+        ValueError: they are other ones now, or this is none of its objects.
+        ProblemError: the builder fails.
+    """
+    builder = bound_builder(problem, module, group)
+    with blaming(problem, f"group {group.name!r}: the builder fails"):
+        cases = [
+            builder(SeededDraw(case_seed(group, at, attempt))) for at, attempt in enumerate(plain["attempts"])
+        ]
+    if _hash(cases) != plain["inputs"]:
+        raise ValueError("the builder makes other cases")
+    return cases
+
+
+def _hash(cases: Sequence[Case]) -> str:
+    total = hashlib.sha256()
+    for case in cases:
+        total.update(repr(case).encode())  # 1 and 1.0 are two inputs
+    return total.hexdigest()

@@ -1,0 +1,13 @@
+"""Drawing any Picture: as SVG, and in braille characters for a terminal.
+
+shapes.py     what a drawing is made of
+frame.py      from exact numbers of any size to a panel
+clip.py       cutting to a panel
+labels.py     placing labels
+lengths.py    lengths as a person reads them
+svg.py, braille.py
+"""
+
+from judge.drawing.shapes import Picture
+
+__all__ = ["Picture"]

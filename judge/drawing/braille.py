@@ -1,0 +1,148 @@
+"""A picture in braille characters for a terminal: eight dots a character, coloured by what they belong to.
+
+The points of the case stand as their letters, a wanted one as `o`, a given one as `x`, both together as `*`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import hypot
+
+from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
+
+COLUMNS = 60
+ROWS = 16
+LEAST_ROWS = 9  # with fewer nothing round looks round
+_WIDE = 29  # characters of the widest panel
+_BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))  # of a dot, by row and column
+_BLANK = 0x2800
+_ORDER = (Role.BEYOND, Role.SHAPE, Role.LINE, Role.CASE, Role.WANTED, Role.GOT)  # the last one colours
+_LETTERS = {Role.WANTED: "o", Role.GOT: "x"}
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A run of characters of one role; None for words beside the drawing."""
+
+    text: str
+    role: Role | None = None
+
+
+def to_braille(picture: Picture, rows: int = ROWS) -> list[list[Piece]]:
+    """At most `rows` rows, or `LEAST_ROWS` where that is more, of at most `COLUMNS` columns.
+
+    A lower drawing is narrower too: true scale stays true. Rows that are blank in every panel at the top and
+    at the bottom are left out.
+    """
+    raster = _Raster(min(max(rows, LEAST_ROWS), ROWS) - 2)
+    grids = [_grid(panel, raster) for panel in picture.panels]
+    levels = [level for level in range(raster.high) if any(_inked(grid[level]) for grid in grids)]
+    titles = [_heading(panel.title.removeprefix("Lens: ")) for panel in picture.panels]
+    drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]]
+    for level in range(levels[0], levels[-1] + 1) if levels else ():
+        drawn.append([piece for grid in grids for piece in (*_pieces(grid[level]), Piece(raster.gap))])
+    drawn.append([Piece("o wanted", Role.WANTED), Piece("  "), Piece("x got", Role.GOT), Piece("  * both")])
+    return [_trimmed(row) for row in drawn]
+
+
+@dataclass(frozen=True, slots=True)
+class _Raster:
+    """The characters of a panel: so many rows, and as many columns as make it square."""
+
+    high: int
+
+    @property
+    def wide(self) -> int:
+        return 2 * self.high + 1
+
+    @property
+    def gap(self) -> str:
+        """From the end of a panel to where the next one begins, below its title."""
+        return " " * (_WIDE + 2 - self.wide)
+
+    def fine(self, dot: Dot) -> Dot:
+        """Where a dot of the panel is on the raster, rows downwards."""
+        return (dot[0] + 1) / 2 * (2 * self.wide - 1), (1 - dot[1]) / 2 * (4 * self.high - 1)
+
+    def cell(self, x: float, y: float) -> tuple[int, int]:
+        """The dot of the raster that is nearest."""
+        return min(max(round(x), 0), 2 * self.wide - 1), min(max(round(y), 0), 4 * self.high - 1)
+
+
+def _heading(title: str) -> str:
+    """What of a title goes above a panel: whole words."""
+    return title if len(title) <= _WIDE else title[: _WIDE + 1].rpartition(" ")[0].rstrip(" ,;")
+
+
+Cell = tuple[str, Role | None]
+
+
+def _grid(panel: Panel, raster: _Raster) -> list[list[Cell]]:
+    dots = [[0] * raster.wide for _ in range(raster.high)]
+    roles: list[list[Role | None]] = [[None] * raster.wide for _ in range(raster.high)]
+    for stroke in panel.strokes:
+        if not stroke.filled:
+            _draw(stroke, raster, dots, roles)
+    cells: list[list[Cell]] = [
+        [(chr(_BLANK + bits) if bits else " ", role) for bits, role in zip(*pair, strict=True)]
+        for pair in zip(dots, roles, strict=True)
+    ]
+    for role in _ORDER:
+        for mark in panel.marks:
+            if mark.role is role:
+                _set(mark, raster, cells)
+    return cells
+
+
+def _draw(stroke: Stroke, raster: _Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
+    """Set the dots of a stroke, those beyond a line's ends two on, two off."""
+    travelled = 0
+    for (x1, y1), (x2, y2) in pairwise(map(raster.fine, stroke.dots)):
+        steps = max(1, int(hypot(x2 - x1, y2 - y1) * 1.5))
+        for i in range(steps + 1):
+            travelled += 1
+            if stroke.role is Role.BEYOND and travelled % 8 >= 3:
+                continue
+            x, y = raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
+            row, column = y // 4, x // 2
+            dots[row][column] |= _BITS[y % 4][x % 2]
+            before = roles[row][column]
+            if before is None or _ORDER.index(stroke.role) > _ORDER.index(before):
+                roles[row][column] = stroke.role
+
+
+def _set(mark: Mark, raster: _Raster, cells: list[list[Cell]]) -> None:
+    x, y = raster.cell(*raster.fine(mark.at))
+    row, column = y // 4, x // 2
+    letter = _LETTERS.get(mark.role) or mark.text[:1]
+    if not letter:
+        return
+    if mark.role is Role.GOT and cells[row][column][0] in ("o", "*"):
+        cells[row][column] = ("*", Role.WANTED)
+    else:
+        cells[row][column] = (letter, mark.role)
+
+
+def _inked(cells: list[Cell]) -> bool:
+    return any(letter != " " for letter, _ in cells)
+
+
+def _pieces(cells: list[Cell]) -> list[Piece]:
+    pieces: list[Piece] = []
+    for letter, role in cells:
+        if pieces and pieces[-1].role is role:
+            pieces[-1] = Piece(pieces[-1].text + letter, role)
+        else:
+            pieces.append(Piece(letter, role))
+    return pieces
+
+
+def _trimmed(row: list[Piece]) -> list[Piece]:
+    """A row without spaces at its end."""
+    kept = list(row)
+    while kept and not kept[-1].text.rstrip(" "):
+        kept.pop()
+    if kept:
+        kept[-1] = Piece(kept[-1].text.rstrip(" "), kept[-1].role)
+    return kept

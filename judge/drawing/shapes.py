@@ -1,0 +1,94 @@
+"""What a drawing is made of: panels of strokes, marks and bars in floats near 1, and the words beside them.
+
+A panel is the square −1 … 1 in both directions, y upwards. Everything that is drawn lies within it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+Dot = tuple[float, float]
+
+
+class Role(Enum):
+    """What a thing is, not how it looks."""
+
+    SHAPE = "shape"  # a closed figure
+    LINE = "line"
+    BEYOND = "beyond"  # where the line goes on beyond its ends
+    BAND = "band"  # what counts as if it were exact
+    CASE = "case"  # a point of the input
+    WANTED = "wanted"
+    GOT = "got"
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A polyline; `arrow` puts a head on its last piece. With `filled` it is an area without a border."""
+
+    dots: tuple[Dot, ...]
+    role: Role
+    arrow: bool = False
+    filled: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A point and its label, `shared` with points of other roles where it stands for all that meet there.
+
+    `towards` is set where it stands at the edge for one that lies outside.
+    """
+
+    at: Dot
+    role: Role
+    text: str
+    towards: Dot | None = None
+    shared: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Bar:
+    """A scale bar: its length in the panel and what that is; upright where it measures across the line."""
+
+    length: float
+    text: str
+    upright: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """One square drawing with its heading."""
+
+    title: str
+    strokes: tuple[Stroke, ...]
+    marks: tuple[Mark, ...]
+    bars: tuple[Bar, ...]
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """A line of words below the drawing."""
+
+    label: str
+    text: str
+    role: Role = Role.CASE
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A case and its answers: the whole at true scale, the place that matters enlarged, and the facts."""
+
+    title: str
+    heading: str  # which case it is
+    description: str
+    whole: Panel
+    lens: Panel | None
+    facts: tuple[Fact, ...]
+    legend: str = ""  # what its words stand for
+
+    @property
+    def panels(self) -> tuple[Panel, ...]:
+        """The panels, left to right."""
+        return (self.whole,) if self.lens is None else (self.whole, self.lens)

@@ -1,0 +1,30 @@
+"""Judging a submission from beginning to end, as a value: a job in, a result out, nothing printed.
+
+public.py       `judge(problem, source)` and `run(job)`, for other people's programs
+job.py          what is to be judged, and how
+session.py      judging many submissions to one problem, with all that they share
+executors.py    who does the work: here, or threads
+containment.py, isolation.py
+                the boxes; the level of isolation that this machine is known to have
+diagnosis.py, naming.py
+                the smallest case that breaks a submission; the mistake's name
+stressing.py, replaying.py, routine.py
+                fresh cases; one case by its id; a routine of this very process
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_FROM = {"Job": "job", "Session": "session", "Terms": "job", "judge": "public", "run": "public"}
+__all__ = ["Job", "Session", "Terms", "judge", "run"]
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name not in _FROM:
+        raise AttributeError(f"module 'judge.judging' has no attribute {name!r}")
+    return getattr(import_module(f"judge.judging.{_FROM[name]}"), name)

@@ -1,0 +1,97 @@
+"""The boxes that submissions to one problem are judged in: how held, how many at once, what stays hidden."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from pathlib import Path
+
+from judge.data.cache import cache_folder
+from judge.errors import JudgeError, ShortageError
+from judge.judging.isolation import kept_level
+from judge.problem import Problem
+from judge.problem.find import problem_roots
+from judge.run.reference import Reference
+from judge.sandbox import Boxes, room
+from judge.sandbox.boundary import Box, BoxFactory
+
+_SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
+_WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
+
+
+def hidden_folders(problem: Problem) -> tuple[Path, ...]:
+    """What a submission to the problem must not see; the cache is made first, or it could not be covered."""
+    cache = cache_folder()
+    with suppress(OSError):  # whoever builds the data says so
+        cache.mkdir(parents=True, exist_ok=True)
+    own = (problem.folder, problem.solutions)  # they may be symlinks to another place than their parents
+    return (*own, *(folder.parent for folder in own), cache)
+
+
+def every_hidden_folder() -> tuple[Path, ...]:
+    """What a submission to any problem that can be found must not see; nothing of packs that are broken."""
+    try:
+        roots = problem_roots()
+    except JudgeError:
+        roots = []
+    return (*roots, *(root.parent / "solutions" for root in roots), cache_folder())
+
+
+class Containment:
+    """The boxes of one session; a context manager that ends those that were never used.
+
+    The first submission's box boots while the judge still reads its data. `open_box` opens another one at the
+    same level; `jobs` is how many things may be done at once here, and `short` says it where they are fewer
+    than were asked for.
+    """
+
+    def __init__(self, problem: Problem, level: str | None, jobs: int = 1, had: str | None = None) -> None:
+        """`level` is demanded, `jobs` are asked for; `had` is the level that this command has had before."""
+        room.raise_descriptors()
+        left = room.measure()
+        self.jobs, limit = left.at_once(jobs)
+        self.short = f"{self.jobs} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
+        self._level = level
+        self._kept = None if level else kept_level()
+        hidden = hidden_folders(problem)
+        self._boxes = Boxes(level, hidden, least=self._kept, had=had, share=left.share(self.jobs))
+        self.open_box: BoxFactory = self._boxes
+        self.reference = Reference(problem, self.open_box)
+        self._ahead: dict[tuple[bytes, str], Box] = {}
+
+    def __enter__(self) -> Containment:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.reference.__exit__(*exc)
+        for box in self._ahead.values():
+            box.__exit__(*exc)
+
+    def boot(self, source: bytes, name: str) -> None:
+        """Start the box of a submission that will be judged soon."""
+        with suppress(*_SHORT):
+            box = self._ahead[source, name] = self.open_box(source, name)
+            box.warm_up()
+
+    def boot_reference(self) -> None:
+        """Start the box of the reference, which will be wanted if a submission is accepted."""
+        with suppress(*_SHORT):
+            self.reference.warm_up()
+
+    def take(self, source: bytes, name: str) -> Box:
+        """The submission's box, started ahead or now."""
+        return self._ahead.pop((source, name), None) or self.open_box(source, name)
+
+    def notes(self, isolation: str) -> tuple[str, ...]:
+        """What is to be said of the level that a submission was held at: that it is weaker than it might be.
+
+        Nothing where the level was asked for.
+        """
+        if self._level is not None:
+            return ()
+        if isolation == "limits":
+            return (_WEAK,)
+        reason = self._boxes.refused.get("full")
+        if isolation == "strong" and self._kept != "strong" and reason:
+            what = f"isolation is 'strong', not 'full': {reason}"
+            return (f"{what}; 'judge doctor' says more and settles for it",)
+        return ()

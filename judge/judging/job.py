@@ -1,0 +1,77 @@
+"""What is to be judged, as a value: it can be written down, sent to another process, and kept as a key."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.data.cache import all_code_files, content_key, own_files
+from judge.problem import Problem
+
+
+class Terms(Struct, frozen=True):
+    """How submissions are to be judged.
+
+    `groups` are the test groups to run, all where none is named; `seed` builds other cases than the pinned
+    ones; `isolation` demands a level instead of the best there is. `timed` says whether an accepted
+    submission is raced against the reference, `diagnosed` whether the smallest case is looked for that breaks
+    another one, `named` whether the mistake is.
+    """
+
+    groups: tuple[str, ...] = ()
+    seed: int | None = None
+    isolation: str | None = None
+    timed: bool = True
+    diagnosed: bool = True
+    named: bool = True
+
+
+class Job(Struct, frozen=True):
+    """One submission to judge; `folder` and `solutions` are the problem's own, `version` is what they held.
+
+    Two jobs of one `digest` come to the same verdict, wherever they are done.
+    """
+
+    folder: str
+    solutions: str
+    version: str
+    name: str
+    source: bytes
+    terms: Terms = Terms()
+
+    @classmethod
+    def of(
+        cls,
+        problem: Problem,
+        source: bytes,
+        name: str,
+        terms: Terms = Terms(),  # noqa: B008 - frozen
+        version: str | None = None,
+    ) -> Job:
+        """The job of judging `source`, a file called `name`. Raises ProblemError for an unreadable file.
+
+        Who makes many jobs of one problem asks `version_of` once and hands that over.
+        """
+        version = version_of(problem) if version is None else version
+        return cls(str(problem.folder), str(problem.solutions), version, name, source, terms)
+
+    @property
+    def problem(self) -> str:
+        """The problem's id."""
+        return Path(self.folder).name
+
+    @property
+    def digest(self) -> str:
+        """The sha256, in hex, of all that the outcome depends on: not of where the problem lies."""
+        terms = self.terms
+        plain = (self.problem, self.version, self.name, hashlib.sha256(self.source).hexdigest())
+        asked = [getattr(terms, name) for name in terms.__struct_fields__]
+        return hashlib.sha256(repr((plain, asked)).encode()).hexdigest()
+
+
+def version_of(problem: Problem) -> str:
+    """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
+    solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
+    return content_key("job/", [*own_files(problem), *solutions, *all_code_files()])

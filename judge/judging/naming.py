@@ -1,0 +1,69 @@
+"""Naming the mistake after a wrong answer, with what `judge.diagnose` knows of the problem."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from typing import TYPE_CHECKING
+
+from judge.data.model import ProblemData
+from judge.errors import told
+from judge.problem import Verdict
+from judge.run.result import Result
+from judge.run.settings import Progress, Settings
+
+if TYPE_CHECKING:
+    from judge.diagnose.namer import Namer
+    from judge.run.matrix import Matrix
+
+Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
+
+NAMED = (Verdict.WA, Verdict.RTE)
+_MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many
+
+
+class Naming:
+    """Adds the mistake's name to results; what it needs is imported with the first wrong answer."""
+
+    def __init__(
+        self, data: ProblemData, seed: int | None, settings: Settings, jobs: int, bars: Bars
+    ) -> None:
+        self._data = data
+        self._seed = seed
+        self._settings = settings
+        self._jobs = jobs
+        self._bars = bars
+        self._lock = threading.Lock()
+        self._namer: Namer | None = None
+
+    def named(self, result: Result) -> Result:
+        """The result with its pitfall where there is one; what goes wrong with that is only a note."""
+        if result.verdict not in NAMED:
+            return result
+        namer = self._ready()
+        try:
+            result = namer.named(result)
+        except Exception as fault:  # the verdict is known, and worth more
+            result = result.noting(f"the mistake is not named: {told(fault)}")
+        with self._lock:
+            notes, namer.notes = namer.notes, []
+        return result.noting(*notes)
+
+    def matrix(self) -> tuple[Matrix, tuple[str, ...]]:
+        """Which group rejects which known-wrong program, and notes. Raises JudgeError."""
+        namer = self._ready()
+        return namer.matrix(), tuple(namer.notes)
+
+    def _ready(self) -> Namer:
+        from judge.diagnose.namer import Namer
+
+        with self._lock:
+            if self._namer is None:
+                workers = self._jobs if self._jobs > 1 else min(_MOST_AT_ONCE, os.cpu_count() or 1)
+                label = f"learning the mistakes of {self._data.problem.id}"
+                self._namer = Namer(
+                    self._data, self._seed, self._settings, workers, lambda: self._bars(label)
+                )
+            return self._namer

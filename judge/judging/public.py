@@ -1,0 +1,98 @@
+"""Judging from Python: one submission, or a job that came from elsewhere."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from judge.errors import JudgeError, UsageError
+from judge.judging.job import Job, Terms, version_of
+from judge.judging.session import Session
+from judge.language import file_name, is_program
+from judge.problem import Problem
+from judge.problem.choose import chosen_groups
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.reading import read_ordinary
+from judge.run.result import Result
+
+_NAMELESS = file_name("submission")
+
+
+def judge(
+    problem: str | Problem,
+    source: bytes | str | os.PathLike[str],
+    *,
+    name: str | None = None,
+    groups: str | Iterable[str] = (),
+    seed: int | None = None,
+    isolation: str | None = None,
+    timed: bool = True,
+    diagnosed: bool = True,
+    named: bool = True,
+    problems: Sequence[str | os.PathLike[str]] = (),
+) -> Result:
+    """Judge a submission as `judge run` does, contained; nothing is printed and nothing kept in a history.
+
+    Args:
+        problem: its name, looked up as by the command line and first in the folders `problems`.
+        source: the submission: its text or bytes, or a `pathlib.Path` to its file.
+        name: the file's name in tracebacks and in the result; a path's own by default.
+        groups: the test groups to run; all where none is named.
+        seed: builds other cases from it, instead of the pinned ones.
+        isolation: "full", "strong" or "limits" to demand that level; the best there is by default.
+        timed: whether an accepted submission's time is measured against the reference solution's.
+        diagnosed: whether the smallest case is looked for that breaks a submission.
+        named: whether the mistake behind wrong answers is.
+
+    Returns:
+        The result. `result.verdict`, `score`, `groups`, `failure`, `counterexample`, `pitfall` and `time` say
+        what `judge run` shows, `as_json()` is the object that it writes, and `notes` are its remarks. A fault
+        of the problem or of the judge while judging is the verdict JE.
+
+    Raises:
+        UsageError: there is no such problem, group, file or level of isolation.
+        ProblemError: the problem's folder is broken.
+    """
+    found = find_problem(problem, [Path(each) for each in problems]) if isinstance(problem, str) else problem
+    chosen = (groups,) if isinstance(groups, str) else tuple(groups)
+    chosen_groups(found, chosen)  # a name that is none is told before anything is built
+    terms = Terms(chosen, seed, isolation, timed, diagnosed, named)
+    content, called = _read(source)
+    with Session(found, terms) as session:
+        name = name or called
+        session.boot(content, name)
+        return session.judge(content, name)
+
+
+def run(job: Job) -> Result:
+    """Do a job, wherever this is: both it and its result can be pickled.
+
+    Raises:
+        UsageError: the isolation that it demands cannot be had.
+        JudgeError: the problem here is not the one that the job was made for.
+    """
+    problem = load_problem(Path(job.folder), Path(job.solutions))
+    if version_of(problem) != job.version:
+        what = f"{job.problem} is not the problem that this job was made for"
+        raise JudgeError(what, where=job.folder, remedy="bring the judge and its problems to one version")
+    with Session(problem, job.terms) as session:
+        session.boot(job.source, job.name)
+        return session.run(job)
+
+
+def _read(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
+    """The bytes of a submission, and what it is called."""
+    if isinstance(source, bytes):
+        return source, _NAMELESS
+    if isinstance(source, str):
+        if "\n" not in source and is_program(source):
+            remedy = f"give pathlib.Path({source!r}), or the text that is in it"
+            raise UsageError(f"{source!r} is a file's name, not a program", remedy=remedy)
+        return source.encode(), _NAMELESS
+    try:
+        return read_ordinary(Path(source)), os.fspath(source)
+    except OSError as fault:
+        reason = (fault.strerror or "cannot be read").lower()
+        raise UsageError(f"cannot be read ({reason})", where=os.fspath(source)) from fault

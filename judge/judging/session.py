@@ -1,0 +1,177 @@
+"""Judging submissions to one problem, one after another or several at once, with all that they share.
+
+    with Session(problem, Terms(named=False)) as session:
+        result = session.judge(source, "mine.py")
+
+Shared are the cases, the box of the reference, the known mistakes, and the turnstile that keeps races alone.
+"""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from pathlib import Path
+from threading import Lock
+
+from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.errors import JudgeError, UsageError, shortage, told
+from judge.judging.containment import Containment
+from judge.judging.diagnosis import diagnosed
+from judge.judging.job import Job, Terms
+from judge.judging.naming import Bars, Naming
+from judge.problem import Problem, Verdict
+from judge.run.execute import judge_fault, run_in
+from judge.run.parallel import Turnstile
+from judge.run.result import Result
+from judge.run.settings import Progress, Settings
+
+_PACKAGE = str(Path(__file__).resolve().parent.parent)
+
+
+def silent(_label: str) -> AbstractContextManager[Progress | None]:
+    """Tells nobody how far the work is."""
+    return nullcontext()
+
+
+class Session:
+    """A context manager; `judge` may be called from several threads.
+
+    `containment` is one in which the first submission's box may have been started; it says how many things
+    may be done at once. Without it `jobs` asks for so many. `expected` is how many submissions are to come:
+    few of them use several boxes each. `bars` opens what is told how far the work is, by its label. Nothing
+    is printed: what a person should know is in the results' notes, and in the session's own, where there is
+    no room for `jobs`.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        terms: Terms = Terms(),  # noqa: B008 - frozen
+        containment: Containment | None = None,
+        *,
+        jobs: int = 1,
+        expected: int = 1,
+        bars: Bars = silent,
+    ) -> None:
+        self.problem = problem
+        self.terms = terms
+        if containment is None:
+            jobs = min(jobs, expected * len(terms.groups or problem.groups))
+            containment = Containment(problem, terms.isolation, jobs)
+        self.containment = containment
+        self.jobs = containment.jobs
+        self.notes = (containment.short,) if containment.short else ()
+        self.settings = Settings(
+            box_factory=self.containment.take,
+            workers=max(1, self.jobs // max(1, expected)),
+            measured=terms.timed,
+            turnstile=Turnstile(),
+            reference=self.containment.reference,
+        )
+        self.bars = bars
+        self._lock = Lock()
+        self._data: ProblemData | None = None
+        self._naming: Naming | None = None
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.containment.__exit__(*exc)
+
+    def boot(self, source: bytes, name: str) -> None:
+        """Start the box of the submission that will be judged first, and prepare.
+
+        Raises:
+            UsageError: the level of isolation that is asked for cannot be had.
+            ProblemError: the data cannot be built.
+        """
+        self.containment.boot(source, name)
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Read the problem's data, and start the reference, which is not wanted yet. Raises ProblemError."""
+        _ = self.data
+        if self.terms.timed:
+            self.containment.boot_reference()
+
+    @property
+    def data(self) -> ProblemData:
+        """The cases and what their answers are held against; read or built when first asked for."""
+        with self._lock:
+            if self._data is None:
+                with self.bars(f"building {self.problem.id}") as advance:
+                    self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
+            return self._data
+
+    def judge(self, source: bytes, name: str) -> Result:
+        """Judge one submission as the terms say.
+
+        A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
+
+        Raises:
+            UsageError: the level of isolation that is asked for cannot be had.
+            ProblemError: the data cannot be built.
+        """
+        data = self.data
+        try:
+            result = self._judged(data, source, name)
+        except UsageError:
+            raise
+        except JudgeError as fault:  # such as a reference that fails on a case
+            result = judge_fault(self.problem.id, name, str(fault))
+        except Exception as fault:
+            place = "" if shortage(fault) else _place(fault)  # of the machine, and not of the code there
+            result = judge_fault(self.problem.id, name, f"{told(fault)}{place}")
+        if result.verdict is Verdict.JE:  # it was not held at any level, perhaps
+            return result.noting(*data.notes)
+        return result.noting(*data.notes, *self.containment.notes(result.isolation))
+
+    def run(self, job: Job) -> Result:
+        """`judge` with what a job holds; it must be of this session's problem and terms."""
+        return self.judge(job.source, job.name)
+
+    @property
+    def naming(self) -> Naming:
+        """What names mistakes by their answers to the session's cases."""
+        data = self.data
+        with self._lock:
+            if self._naming is None:
+                self._naming = Naming(data, self.terms.seed, self.settings, self.jobs, self._quietly)
+            return self._naming
+
+    def _judged(self, data: ProblemData, source: bytes, name: str) -> Result:
+        terms = self.terms
+        with self.containment.take(source, name) as box:
+            with self._quietly(name) as advance:
+                settings, groups = self.settings, terms.groups or None
+                judged = run_in(
+                    box,
+                    self.problem,
+                    data,
+                    source,
+                    name,
+                    settings=settings,
+                    groups=groups,
+                    on_progress=advance,
+                )
+            result = judged.result
+            if terms.diagnosed and judged.runner is not None:
+                result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
+        return self.naming.named(result) if terms.named else result
+
+    @contextmanager
+    def _quietly(self, label: str) -> Iterator[Progress | None]:
+        """A bar, unless several submissions are judged at once: results are written meanwhile."""
+        with self.bars(label) if self.jobs == 1 else nullcontext() as advance:
+            yield advance
+
+
+def _place(fault: Exception) -> str:
+    """The innermost line of the judge's own that led to a fault, for whoever is to mend it."""
+    for step in reversed(traceback.extract_tb(fault.__traceback__)):
+        if step.filename.startswith(_PACKAGE):
+            return f" (judge{step.filename[len(_PACKAGE) :]}:{step.lineno})"
+    return ""

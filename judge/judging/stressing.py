@@ -1,0 +1,85 @@
+"""Judging a submission on fresh cases, and explaining what breaks as `judge run` does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.data.fresh import Fresh
+from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.data.module import load_module
+from judge.judging.diagnosis import diagnosed
+from judge.judging.naming import NAMED, Naming
+from judge.judging.session import Session
+from judge.problem import Group
+from judge.run.execute import run_submission
+from judge.run.stress import Broken, OnCases, Stressed, stress
+from judge.sandbox.boundary import Box
+
+
+class Stressing(Struct, frozen=True):
+    """What is asked for: which submission, on which groups, from which seed and for how long."""
+
+    source: bytes
+    name: str
+    groups: Sequence[Group]
+    seed: int
+    seconds: float
+
+    def run(self, session: Session, on_cases: OnCases | None = None) -> Stressed:
+        """Stress the submission within a session, which says whether what breaks is shrunk and named.
+
+        Ctrl-C ends it early; what broke by then is kept. Raises JudgeError.
+        """
+        containment, problem = session.containment, session.problem
+        containment.boot(self.source, self.name)
+        module = load_module(problem)  # while the boxes boot
+        data = ProblemData(problem, (), module=module)
+        fresh = Fresh(problem, module, self.groups, self.seed)
+        with containment.take(self.source, self.name) as box:
+            stressed = stress(
+                data, fresh, box, self.source, self.name, seconds=self.seconds, on_cases=on_cases
+            )
+            try:
+                if stressed.broken and session.terms.diagnosed:
+                    stressed = _shrunk(stressed, stressed.broken, fresh, box, session)
+                if stressed.broken and session.terms.named and stressed.result.verdict in NAMED:
+                    stressed = self._named(stressed, session)
+            except KeyboardInterrupt:  # what broke is known, and worth more than the rest
+                stressed = replace(stressed, interrupted=True)
+            result = stressed.result.noting(*containment.notes(box.isolation))
+        return replace(stressed, result=result)
+
+    def _named(self, stressed: Stressed, session: Session) -> Stressed:
+        """With the mistake's name, which the wrong answers to the pinned cases tell, if there are any."""
+        data = load_data(session.problem)
+        settings = session.settings
+        pinned = run_submission(
+            session.problem, data, self.source, self.name, settings=replace(settings, measured=False)
+        )
+        named = Naming(data, None, settings, 1, session.bars).named(pinned)
+        result = replace(stressed.result, pitfall=named.pitfall).noting(*named.notes)
+        return replace(stressed, result=result)
+
+
+def _shrunk(stressed: Stressed, broken: Broken, fresh: Fresh, box: Box, session: Session) -> Stressed:
+    """With its counterexample."""
+    series = broken.series
+    failed = diagnosed(
+        replace(stressed.result, failure=broken.failure),
+        ProblemData(session.problem, (series.data,), module=fresh.module),
+        broken.runner,
+        box,
+        session.containment.open_box,
+        lambda _group, _builder, number, _case: fresh.choices_of(series, number),
+    )
+    result = replace(
+        stressed.result,
+        counterexample=failed.counterexample,
+        counterexample_given=failed.counterexample_given,
+        notes=failed.notes,
+    )
+    return replace(stressed, result=result)

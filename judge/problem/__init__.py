@@ -1,0 +1,37 @@
+"""What a problem is, and the words it is judged in."""
+
+from judge.problem.model import (
+    Argument,
+    Case,
+    Example,
+    Group,
+    GroupLimits,
+    GrowthRule,
+    Parameter,
+    Point,
+    Problem,
+    ShownSkill,
+    Tier,
+    TimeRule,
+)
+from judge.problem.verdict import Verdict
+from judge.values.tolerance import Tolerance
+from judge.values.type import Number
+
+__all__ = [
+    "Argument",
+    "Case",
+    "Example",
+    "Group",
+    "GroupLimits",
+    "GrowthRule",
+    "Number",
+    "Parameter",
+    "Point",
+    "Problem",
+    "ShownSkill",
+    "Tier",
+    "TimeRule",
+    "Tolerance",
+    "Verdict",
+]

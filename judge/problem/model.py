@@ -1,0 +1,165 @@
+"""What a problem is: the values read from `problems/<id>/problem.toml`, checked once and never changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from enum import Enum
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from msgspec import Struct
+
+from judge.values.tolerance import Tolerance as Tolerance
+from judge.values.type import Number as Number
+from judge.values.type import Type
+
+Point = tuple[Number, Number]
+Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
+Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
+
+EXAMPLES = "examples"  # the builder whose cases are the statement's worked examples
+
+
+def case_of(arguments: Mapping[str, Any]) -> Case:
+    """The case of arguments by parameter name, also where JSON has made lists of tuples."""
+    return tuple(map(_tupled, arguments.values()))
+
+
+def _tupled(value: Any) -> Any:
+    return tuple(map(_tupled, value)) if isinstance(value, tuple | list) else value
+
+
+class Tier(Enum):
+    """How far along the path a problem stands, easiest first."""
+
+    JUNIOR = "junior"
+    MIDDLE = "middle"
+    SENIOR = "senior"
+    PROFESSIONAL = "professional"
+
+
+class Parameter(Struct, frozen=True, cache_hash=True):
+    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
+
+    name: str
+    type: Type
+    low: Fraction
+    high: Fraction
+    about: str
+
+
+class GroupLimits(Struct, frozen=True):
+    """The bounds of one test group: all its calls together, or its one program."""
+
+    cpu_seconds: float
+    wall_seconds: float
+    memory_bytes: int
+    output_bytes: int
+    input_bytes: int = 64 << 20  # of its cases, as a function receives them
+
+
+class TimeRule(Struct, frozen=True):
+    """The time limit: how many times the CPU time of a reference solution a submission may use.
+
+    The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs.
+    """
+
+    limit: float
+    function: str
+    program: str | None = None
+
+
+class GrowthRule(Struct, frozen=True):
+    """How CPU time may grow: by n to a power that exceeds the reference solution's by no more than `slope`.
+
+    `groups` are names, the smallest size first.
+    """
+
+    groups: tuple[str, ...]
+    slope: float
+
+
+class Group(Struct, frozen=True):
+    """A test group: `count` cases from one builder, named after what they probe."""
+
+    name: str
+    about: str  # one sentence for a person: what the group probes
+    builder: str  # a name in the problem's BUILDERS, or "examples" for those of the statement
+    parameters: MappingProxyType[str, Any]
+    seed: int
+    count: int
+    points: int
+    tolerance: Tolerance
+    kills: tuple[str, ...]  # the mistakes it should catch
+    size: int | None = None  # n, where its cases are big
+    time_limit: float | None = None  # its own, as `TimeRule.limit`
+    limits: GroupLimits | None = None  # its own
+
+
+class ShownSkill(Struct, frozen=True):
+    """What the problem teaches: a skill's name, and the groups that show it when one run passes them all.
+
+    `about` explains a skill that the problem itself brings; of others `skills.toml` says what they are.
+    """
+
+    name: str
+    groups: tuple[str, ...]
+    about: str | None = None
+
+
+class Example(Struct, frozen=True):
+    """A worked example of the statement: the call and the answer it shows."""
+
+    case: Case
+    wanted: Any
+    line: int  # in statement.md, from 1
+
+
+class Problem(Struct, frozen=True):
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and hashes.json."""
+
+    id: str
+    title: str
+    tier: Tier
+    summary: str
+    entry: str
+    answer: Type
+    parameters: tuple[Parameter, ...]
+    bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
+    limits: GroupLimits
+    groups: tuple[Group, ...]
+    folder: Path
+    solutions: Path  # solutions/<id>; need not exist
+    time: TimeRule | None = None  # where there is none, only `limits` bound the time
+    examples: tuple[Example, ...] = ()
+    statement: str = ""  # with its placeholders filled in
+    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    place: int | None = None  # in its tier's order; without one it comes last
+    skills: tuple[ShownSkill, ...] = ()
+    growth: GrowthRule | None = None
+
+    def limits_of(self, group: Group) -> GroupLimits:
+        """The bounds of one of its groups."""
+        return group.limits or self.limits
+
+    def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
+        """The cases as a submission receives them: with lists and arrays, where a case has tuples."""
+        types = [parameter.type for parameter in self.parameters]
+        if all(type_.is_plain for type_ in types):
+            return cases
+        return [
+            tuple([type_.argument(value) for type_, value in zip(types, case, strict=True)]) for case in cases
+        ]
+
+    def named(self, case: Case) -> dict[str, Any]:
+        """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
+        return {
+            parameter.name: parameter.type.listed(value)
+            for parameter, value in zip(self.parameters, case, strict=True)
+        }
+
+    def group(self, name: str) -> Group | None:
+        """The group of that name, or None."""
+        return next((group for group in self.groups if group.name == name), None)

@@ -1,0 +1,146 @@
+"""The shape of `problem.toml`, as a person writes it; load.py makes a Problem of it."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any
+
+import msgspec
+
+from judge.problem.model import Tier
+
+TomlNumber = int | Decimal  # a number of the file, never rounded
+
+
+class ToleranceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[tolerance]`, or a group's own one, which replaces it whole."""
+
+    extent: TomlNumber = 0
+    relative: TomlNumber = 0
+    zero: TomlNumber = 0
+    ulps: TomlNumber = 0
+
+
+class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[limits]`: the bounds of one test group."""
+
+    cpu_seconds: TomlNumber
+    wall_seconds: TomlNumber
+    memory_mb: TomlNumber
+    output_mb: TomlNumber
+    input_mb: TomlNumber = 64
+
+
+class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[time]`: the limit as a multiple of a reference solution's CPU time."""
+
+    limit: TomlNumber
+    function: str
+    program: str | None = None
+
+
+class GrowthTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[growth]`: the groups it is measured in, and how far an exponent may exceed the reference's."""
+
+    groups: list[str]
+    slope: TomlNumber
+
+
+class GroupTimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[groups.time]`: a group's own limit."""
+
+    limit: TomlNumber
+
+
+class GroupLimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[groups.limits]`: a group's own bounds."""
+
+    cpu_seconds: TomlNumber
+    wall_seconds: TomlNumber | None = None
+
+
+class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[words]`: the problem's own words for its answers, where a message needs them."""
+
+    answer: str = ""
+    meant: str = ""
+    missing: str = ""
+    order: str = ""
+    unit: str = ""
+
+
+class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One `[[parameters]]`."""
+
+    name: str
+    type: str
+    low: TomlNumber
+    high: TomlNumber
+    about: str
+
+
+class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One `[[groups]]`; `seed` and `count` may be missing only where the builder is "examples"."""
+
+    name: str
+    about: str
+    builder: str
+    points: int
+    parameters: dict[str, Any] = {}
+    seed: int | None = None
+    count: int | None = None
+    tolerance: ToleranceTable | None = None
+    kills: list[str] = []
+    size: int | None = None
+    time: GroupTimeTable | None = None
+    limits: GroupLimitsTable | None = None
+
+
+class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One entry of `[skills]` written as a table, for a skill that this problem brings."""
+
+    groups: list[str]
+    about: str
+
+
+class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The whole file."""
+
+    title: str
+    tier: Tier
+    summary: str
+    entry: str
+    answer: str
+    limits: LimitsTable
+    parameters: list[ParameterTable]
+    groups: list[GroupTable]
+    tolerance: ToleranceTable | None = None
+    bands: dict[str, TomlNumber] = {}
+    words: WordsTable | None = None
+    time: TimeTable | None = None
+    sets: list[str] = []
+    place: int | None = None
+    skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
+    growth: GrowthTable | None = None
+
+
+_TABLES: dict[str, type[msgspec.Struct]] = {
+    "tolerance": ToleranceTable,
+    "limits": LimitsTable,
+    "time": TimeTable,
+    "growth": GrowthTable,
+    "words": WordsTable,
+    "parameters": ParameterTable,
+    "groups": GroupTable,
+    "skills": SkillTable,
+}
+_TABLES_OF_GROUPS: dict[str, type[msgspec.Struct]] = {"time": GroupTimeTable, "limits": GroupLimitsTable}
+
+
+def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
+    """The keys that the table at `path` may have."""
+    names = [part for part in path if isinstance(part, str)]
+    named = names[:1] == ["skills"]  # a table of tables with names of their own
+    known = _TABLES | _TABLES_OF_GROUPS if names[:1] == ["groups"] else _TABLES
+    table = known[names[0] if named else names[-1]] if names else ProblemTable
+    return table.__struct_fields__

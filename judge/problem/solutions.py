@@ -1,0 +1,185 @@
+"""The programs beside a problem, each in the folder of the verdict that it must get.
+
+    solutions/<id>/accepted/by-halves.py    right, each in a way of its own
+    solutions/<id>/slow/one-by-one.py       right, and too slow
+    solutions/<id>/wrong/off-by-one.py      a mistake that people make; off-by-one-….py are variants of it
+
+A program begins with what the judge says about it: its name (an idea, or a mistake), and below that why it
+works, or what is wrong and what to do instead. In Python that is its docstring. A pack may come without any.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterable, Mapping
+from enum import Enum
+from pathlib import Path
+from typing import NamedTuple, assert_never
+
+from msgspec import Struct
+
+from judge.errors import ProblemError
+from judge.language import SUFFIX, is_program
+from judge.problem.model import Problem
+from judge.problem.program import tree_of
+from judge.problem.verdict import Verdict
+from judge.reading import read_ordinary
+
+_SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
+
+
+class Kind(Enum):
+    """The folders, and so the verdict that is wanted of what is in them."""
+
+    ACCEPTED = "accepted"
+    WRONG = "wrong"
+    SLOW = "slow"
+
+    def allows(self, verdict: Verdict) -> bool:
+        """Whether a program of this folder may get that verdict."""
+        if self is Kind.ACCEPTED:
+            return verdict is Verdict.AC
+        if self is Kind.SLOW:
+            return verdict is Verdict.TLE
+        if self is Kind.WRONG:
+            return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+        assert_never(self)
+
+    @property
+    def wanted(self) -> str:
+        """The verdict in words."""
+        return {"accepted": "AC", "wrong": "a rejection", "slow": "TLE"}[self.value]
+
+
+class Solution(Struct, frozen=True):
+    """One program: its bytes, its name and what is told below it; both texts may be empty."""
+
+    kind: Kind
+    path: Path
+    source: bytes
+    name: str
+    text: str
+
+    @property
+    def file(self) -> str:
+        """As `wrong/absolute-epsilon.py`."""
+        return f"{self.kind.value}/{self.path.name}"
+
+    @property
+    def advice(self) -> str:
+        """The text in one paragraph: of a mistake, what is wrong and what to do instead."""
+        return " ".join(self.text.split())
+
+    @property
+    def sentence(self) -> str:
+        """The first sentence of it: of a mistake, what is wrong."""
+        return _SENTENCE_END.split(self.advice, maxsplit=1)[0]
+
+    @property
+    def usual(self) -> bool:
+        """Whether its file is called after it: of a mistake, that it is none of the variants."""
+        return self.path.stem == self.name
+
+
+class Solutions(NamedTuple):
+    """What was read: the programs by kind and name of the file, and what is wrong with the folders."""
+
+    programs: tuple[Solution, ...]
+    faults: tuple[ProblemError, ...]
+
+
+def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
+    """The programs of these kinds; of all of them where none is given.
+
+    What is hidden is passed over. A file that cannot be read, or is in no language known here, is a fault and
+    no program; one that says no name is both.
+    """
+    programs: list[Solution] = []
+    faults: list[ProblemError] = []
+    for kind in kinds or Kind:
+        for path in _visible(problem.solutions / kind.value, faults):
+            try:
+                programs.append(_read(kind, path))
+            except ProblemError as fault:
+                faults.append(fault)
+                continue
+            if not programs[-1].name:
+                remedy = f"begin it with the name of its {'mistake' if kind is Kind.WRONG else 'idea'}"
+                faults.append(ProblemError("it has no docstring", where=_place(path, 3), remedy=remedy))
+    return Solutions(tuple(programs), (*faults, *([] if kinds else _strays(problem))))
+
+
+def known_mistakes(problem: Problem) -> list[Solution]:
+    """Every wrong program that says its name, the usual one of each mistake before its variants."""
+    return usual_first(read_solutions(problem, Kind.WRONG).programs)
+
+
+def usual_first(programs: Iterable[Solution]) -> list[Solution]:
+    """Those that say their name, by name, what is called after it before its variants."""
+    named = [each for each in programs if each.name]
+    return sorted(named, key=lambda each: (each.name, not each.usual, each.path.name))
+
+
+def accepted_source(problem: Problem, file: str) -> bytes | None:
+    """The bytes of one accepted program; None where it is not there, as in a pack without solutions."""
+    try:
+        return read_ordinary(problem.solutions / Kind.ACCEPTED.value / file)
+    except OSError:  # `judge verify` tells of it
+        return None
+
+
+def is_solution(path: str, problem: str) -> bool:
+    """Whether a path, with / between its parts, names a solution of the problem of that id."""
+    return path.split("/")[-4:-2] == ["solutions", problem]
+
+
+def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
+    """What a folder holds, in order, without what is hidden; `faults` gets one where it cannot be read."""
+    try:
+        return sorted(path for path in folder.iterdir() if not path.name.startswith((".", "__")))
+    except FileNotFoundError:
+        pass
+    except OSError as fault:
+        what = f"cannot be read: {fault.strerror}"
+        faults.append(ProblemError(what, where=_place(folder, 2), remedy="make it a readable folder"))
+    return []
+
+
+def _strays(problem: Problem) -> list[ProblemError]:
+    """What lies beside the folders of the kinds and looks as if somebody thought that it was judged."""
+    names = [kind.value for kind in Kind]
+    faults: list[ProblemError] = []
+    for path in _visible(problem.solutions, faults):
+        if path.name not in names and (path.is_dir() or is_program(path)):
+            remedy = f"move it to {', '.join(names[:-1])} or {names[-1]}"
+            faults.append(ProblemError("nobody judges this", where=_place(path, 2), remedy=remedy))
+    return faults
+
+
+def _read(kind: Kind, path: Path) -> Solution:
+    if path.suffix not in _HEADS:
+        remedy = f"end its name in {' or '.join(_HEADS)} if it is one, or move it elsewhere"
+        raise ProblemError("this is no program", where=_place(path, 3), remedy=remedy)
+    try:
+        source = read_ordinary(path)
+        head = _HEADS[path.suffix](source)
+    except OSError as fault:
+        what = f"cannot be read: {fault.strerror}"
+        raise ProblemError(what, where=_place(path, 3), remedy="make it readable") from None
+    except SyntaxError as fault:
+        raise ProblemError(f"no Python: {fault}", where=_place(path, 3), remedy="repair it") from None
+    name, _, text = head.partition("\n")
+    return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"))
+
+
+def _docstring(source: bytes) -> str:
+    return ast.get_docstring(tree_of(source)) or ""
+
+
+_HEADS: Mapping[str, Callable[[bytes], str]] = {SUFFIX: _docstring}  # how a language's programs begin
+
+
+def _place(path: Path, parts: int) -> str:
+    """The end of a path as a person is told it: `middle/wrong/off-by-one.py`."""
+    return "/".join(path.parts[-parts:])

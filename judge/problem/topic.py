@@ -1,0 +1,63 @@
+"""What a topic adds to the engine: hooks, every one optional, which a problem.py hands over as TOPIC.
+
+The engine knows no topic: what it draws, mirrors or makes simpler as a whole, these functions draw, mirror or
+make simpler. A problem without a topic works in every command. It has no picture, and `judge stress` has no
+images of its cases.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol
+
+from msgspec import Struct
+
+from judge.problem.model import Case, Problem
+
+if TYPE_CHECKING:
+    from judge.drawing import Picture
+
+Image = tuple[Case, Any]  # a case and its target
+
+
+class Chance(Protocol):
+    """A source of chance; every `judge.data.draw.Draw` is one."""
+
+    def integer(self, low: int, high: int) -> int:
+        """An int from low to high, both included."""
+        ...
+
+
+class Shown(Struct, frozen=True):
+    """A case and its answers, to be drawn.
+
+    `values` are the arguments by parameter name, `exact` is what the problem's `solve` answers. `wanted` and
+    `got` are the two answers in words; `given` is the submission's own, JSON of any shape whatever, and None
+    where there is none. `heading` says which case it is.
+    """
+
+    problem: Problem
+    values: Mapping[str, Any]
+    exact: Any
+    wanted: str | None
+    got: str | None
+    given: Any | None = None
+    heading: str = ""
+
+
+class Topic(Struct, frozen=True):
+    """The hooks of a topic.
+
+    Attributes:
+        images: at most so many cases that follow from a case, with their targets, as `chance` has it. They
+            keep the promise because the case does; the engine holds them against the bounds only.
+        simpler: cases that may fail as a case does and are simpler; each is proved before it is tried.
+        special: how many things in a case are special in themselves, such as a length of 0: of two failing
+            cases the one without them is the simpler.
+        picture: a case drawn, or None where it cannot be.
+    """
+
+    images: Callable[[Problem, Case, Any, Chance, int], list[Image]] | None = None
+    simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
+    special: Callable[[Case], int] | None = None
+    picture: Callable[[Shown], Picture | None] | None = None

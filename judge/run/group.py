@@ -1,0 +1,182 @@
+"""A test group while it is being judged: what passed, and the first case that did not."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from judge.problem import Case, Group, Problem, Verdict
+from judge.run.replies import VERDICTS, Replies
+from judge.run.result import Failure, GroupResult
+from judge.sandbox.boundary import Limits, Stop, Usage
+from judge.values import Accepted
+
+if TYPE_CHECKING:
+    from judge.data.model import GroupData, ProblemData
+    from judge.problem import Tolerance
+    from judge.run.runner import Runner
+    from judge.values import Exact, Outline, Rejection
+
+_ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
+_EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
+
+
+class GroupRun:
+    """Collects the outcomes of one group's cases, in order, into a `GroupResult` and a `Failure`."""
+
+    def __init__(self, data: ProblemData, group: GroupData, runner: Runner) -> None:
+        self.problem: Problem = data.problem
+        self.group = group.group
+        self.cases = group.cases
+        self.targets = group.targets
+        self.usage = Usage()
+        self.ended = False  # whether nothing more of it is to be run
+        self.given_up = False  # whether none of it was run that says anything
+        self.passed = 0
+        self.verdict = Verdict.AC
+        self.failure: Failure | None = None
+        self.reached = 0  # the cases before this one have all been decided
+        self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
+        self._data = data
+        self._runner = runner
+        self._worst: float | None = None
+
+    def exact(self, index: int) -> Callable[[], tuple[Exact, Tolerance]]:
+        """What a comparison calls if it needs the exact answer of a case."""
+        return partial(self._exact, index)
+
+    def _exact(self, index: int) -> tuple[Exact, Tolerance]:
+        return self._data.exact(self.cases[index], self.group)
+
+    def take(self, replies: Replies) -> None:
+        """Decide what came of the next cases, and record it; a breakdown is left to the caller."""
+        self.usage += replies.usage
+        decide, targets, worst, answered = self._runner.decide, self.targets, self._worst, Stop.ANSWERED
+        for index, (stop, answer, detail) in enumerate(replies.replies, self.reached):
+            if stop is not answered:
+                self.stopped(index, stop, detail)
+                continue
+            outcome = decide(answer, targets[index], partial(self._exact, index))
+            if not isinstance(outcome, Accepted):
+                self._rejected(index, outcome, answer)
+                continue
+            self.passed += 1
+            ulps = outcome.worst_ulps
+            # An exact 0 has no scale of its own: its error in ulps says nothing, and may not even be finite.
+            if ulps is not None and (worst is None or ulps > worst) and math.isfinite(ulps):
+                worst = ulps
+        self._worst = worst
+        self.reached += len(replies.replies)
+
+    def _rejected(self, index: int, outcome: Rejection, answer: Any) -> None:
+        """Record a wrong answer of a case."""
+        self.wrong[index] = self._runner.outline(answer)
+        if self.failure is None:
+            self.verdict = Verdict.WA
+            self.failure = Failure(
+                outcome.message,
+                self.group.name,
+                index + 1,
+                self._shown_input(index),
+                outcome.wanted,
+                outcome.got,
+                outcome.where,
+                outcome.absolute,
+                outcome.relative,
+                outcome.ulps,
+                self._runner.raw(answer),
+            )
+
+    def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+        """Record a case without an answer to compare."""
+        self.wrong.setdefault(index, (f"stopped {verdict.value}", ()))
+        if self.failure is None:
+            self.verdict = verdict
+            self.failure = Failure(
+                message,
+                self.group.name,
+                index + 1,
+                self._shown_input(index),
+                self._runner.wanted(self.targets[index]),
+                got,
+            )
+
+    def _shown_input(self, index: int) -> dict[str, Any] | None:
+        """A case's arguments by name; None for a big case, which nobody could read."""
+        return named_input(self.problem, self.cases[index]) if self.group.size is None else None
+
+    def give_up(self, verdict: Verdict, reason: str) -> None:
+        """Record that the rest of it is not run: those cases are undecided."""
+        if self.failure is None:
+            self.given_up = True
+            self.failed(0, verdict, f"not run: {reason}")
+            del self.wrong[0]
+
+    def stopped(self, index: int, stop: Stop, detail: str) -> None:
+        """Record a case that ended otherwise than with an answer."""
+        raised = _EXCEPTION.match(detail) if stop is Stop.EXCEPTION else None
+        self.wrong[index] = (f"raised {raised[0]}" if raised else f"stopped {stop.value}", ())
+        self.failed(index, VERDICTS[stop], detail)
+
+    def unsteady(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+        """Record a case that passed, but did not when it was run again."""
+        self.passed -= 1
+        self.failed(index, verdict, message, got)
+
+    def too_slow(self, message: str) -> None:
+        """Record that the submission as a whole takes too long, though its answers are right."""
+        self.verdict = Verdict.TLE
+        self.failure = Failure(message, self.group.name)
+
+    def explain(self, why: str) -> None:
+        """Add to the reason of a failure."""
+        if self.failure is not None:
+            self.failure = replace(self.failure, message=f"{self.failure.message}; {why}")
+
+    @property
+    def out_of_cpu_time(self) -> bool:
+        """Whether it failed because its CPU time, not only the wall clock's, is used up."""
+        spent = self.usage.cpu_seconds >= _ALL_BUT * self.problem.limits_of(self.group).cpu_seconds
+        return self.verdict is Verdict.TLE and spent
+
+    @property
+    def out_of_time(self) -> bool:
+        """Whether its time is used up, whatever else it may have done: filled memory, say."""
+        left = group_limits(self.problem, self.group, self.usage)
+        return not (left.cpu_seconds and left.wall_seconds)
+
+    def result(self) -> GroupResult:
+        """The group's outcome; cases that were never run have not passed."""
+        return GroupResult(
+            self.group.name,
+            self.verdict,
+            len(self.cases),
+            self.passed,
+            self._worst,
+            self.usage.cpu_seconds,
+            self.group.points,
+            self.reached,
+            self.wrong,
+        )
+
+
+def named_input(problem: Problem, case: Case) -> dict[str, Any]:
+    """A case's arguments by parameter name."""
+    return problem.named(case)
+
+
+def group_limits(problem: Problem, group: Group, used: Usage) -> Limits:
+    """What is left of a group's limits once `used` of its time has gone."""
+    limits = problem.limits_of(group)
+    return Limits(
+        max(0.0, limits.cpu_seconds - used.cpu_seconds),
+        max(0.0, limits.wall_seconds - used.wall_seconds),
+        limits.memory_bytes,
+        limits.output_bytes,
+        items=problem.answer.items,
+    )

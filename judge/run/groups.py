@@ -1,0 +1,138 @@
+"""Running a submission on test groups, in as few processes as it takes, until each of them has ended."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import takewhile
+
+from judge.errors import JudgeError
+from judge.problem import Case, Verdict
+from judge.run.budget import Budget
+from judge.run.group import GroupRun, group_limits
+from judge.run.replies import Breakdown, Replies
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box, Stop
+
+MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
+SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
+_TIME = (Stop.CPU, Stop.WALL, Stop.WAITING)
+_CRASHES = (Stop.EXCEPTION, Stop.EXITED)
+
+
+def run_groups(
+    runner: Runner,
+    box: Box,
+    groups: Sequence[GroupRun],
+    *,
+    budget: Budget,
+    on_calls: Callable[[GroupRun], None],
+    on_group: Callable[[GroupRun], None],
+) -> None:
+    """Run the submission on every case of the groups and record what comes of it.
+
+    A call that takes its process with it costs itself alone; one that uses up its group's time, or the third
+    loss of a group, ends the group, and so does any breakdown. `on_calls` is told as soon as a group's cases
+    have been run, `on_group` once its answers are compared; nothing more is begun once the budget is used up.
+    """
+    waiting = [_Progress(runner, box, group, budget) for group in groups]
+    while waiting and not budget.over:
+        # A group that has lost a call goes on by itself, with what is left of its limits.
+        first = waiting[0].group
+        batch = [waiting[0]] if first.reached else _of_equal_limits(waiting)
+        called = iter(batch)
+        results = runner.series(
+            box,
+            [progress.rest for progress in batch],
+            budget.within(group_limits(first.problem, first.group, first.usage)),
+            lambda called=called: on_calls(next(called).group),  # type: ignore[misc]
+        )
+        if not any(result.replies or result.breakdown for result in results):
+            raise JudgeError("the sandbox made no call at all", where=first.group.name)
+        for progress, result in zip(batch, results, strict=False):
+            progress.take(budget.booked(result))
+            if progress.over:
+                on_group(progress.group)
+        waiting = [progress for progress in waiting if not progress.over]
+
+
+class _Progress:
+    """A group on its way to its end."""
+
+    def __init__(self, runner: Runner, box: Box, group: GroupRun, budget: Budget) -> None:
+        self.group = group
+        self.over = False
+        self._runner = runner
+        self._box = box
+        self._budget = budget
+        self._losses = 0
+
+    @property
+    def rest(self) -> Sequence[Case]:
+        """The cases still to be run: at first the group's own list, which need not be packed again."""
+        cases, reached = self.group.cases, self.group.reached
+        return cases[reached:] if reached else cases
+
+    def take(self, replies: Replies) -> None:
+        """Record what came of the next cases."""
+        group, breakdown = self.group, replies.breakdown
+        if breakdown and breakdown.verdict is Verdict.OLE:  # goes before what its lines say
+            group.failed(breakdown.case, breakdown.verdict, breakdown.detail)
+        group.take(replies)
+        if breakdown:
+            self._broken_down(breakdown, replies)
+        self._losses += replies.lost
+        self.over = (
+            breakdown is not None
+            or group.reached >= len(group.cases)
+            or self._losses >= MOST_LOSSES
+            or replies.stop in _TIME
+        )
+
+    def _broken_down(self, breakdown: Breakdown, replies: Replies) -> None:
+        group = self.group
+        if breakdown.verdict is Verdict.WA:
+            group.failed(breakdown.case, breakdown.verdict, breakdown.detail, breakdown.got)
+        if group.failure is not None:  # a wrong line says more than what came of the run afterwards
+            return
+        culprit = self._culprit(replies)
+        if culprit is None:
+            message = breakdown.detail + breakdown.so_far
+            group.failed(breakdown.case, breakdown.verdict, message, breakdown.got)
+        else:
+            group.stopped(culprit, replies.stop, breakdown.detail)
+
+    def _culprit(self, replies: Replies) -> int | None:
+        """The case at which a run breaks, found by halving, or None where it breaks without any.
+
+        What it had printed may still have been in its buffer, so the lines that arrived do not tell. None,
+        too, where the search takes too long.
+        """
+        if replies.stop not in _CRASHES or replies.usage.wall_seconds >= SEARCHED_SECONDS:
+            return None
+        if not self._budget.may_search() or self._breaks(0):
+            return None
+        good, bad = 0, len(self.group.cases)
+        while bad - good > 1:
+            if not self._budget.may_search():
+                return None
+            middle = (good + bad) // 2
+            good, bad = (good, middle) if self._breaks(middle) else (middle, bad)
+        return bad - 1
+
+    def _breaks(self, count: int) -> bool:
+        """Whether a run on the first so many cases breaks too."""
+        limits = group_limits(self.group.problem, self.group.group, self.group.usage)
+        limits = limits._replace(
+            cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
+            wall_seconds=min(limits.wall_seconds, 2 * SEARCHED_SECONDS),
+        )
+        replies = self._runner.answers(self._box, self.group.cases[:count], self._budget.within(limits))
+        self._budget.searched(replies.usage)
+        return replies.stop is not Stop.ANSWERED
+
+
+def _of_equal_limits(waiting: Sequence[_Progress]) -> list[_Progress]:
+    """The first ones that the same limits hold for."""
+    first = waiting[0].group
+    limits = first.problem.limits_of(first.group)
+    return list(takewhile(lambda each: first.problem.limits_of(each.group.group) == limits, waiting))

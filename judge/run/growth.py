@@ -1,0 +1,132 @@
+"""How CPU time grows with n, beside the reference solution's.
+
+The logarithm of the ratio of both times is fitted against log n by least squares. Its slope is by how much
+the submission's exponent exceeds the reference's: it says the same on any machine, in any language.
+Groups that take the reference less than 10 ms say nothing. Two interleaved rounds settle most submissions; in
+the grey zone around the limit nine pairs do, and both their medians and the least times must be too steep.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from msgspec import Struct
+
+from judge.run.result import Growth
+from judge.run.timing import MOST_PAIRS, Decision, Pair, Run, decide, is_clear, quantile, turn
+
+LEAST_SECONDS = 0.01  # of the reference, for a group to count
+ROUNDS = 2
+GREY = 0.15  # on either side of the limit
+_SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
+
+
+class Course(Struct, frozen=True):
+    """One group to be run on: its size n, a turn each, and its limit as a multiple of the reference's time.
+
+    `cases` is how many cases of that size a turn runs.
+    Where a submission ran out of time, its turn gives the time it used, and the limit is None.
+    """
+
+    name: str
+    size: int
+    submission: Run
+    reference: Run
+    limit: float | None = None
+    cases: int = 1
+
+
+class Grown(Struct, frozen=True):
+    """What the courses came to; `decisions` by name, `growth` is None where fewer than two of them count."""
+
+    growth: Growth | None
+    too_steep: bool
+    decisions: dict[str, Decision]
+
+
+def grow(courses: Sequence[Course], slope: float, goes_on: Callable[[], bool] = lambda: True) -> Grown:
+    """Run the courses in rounds, the smallest first, until it is clear how the submission grows.
+
+    `goes_on` is asked after each round whether there may be another. A submission whose turn does not end
+    well is not judged by its growth.
+    """
+    pairs: dict[str, list[Pair]] = {course.name: [] for course in courses}
+    waiting: Sequence[Course] = courses
+    for number in range(MOST_PAIRS):
+        for course in waiting:
+            pair = turn(course.submission, course.reference, swapped=number % 2 == 1)
+            if pair is None:
+                return Grown(None, False, {})
+            pairs[course.name].append(pair)
+        if not goes_on():
+            break
+        if number + 1 >= ROUNDS:
+            waiting = _unclear(courses, pairs, slope)
+    counting = _counting(courses, pairs)
+    decisions = {
+        each.name: decide(pairs[each.name], each.limit) for each in courses if each.limit is not None
+    }
+    if len({each.size for each in counting}) < 2:
+        return Grown(None, False, decisions)
+    growth, too_steep = _judged(counting, pairs, slope)
+    return Grown(growth, too_steep, decisions)
+
+
+def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> list[Course]:
+    """The courses of which more pairs are needed."""
+    counting = _counting(courses, pairs)
+    grey = False
+    if len({each.size for each in counting}) >= 2:
+        by_medians, by_least = _slopes(counting, pairs)
+        grey = min(by_medians, by_least) < slope + GREY and max(by_medians, by_least) > slope - GREY
+    return [
+        each
+        for each in courses
+        if (grey and each in counting)
+        or (each.limit is not None and not is_clear(pairs[each.name], each.limit))
+    ]
+
+
+def _counting(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> list[Course]:
+    """Those that take the reference long enough."""
+    return [each for each in courses if _least(pairs[each.name]).reference >= LEAST_SECONDS]
+
+
+def _judged(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> tuple[Growth, bool]:
+    by_medians, by_least = _slopes(courses, pairs)
+    too_steep = by_medians > slope and by_least > slope
+    many = max(len(pairs[each.name]) for each in courses)
+    reference = exponent([(each.size, _least(pairs[each.name]).reference / each.cases) for each in courses])
+    growth = Growth(
+        reference + by_medians,
+        reference,
+        slope,
+        tuple(each.name for each in courses),
+        many,
+        borderline=slope - GREY < max(by_medians, by_least) and min(by_medians, by_least) < slope + GREY,
+    )
+    return growth, too_steep
+
+
+def _slopes(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> tuple[float, float]:
+    """By how much the exponent exceeds the reference's: by the median pairs, and by the least times."""
+    medians = [
+        (each.size, quantile(sorted(pair.ratio for pair in pairs[each.name]), 0.5)) for each in courses
+    ]
+    least = [(each.size, _least(pairs[each.name]).ratio) for each in courses]
+    return exponent(medians), exponent(least)
+
+
+def _least(pairs: Sequence[Pair]) -> Pair:
+    """The least time of each."""
+    return Pair(min(pair.submission for pair in pairs), min(pair.reference for pair in pairs))
+
+
+def exponent(points: Sequence[tuple[int, float]]) -> float:
+    """The e of the law y = c·nᵉ that fits the points (n, y) best; of n at least two must differ."""
+    xs = [math.log(size) for size, _ in points]
+    ys = [math.log(max(value, _SHORTEST)) for _, value in points]
+    x_mean, y_mean = sum(xs) / len(xs), sum(ys) / len(ys)
+    over = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
+    return over / sum((x - x_mean) ** 2 for x in xs)

@@ -1,0 +1,92 @@
+"""The two ways to run a submission behind one interface, and which of them a source asks for.
+
+Judging, races, stress, the search for the smallest case and `judge.testing` all go through a `Runner`: they
+need not know whether a case is a call or a line of standard input.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
+
+from judge.problem import Case, Problem, TimeRule
+from judge.run.function import FunctionRunner
+from judge.run.program import ProgramRunner
+from judge.run.replies import Replies
+from judge.run.result import Failure, Mode
+from judge.sandbox.boundary import Box, Inspection, Limits
+from judge.values import ExactOf, Outcome, Outline, Raw, Target
+
+
+class Runner(Protocol):
+    """One way to run a submission on cases and to decide what it answers.
+
+    `mode` is its name in results. `calls` says whether a case is a call, which a test of one's own can make
+    as well; `tells_where` whether it is known which case ended a process.
+    """
+
+    @property
+    def problem(self) -> Problem:
+        """The problem whose cases they are."""
+        ...
+
+    @property
+    def mode(self) -> Mode:  # noqa: D102
+        ...
+
+    @property
+    def calls(self) -> bool:  # noqa: D102
+        ...
+
+    @property
+    def tells_where(self) -> bool:  # noqa: D102
+        ...
+
+    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """Run the submission on the cases, in a process of its own."""
+        ...
+
+    def series(
+        self,
+        box: Box,
+        series: Sequence[Sequence[Case]],
+        limits: Limits,
+        on_series: Callable[[], None] | None = None,
+    ) -> list[Replies]:
+        """Run it on as many of the series as one process serves, at least one; `limits` hold for each.
+
+        `on_series` is called after each series but the last.
+        """
+        ...
+
+    @property
+    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+        """What holds a reply's answer against a target; see `judge.values.Type.check`."""
+        ...
+
+    def wanted(self, target: Target) -> str:
+        """The right answer, written as the submission would."""
+        ...
+
+    def outline(self, answer: Any) -> Outline:
+        """What a wrong answer is, reduced to what tells one mistake from another."""
+        ...
+
+    def raw(self, answer: Any) -> Raw:
+        """A reply's answer in its JSON form; None where it holds none."""
+        ...
+
+    def reference(self, rule: TimeRule) -> str | None:
+        """The file among the accepted solutions that sets the time limit; None where there is none."""
+        ...
+
+    def explained(self, failure: Failure) -> Failure:
+        """The failure, with what a person should know of the way it was run."""
+        ...
+
+
+def runner_for(problem: Problem, inspection: Inspection, source: bytes) -> Runner:
+    """The runner of a source that compiles: its entry function is called if it has one."""
+    if inspection.defines(problem.entry):
+        return FunctionRunner(problem)
+    return ProgramRunner(problem, inspection.names, source)

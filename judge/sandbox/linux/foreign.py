@@ -1,0 +1,93 @@
+"""Calling the C library through the core of ctypes: what is around it takes as long to import as a box boots.
+
+    prctl = function("prctl")           a function of the C library that is already loaded
+    prctl(Int(4), ULong(0), …)          the arguments are values of the types below, bytes or None
+
+Every function gives a C long; `get_errno()` is errno as the last of them left it.
+"""
+
+from __future__ import annotations
+
+import _ctypes as core
+from _ctypes import Structure, addressof, byref, get_errno
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    _Simple = core._SimpleCData[Any]
+else:
+    _Simple = core._SimpleCData
+
+__all__ = [
+    "Byte",
+    "Int",
+    "Long",
+    "Pointer",
+    "Structure",
+    "UInt",
+    "ULong",
+    "UShort",
+    "addressof",
+    "byref",
+    "function",
+    "get_errno",
+]
+
+
+class Byte(_Simple):
+    """A char."""
+
+    _type_ = "c"
+
+
+class UShort(_Simple):
+    """An unsigned short."""
+
+    _type_ = "H"
+
+
+class Int(_Simple):
+    """An int."""
+
+    _type_ = "i"
+
+
+class UInt(_Simple):
+    """An unsigned int."""
+
+    _type_ = "I"
+
+
+class Long(_Simple):
+    """A long."""
+
+    _type_ = "l"
+
+
+class ULong(_Simple):
+    """An unsigned long, as wide as a size_t on every machine that Linux knows."""
+
+    _type_ = "L"
+
+
+class Pointer(_Simple):
+    """A void pointer."""
+
+    _type_ = "P"
+
+
+class _Library:
+    """The C library of this process."""
+
+    _handle = core.dlopen(None, 0)  # type: ignore[arg-type]  # None stands for this process
+
+
+class _Function(core.CFuncPtr):
+    _flags_ = core.FUNCFLAG_CDECL | core.FUNCFLAG_USE_ERRNO
+    _restype_ = Long
+
+
+def function(name: str) -> Any:
+    """The C library's function of that name."""
+    return _Function((name, _Library()))  # type: ignore[arg-type]  # only its handle is asked for

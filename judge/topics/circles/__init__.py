@@ -1,0 +1,48 @@
+"""Circles, and the lines, segments and rays that meet them.
+
+LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
+
+line.py        a circle and a directed line in scaled integers
+bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
+signature.py   from figures to cases and back
+recipes/       test cases: figures that have one property each
+figures/       what recipes are made of
+images.py      mirror images of a case
+simpler.py     simpler cases like a failing one
+types/         types of parameters, found by their names as those of a pack are
+picture/       a failing case drawn
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from judge.problem.topic import Shown, Topic
+from judge.topics.circles.bands import Bands
+from judge.topics.circles.images import mirror_images
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.part import Part
+from judge.topics.circles.signature import builders
+from judge.topics.circles.simpler import simpler, special
+
+if TYPE_CHECKING:
+    from judge.drawing import Picture
+
+__all__ = ["LINE", "RAY", "SEGMENT", "Bands", "CircleLine", "Part", "builders", "mirror_images", "topic_of"]
+
+
+def topic_of(part: Part) -> Topic:
+    """What is known of a circle and so much of a line."""
+    return Topic(images=mirror_images, simpler=simpler, special=special, picture=partial(_picture, part))
+
+
+def _picture(part: Part, shown: Shown) -> Picture | None:
+    from judge.topics.circles.picture import compose  # late: most problems are loaded to be judged, not drawn
+
+    return compose(part, shown)
+
+
+LINE = topic_of(Part.LINE)
+SEGMENT = topic_of(Part.SEGMENT)
+RAY = topic_of(Part.RAY)

@@ -1,0 +1,130 @@
+"""A circle and a directed line in scaled integers: how often they meet, where, and at which parameter.
+
+With D the direction, f = A − C, a = D·D, b = f·D and k = D × f, Lagrange's identity gives the discriminant
+as Δ = b² − a(f·f − r²) = r²a − k², and the common points as C + (k·n ± √Δ·D)/a with n = (−dy, dx); their
+parameters along A + t·D are (−b ± √Δ)/a.
+"""
+
+from __future__ import annotations
+
+from math import isqrt
+
+from msgspec import Struct
+
+from judge.exact.dyadic import integers
+from judge.exact.surd import Surd, make
+
+Number = int | float
+Pair = tuple[Number, Number]
+
+
+class CircleLine(Struct, frozen=True):
+    """A circle (C, r) and the line A + t·D, every length an integer that counts units of 2**-shift.
+
+    Build it with `through` or `ray`. `extent` is the case's own size e. The line is `degenerate` where D = 0.
+    `root` and `point` take `which` = -1 or +1 for the first or second common point in order of t, 0 for
+    the foot of the perpendicular from C.
+    """
+
+    cx: int
+    cy: int
+    r: int
+    ax: int
+    ay: int
+    dx: int
+    dy: int
+    shift: int
+    extent: int
+    a: int
+    b: int
+    k: int
+    delta: int
+
+    @classmethod
+    def through(cls, cx: Number, cy: Number, r: Number, start: Pair, end: Pair) -> CircleLine:
+        """The line from A = `start` (t = 0) to B = `end` (t = 1); e = max(r, |A − C|∞, |B − C|∞).
+
+        Raises ValueError for nan, infinities and r < 0, TypeError for what is neither int nor float.
+        """
+        (icx, icy, ir, ax, ay, bx, by), shift = integers(cx, cy, r, *start, *end)
+        reach = max(ir, abs(ax - icx), abs(ay - icy), abs(bx - icx), abs(by - icy))
+        return _build((icx, icy, ir), (ax, ay), (bx - ax, by - ay), shift, reach)
+
+    @classmethod
+    def ray(cls, cx: Number, cy: Number, r: Number, origin: Pair, direction: Pair) -> CircleLine:
+        """The line O + t·D; e = max(r, |O − C|∞). Raises as `through` does."""
+        (icx, icy, ir, ox, oy, dx, dy), shift = integers(cx, cy, r, *origin, *direction)
+        reach = max(ir, abs(ox - icx), abs(oy - icy))
+        return _build((icx, icy, ir), (ox, oy), (dx, dy), shift, reach)
+
+    @property
+    def degenerate(self) -> bool:
+        """Whether D = (0, 0): no line at all."""
+        return self.a == 0
+
+    def count(self) -> int | None:
+        """0, 1 or 2 common points of the circle and the line, exactly; None where there is no line."""
+        if self.a == 0:
+            return None
+        return 1 if self.delta == 0 else (2 if self.delta > 0 else 0)
+
+    def root(self, which: int) -> Surd:
+        """The parameter t of a common point or (which = 0) of the foot; 0 for a degenerate line.
+
+        Raises ValueError where which = ±1 and the line misses the circle.
+        """
+        if self.a == 0:
+            return make(0, 0, 0, 1)
+        p, q = self._fold(which)
+        return make(p - self.b, q, self.delta, self.a)
+
+    def point(self, which: int) -> tuple[Surd, Surd]:
+        """The point's coordinates in the caller's units; A itself for a degenerate line. Raises as `root`."""
+        if self.a == 0:
+            unit = 1 << self.shift
+            return make(self.ax, 0, 0, unit), make(self.ay, 0, 0, unit)
+        p, q = self._fold(which)
+        bottom = self.a << self.shift
+        x = self.cx * self.a - self.k * self.dy
+        y = self.cy * self.a + self.k * self.dx
+        return (
+            make(x + p * self.dx, q * self.dx, self.delta, bottom),
+            make(y + p * self.dy, q * self.dy, self.delta, bottom),
+        )
+
+    def extent_length(self) -> Surd:
+        """The extent e in the caller's units."""
+        return make(self.extent, 0, 0, 1 << self.shift)
+
+    def extent_parameter(self) -> Surd:
+        """e/|D|: the extent in units of t; 0 for a degenerate line, which has no parameter."""
+        return Surd(0, self.extent, self.a, self.a) if self.a else make(0, 0, 0, 1)
+
+    def _fold(self, which: int) -> tuple[int, int]:
+        """which·√Δ as (p, q) of p + q·√Δ, with q = 0 where Δ is a perfect square."""
+        if which not in (-1, 0, 1):
+            raise ValueError(f"which is -1, 0 or 1, not {which}")
+        if which == 0:
+            return 0, 0
+        if self.delta < 0:
+            raise ValueError("the line misses the circle")
+        root = isqrt(self.delta)
+        return (which * root, 0) if root * root == self.delta else (0, which)
+
+
+def _build(
+    circle: tuple[int, int, int],
+    start: tuple[int, int],
+    direction: tuple[int, int],
+    shift: int,
+    extent: int,
+) -> CircleLine:
+    (cx, cy, r), (ax, ay), (dx, dy) = circle, start, direction
+    if r < 0:
+        raise ValueError("the radius is negative")
+    fx, fy = ax - cx, ay - cy
+    a = dx * dx + dy * dy
+    k = dx * fy - dy * fx
+    return CircleLine(
+        cx, cy, r, ax, ay, dx, dy, shift, extent, a, fx * dx + fy * dy, k, r * r * a - k * k
+    )  # fmt: skip

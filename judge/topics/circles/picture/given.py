@@ -1,0 +1,47 @@
+"""The numbers in a submission's answer, JSON of any shape whatever: what of it can be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import islice
+
+from judge.values.decode import Fault, Raw, Written, number
+
+_MOST = 4  # points that are drawn
+_DEPTH = 3  # levels of lists that are looked into
+
+
+@dataclass(frozen=True, slots=True)
+class Drawable:
+    """The numbers in an answer, in the caller's units: its points, or the one number it is."""
+
+    points: tuple[tuple[Fraction, Fraction], ...] = ()
+    number: Fraction | None = None
+
+
+def read_given(raw: Raw) -> Drawable:
+    """What `raw` holds: every two numbers in a list of their own are a point."""
+    if type(raw) in (list, tuple):
+        return Drawable(tuple(islice(_points(raw, _DEPTH), _MOST)))
+    return Drawable(number=_number(raw))
+
+
+def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:
+    if len(items) == 2:
+        x, y = map(_number, items)
+        if x is not None and y is not None:
+            yield x, y
+            return
+    if depth:
+        for item in items[:_MOST]:
+            if type(item) in (list, tuple):
+                yield from _points(item, depth - 1)
+
+
+def _number(raw: Raw) -> Fraction | None:
+    read = number(raw)
+    if isinstance(read, Fault):
+        return None
+    return read.exact() if isinstance(read, Written) else Fraction(read)

@@ -1,0 +1,90 @@
+"""The circle and the line in a panel."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+
+from judge.drawing.clip import polygon, polyline
+from judge.drawing.frame import Frame, direction, near, over_root
+from judge.drawing.shapes import Dot, Role, Stroke
+from judge.exact import Surd
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.part import Part
+from judge.topics.circles.picture.scene import Scene
+
+_FLAT = 30.0  # a circle of more panels than this is drawn as the arc that can be seen
+_SEEN = 1.5  # half the panel's diagonal, and a little more
+_REACH = 4.0  # how far a line is followed
+
+
+def circle(frame: Frame, line: CircleLine) -> tuple[Stroke, ...]:
+    """The disc, faintly filled, and its circle."""
+    if not line.r:
+        return ()
+    size = near(line.r / frame.unit)
+    dots = _whole_ring(frame, line, size) if size < _FLAT else _arc(frame, line)
+    closed = (*dots, dots[0]) if size < _FLAT else dots
+    area = polygon(dots if size < _FLAT else (*dots, *_within(frame, line, dots)))
+    fill = (Stroke(area, Role.SHAPE, filled=True),) if area else ()
+    return (*fill, *(Stroke(part, Role.SHAPE) for part in polyline(closed)))
+
+
+def _whole_ring(frame: Frame, line: CircleLine, size: float) -> tuple[Dot, ...]:
+    x, y = frame.place(line.cx, line.cy)
+    steps = 120 if size < 2 else 720
+    turns = (2 * pi * step / steps for step in range(steps))
+    return tuple((x + size * cos(turn), y + size * sin(turn)) for turn in turns)
+
+
+def _arc(frame: Frame, line: CircleLine) -> tuple[Dot, ...]:
+    """A large circle as seen from here: h outside it, falling away by v²/(r + √(r² − v²)) at v beside."""
+    fx, fy = frame.x - line.cx, frame.y - line.cy
+    square = fx * fx + fy * fy
+    top, bottom = square.numerator, square.denominator
+    h = near(Surd(-line.r * bottom, 1, top * bottom, bottom) / frame.unit)
+    bend = near(frame.unit / line.r)
+    ux, uy = direction(fx, fy)
+    dots = []
+    for step in range(-24, 25):
+        v = _SEEN * step / 24
+        n = -h - bend * v * v / (1 + sqrt(1 - (bend * v) ** 2))
+        dots.append((ux * n - uy * v, uy * n + ux * v))
+    return tuple(dots)
+
+
+def _within(frame: Frame, line: CircleLine, dots: tuple[Dot, ...]) -> tuple[Dot, Dot]:
+    """Two corners that close an arc on its inner side."""
+    ux, uy = direction(frame.x - line.cx, frame.y - line.cy)
+    depth = 2 * _REACH + max(abs(x) + abs(y) for x, y in dots)
+    (x1, y1), (x2, y2) = dots[0], dots[-1]
+    return (x2 - ux * depth, y2 - uy * depth), (x1 - ux * depth, y1 - uy * depth)
+
+
+def straight(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """The line, segment or ray with its direction, and faintly the line that it is part of."""
+    line = scene.line
+    if not line.a:
+        return ()
+    fx, fy = line.ax - frame.x, line.ay - frame.y
+    height = (line.dx * fy - line.dy * fx) / line.a
+    offset = near(-height * line.dy / frame.unit), near(height * line.dx / frame.unit)
+    u = direction(line.dx, line.dy)
+    along = (line.dx * fx + line.dy * fy) / frame.unit
+    start = over_root(along, line.a)
+    end = over_root(along + line.a / frame.unit, line.a)
+    return pieces(scene.part, offset, u, start, end)
+
+
+def pieces(part: Part, offset: Dot, u: Dot, start: float, end: float) -> tuple[Stroke, ...]:
+    """A line through `offset` along `u`, drawn between its ends as far as the part has any."""
+    first = -_REACH if part is Part.LINE else max(-_REACH, min(_REACH, start))
+    last = max(-_REACH, min(_REACH, end)) if part is Part.SEGMENT else _REACH
+    strokes = [*_piece(offset, u, -_REACH, first), *_piece(offset, u, last, _REACH)]
+    return (*strokes, *_piece(offset, u, first, last, Role.LINE))
+
+
+def _piece(offset: Dot, u: Dot, first: float, last: float, role: Role = Role.BEYOND) -> list[Stroke]:
+    if first >= last:
+        return []
+    dots = tuple((offset[0] + u[0] * at, offset[1] + u[1] * at) for at in (first, last))
+    return [Stroke(part, role, arrow=role is Role.LINE) for part in polyline(dots)]

@@ -1,0 +1,83 @@
+"""Between a figure and the arguments of a call: which of them are places in the plane, and in what order.
+
+The flat signature is (cx, cy, r, points …, vectors …): a circle's numbers one by one, points and vectors as
+pairs. An adapter makes a case of a figure, so that one recipe serves problems of different signatures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import lru_cache, wraps
+from itertools import pairwise
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data.draw import Draw
+from judge.problem import Case, Parameter
+from judge.problem.model import Number, Point
+from judge.topics.circles.figures.figure import Figure, Recipe
+from judge.values import Type
+
+Adapter = Callable[[Figure], Case]
+Change = Callable[[Point], Point]  # of a point or a vector
+
+
+def flat(figure: Figure) -> Case:
+    """The arguments cx, cy, r, the points, the vectors."""
+    return (*figure.centre, figure.radius, *figure.points, *figure.vectors)
+
+
+def builders(recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
+    """A problem's BUILDERS: each recipe's figure as a case."""
+    return {name: _adapted(recipe, adapter) for name, recipe in recipes.items()}
+
+
+def _adapted(recipe: Recipe, adapter: Adapter) -> Callable[..., Case]:
+    @wraps(recipe)
+    def builder(draw: Draw, **parameters: Any) -> Case:
+        return adapter(recipe(draw, **parameters))
+
+    return builder
+
+
+class Layout(Struct, frozen=True):
+    """The places in a case that hold points and vectors: values of such types, and an x before its y."""
+
+    typed: tuple[tuple[int, Type], ...]
+    split: tuple[int, ...]
+
+    def mapped(self, case: Case, change: Change) -> Case:
+        """The case with every point and vector changed."""
+        values: list[Any] = list(case)
+        for place, type_ in self.typed:
+            values[place] = type_.pairs(values[place], change)
+        for place in self.split:
+            values[place : place + 2] = change((values[place], values[place + 1]))
+        return tuple(values)
+
+
+@lru_cache(maxsize=64)
+def layout(parameters: tuple[Parameter, ...]) -> Layout:
+    """Where the points and vectors of a problem's cases are: cx and cy are one, as x1 and y1 are."""
+    lone = [each.type.depth == 0 and each.type.width == 1 for each in parameters]
+    typed = [(place, each.type) for place, each in enumerate(parameters) if not lone[place]]
+    names = [each.name if alone else None for each, alone in zip(parameters, lone, strict=True)]
+    split = [
+        place
+        for place, (x, y) in enumerate(pairwise(names))
+        if x is not None and y is not None and x != y and x.replace("x", "y") == y
+    ]
+    return Layout(tuple(typed), tuple(split))
+
+
+def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:
+    """The centre, the radius and the two pairs of a flat case that has so many; None for any other case."""
+    if len(case) != 5:
+        return None
+    cx, cy, radius, p, q = case
+    if isinstance(cx, tuple) or isinstance(cy, tuple) or isinstance(radius, tuple):
+        return None
+    if not isinstance(p, tuple) or not isinstance(q, tuple):
+        return None
+    return (cx, cy), radius, p, q

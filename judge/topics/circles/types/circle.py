@@ -1,0 +1,9 @@
+"""`circle`: (x, y, r), the centre and the radius, which is not negative."""
+
+from judge.values.atoms.real import RealType
+from judge.values.tuples import TupleType
+
+
+def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for
+    """The type."""
+    return TupleType((RealType(), RealType(), RealType(least=0)), ("x", "y", "r"), "Circle")

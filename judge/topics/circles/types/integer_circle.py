@@ -1,0 +1,9 @@
+"""`integer-circle`: (x, y, r) in integers; the radius is not negative."""
+
+from judge.values.atoms.int import IntType
+from judge.values.tuples import TupleType
+
+
+def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for
+    """The type."""
+    return TupleType((IntType(), IntType(), IntType(least=0)), ("x", "y", "r"), "IntCircle")

@@ -1,0 +1,3 @@
+"""`integer-ray`: (O, D) in integers."""
+
+TYPE = "(integer-point, integer-point)"

@@ -1,0 +1,251 @@
+"""The language of types, as `answer` and `type` of problem.toml are written in it.
+
+    type  =  base ["?"]                                  with "?" the value may also be None
+    base  =  name [ "(" argument … ")" ]                 an atom, or a name that stands for another type
+          |  "(" type "," type … ")"                     a tuple of fixed parts
+          |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
+
+Names are looked up in the pack's own folder `types`, in `judge/values/atoms` and in the topics' `types`; an
+argument is a word or a number, and arguments are parted by "|", ";" or ",".
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from judge.errors import nearest
+from judge.values.lists import ListType
+from judge.values.optional import OptionalType
+from judge.values.outcome import NO_WORDS, Words
+from judge.values.tuples import TupleType, vector
+from judge.values.type import Type
+
+_TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
+_PACKAGE = Path(__file__).parent
+_TOPICS = _PACKAGE.parent / "topics"
+_DEEPEST = 12
+_LONGEST = 1_000_000_000  # of a list
+
+# Names that stand for a type of the same language.
+ALIASES = {
+    "count": "int?",
+    "points": "[vec2; 0..2]",
+    "parameter": "real?",
+    "number": "real",
+    "integer": "int",
+}
+
+# What people write who know other languages, and what it is called here.
+_FOREIGN = {
+    **dict.fromkeys(("float", "double", "decimal"), "real"),
+    **dict.fromkeys(("str", "string", "text", "enum"), "word(a|b)"),
+    **dict.fromkeys(("list", "vector"), "[T]"),
+    **dict.fromkeys(("tuple", "pair"), "(T, T)"),
+    **dict.fromkeys(("none", "null", "optional", "Optional", "None"), "T?"),
+}
+
+
+def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
+    return lambda parser: vector([parser.named(name) for _ in range(size)], alias)
+
+
+VECTORS = {
+    "vec2": _vector("real", 2, "Point"),
+    "vec3": _vector("real", 3, "Point3"),
+    "point": _vector("real", 2, "Point"),
+    "point3": _vector("real", 3, "Point3"),
+    "integer-point": _vector("int", 2, "IntPoint"),
+}
+
+
+class TypeFault(ValueError):  # noqa: N818 - a fault of the text
+    """A text that is no type: what is wrong, and what to do about it."""
+
+    def __init__(self, what: str, remedy: str) -> None:
+        super().__init__(what)
+        self.what = what
+        self.remedy = remedy
+
+
+def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Type:
+    """The type that a text stands for; `folder` holds a pack's own types. Raises TypeFault."""
+    parser = _Parser(text, folder)
+    found = parser.whole()
+    found.text = text.strip()
+    found.folder = folder
+    return found.worded(words)
+
+
+def names(places: Iterable[Path]) -> list[str]:
+    """The names of the types that those folders and this file hold, for a person to choose from."""
+    files = {path.stem.replace("_", "-") for place in places for path in place.glob("[a-z]*.py")}
+    return [*ALIASES, *VECTORS, *sorted(files)]
+
+
+class _Parser:
+    """One text, read from left to right."""
+
+    def __init__(self, text: str, folder: Path | None, depth: int = 0) -> None:
+        self._text = text
+        self._folder = folder
+        self._depth = depth
+        self._tokens = list(self._split())
+        self._at = 0
+
+    def _split(self) -> Iterator[str]:
+        at = 0
+        while at < len(self._text.rstrip()):
+            found = _TOKEN.match(self._text, at)
+            if found is None:
+                raise self._fault(f"{self._text[at:].strip()[:1]!r} belongs in no type")
+            yield found[1] or found[2] or found[3]
+            at = found.end()
+
+    def _fault(self, why: str, remedy: str = "") -> TypeFault:
+        usual = "write it as a name, (T, T), [T; low..high] or T?"
+        return TypeFault(f"{self._text.strip()!r} is no type: {why}", remedy or usual)
+
+    def whole(self) -> Type:
+        """The type of the whole text."""
+        found = self._type()
+        if self._at < len(self._tokens):
+            raise self._fault(f"{self._tokens[self._at]!r} comes after its end")
+        return found
+
+    def _next(self, wanted: str = "") -> str:
+        token = self._tokens[self._at] if self._at < len(self._tokens) else ""
+        if not token or (wanted and token != wanted):
+            found = repr(token) if token else "its end"
+            raise self._fault(f"{found} where {repr(wanted) if wanted else 'a type'} is meant")
+        self._at += 1
+        return token
+
+    def _take(self, token: str) -> bool:
+        if self._at < len(self._tokens) and self._tokens[self._at] == token:
+            self._at += 1
+            return True
+        return False
+
+    def _type(self) -> Type:
+        self._depth += 1
+        if self._depth > _DEEPEST:
+            raise self._fault("it is nested too deep")
+        token = self._next()
+        if token == "(":
+            found = self._made(TupleType, self._parts())
+        elif token == "[":
+            found = self._list()
+        elif token[0].isalpha() or token[0] == "_":
+            found = self.named(token, self._arguments())
+        else:
+            raise self._fault(f"none begins with {token!r}")
+        self._depth -= 1
+        return self._made(OptionalType, found) if self._take("?") else found
+
+    def _parts(self) -> list[Type]:
+        parts = [self._type()]
+        while self._take(","):
+            parts.append(self._type())
+        self._next(")")
+        return parts
+
+    def _list(self) -> Type:
+        item = self._type()
+        low, high = 0, None
+        if self._take(";"):
+            low = high = self._number()
+            if self._take(".."):
+                high = self._number()
+        self._next("]")
+        return self._made(ListType, item, low, high)
+
+    def _number(self) -> int:
+        token = self._next()
+        if not token.isdecimal() or len(token) > 10 or int(token) > _LONGEST:
+            raise self._fault(f"{token!r} is no length of a list")
+        return int(token)
+
+    def _arguments(self) -> list[str]:
+        arguments: list[str] = []
+        if self._take("("):
+            arguments.append(self._next())
+            while not self._take(")"):
+                if not (self._take("|") or self._take(";") or self._take(",")):
+                    self._next(")")
+                arguments.append(self._next())
+        return arguments
+
+    def _made(self, make: Callable[..., Any], *arguments: Any) -> Type:
+        try:
+            made: Type = make(*arguments)
+        except TypeError:
+            raise self._fault("there are too many or too few words between its parentheses") from None
+        except ValueError as why:
+            raise self._fault(str(why)) from None
+        return made
+
+    def named(self, name: str, arguments: list[str] | None = None) -> Type:
+        """The type of that name."""
+        found: Any = VECTORS.get(name)
+        if found is not None:
+            type_ = found(self)
+        else:
+            found = ALIASES.get(name) or _found(name, self._folder)
+            if found is None:
+                raise self._unknown(name)
+            if isinstance(found, str):
+                type_ = _Parser(found, self._folder, self._depth).whole()
+            else:
+                type_ = self._made(found, *(arguments or []))
+                arguments = []
+        if arguments:
+            raise self._fault(f"{name} takes nothing in parentheses")
+        return type_  # type: ignore[no-any-return]
+
+    def _unknown(self, name: str) -> TypeFault:
+        meant = _FOREIGN.get(name) or nearest(name, names(_places(self._folder)))
+        own = names(_own_places(self._folder))  # a topic's types are for whoever knows of them
+        remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
+        if self._tokens == [name]:
+            return TypeFault(f"{name!r} is unknown", remedy)
+        return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
+
+
+def _own_places(folder: Path | None) -> Iterator[Path]:
+    """Where the types of a pack and of the language itself are."""
+    if folder is not None:
+        yield folder
+    yield _PACKAGE / "atoms"
+
+
+def _places(folder: Path | None) -> Iterator[Path]:
+    yield from _own_places(folder)
+    yield from sorted(_TOPICS.glob("*/types"))
+
+
+def _found(name: str, folder: Path | None) -> Any:
+    """What the module of that name has as its TYPE; None where there is no such module."""
+    if not re.fullmatch(r"[a-z][a-z0-9-]*", name):
+        return None
+    file = f"{name.replace('-', '_')}.py"
+    path = next((place / file for place in _places(folder) if (place / file).is_file()), None)
+    return None if path is None else _loaded(path)
+
+
+def _loaded(path: Path) -> Any:
+    if path.parent == _PACKAGE / "atoms":
+        from importlib import import_module
+
+        return import_module(f"judge.values.atoms.{path.stem}").TYPE
+    module = ModuleType(f"judge_type_{path.stem}_{abs(hash(path)):x}")
+    module.__file__ = str(path)
+    try:
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec", dont_inherit=True), module.__dict__)
+        return module.TYPE
+    except Exception as fault:  # trusted, but anybody's
+        what = f"types/{path.name} cannot be loaded: {type(fault).__name__}: {fault}"
+        raise TypeFault(what, "repair it there; it must define TYPE") from fault

@@ -1,0 +1,263 @@
+"""Every type that the language makes reads what it writes; the exact answer is right, an ulp more is not."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+
+from judge.diagnose.agreement import WrongAnswer
+from judge.exact import Surd
+from judge.sandbox.encode import encode
+from judge.values import Accepted, Enclosure, Real, Rejection, Tolerance, Usual, parse
+
+pytestmark = pytest.mark.slow
+
+TOLERANCE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**12), ulps=Fraction(1))
+WORDS = ("lit", "dark", "run", "any")
+SLOW = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+
+
+class Kind(NamedTuple):
+    """A type's text, its exact answers, and its values as a parameter."""
+
+    text: str
+    exact: st.SearchStrategy[Any]
+    values: st.SearchStrategy[Any]
+
+
+ints = st.integers(-(10**30), 10**30)
+surds = st.builds(
+    lambda p, q, d, s: Surd(p, q, d, s),
+    st.integers(-(10**9), 10**9),
+    st.integers(-99, 99),
+    st.integers(0, 10**6),
+    st.integers(1, 10**4),
+)
+reals = st.tuples(surds, st.fractions(0, 1000, max_denominator=64)).map(lambda pair: Real(*pair))
+floats = st.floats(allow_nan=False, allow_infinity=False)
+numbers = st.one_of(floats, ints)
+words = st.sampled_from(WORDS)
+narrow = st.integers(-128, 127)
+enclosures = st.tuples(surds, st.fractions(1, 10, max_denominator=8)).map(lambda pair: Enclosure(*pair))
+
+ATOMS = [
+    Kind("int", ints, ints),
+    Kind("real", reals, numbers),
+    Kind(f"word({'|'.join(WORDS)})", words, words),
+    Kind("vec2", st.tuples(reals, reals), st.tuples(numbers, numbers)),
+    Kind("vec3", st.tuples(reals, reals, reals), st.tuples(numbers, numbers, numbers)),
+    Kind("enclosure", enclosures, st.nothing()),
+    Kind("array(i8)", st.lists(narrow, max_size=5), st.lists(narrow, max_size=5).map(tuple)),
+    Kind("array(f64; 5)", st.lists(reals, max_size=5), st.lists(floats, max_size=5).map(tuple)),
+]
+
+
+def optional(kind: Kind) -> Kind:
+    if parse(kind.text).may_begin_with_none:
+        return kind
+    return Kind(f"{kind.text}?", st.none() | kind.exact, st.none() | kind.values)
+
+
+def several(parts: list[Kind]) -> Kind:
+    return Kind(
+        f"({', '.join(part.text for part in parts)})",
+        st.tuples(*(part.exact for part in parts)),
+        st.tuples(*(part.values for part in parts)),
+    )
+
+
+def listed(kind: Kind, bounds: tuple[int, int] | None) -> Kind:
+    low, high = bounds or (0, 4)
+    text = f"[{kind.text}]" if bounds is None else f"[{kind.text}; {low}..{high}]"
+    exact, values = (st.lists(each, min_size=low, max_size=high) for each in (kind.exact, kind.values))
+    return Kind(text, exact, values.map(tuple))
+
+
+bounds = st.none() | st.tuples(st.integers(0, 2), st.integers(2, 4))
+kinds = st.recursive(
+    st.sampled_from(ATOMS),
+    lambda inner: st.one_of(
+        inner.map(optional),
+        st.lists(inner, min_size=2, max_size=3).map(several),
+        st.builds(listed, inner, bounds),
+    ),
+    max_leaves=5,
+)
+answers = kinds.flatmap(lambda kind: st.tuples(st.just(kind.text), kind.exact))
+parameters = kinds.filter(lambda kind: parse(kind.text).is_parameter).flatmap(
+    lambda kind: st.tuples(st.just(kind.text), kind.values)
+)
+
+
+def given_for(exact: Any, target: Any) -> Any:
+    """What a perfect function returns: the correctly rounded doubles of the exact answer."""
+    if isinstance(exact, Real):
+        return target[2]
+    if isinstance(exact, Enclosure):
+        return target[:2]
+    if isinstance(target, str) and isinstance(exact, list):  # an array
+        return [float(each.x) if isinstance(each, Real) else each for each in exact]
+    if isinstance(exact, tuple | list):
+        return type(exact)(map(given_for, exact, target))
+    return exact
+
+
+def journey(value: Any) -> Any:
+    """A submission's value as it arrives."""
+    return json.loads(json.dumps(encode(value)))
+
+
+def judged(text: str, exact: Any, raw: Any) -> Any:
+    type_ = parse(text)
+    return type_.check(raw, type_.target(exact, TOLERANCE), lambda: (exact, TOLERANCE))
+
+
+@SLOW
+@given(answers)
+def test_the_exact_answer_is_accepted_in_every_form(answer):
+    text, exact = answer
+    type_ = parse(text)
+    target = type_.target(exact, TOLERANCE)
+    assert isinstance(judged(text, exact, journey(given_for(exact, target))), Accepted)
+    kept = json.loads(json.dumps(target))
+    assert isinstance(
+        type_.check(journey(given_for(exact, target)), kept, lambda: (exact, TOLERANCE)), Accepted
+    )
+    assert type_.wanted(kept) == type_.wanted(target)
+    line = type_.line(target)
+    assert isinstance(type_.check_line(line, target, lambda: (exact, TOLERANCE)), Accepted)
+    json.dumps([type_.exact_text(exact), type_.accepted(target)])
+
+
+@SLOW
+@given(answers)
+def test_what_a_type_writes_it_reads(answer):
+    text, exact = answer
+    type_ = parse(text)
+    target = type_.target(exact, TOLERANCE)
+    assert type_.outline(journey(given_for(exact, target))) == type_.right(target)
+    read = type_.read_line(type_.line(target))
+    assert not isinstance(read, str)
+    if "enclosure" not in text:  # whose text lies a little further out than its doubles
+        assert type_.outline(read[0]) == type_.right(target)
+
+
+def leaves(type_: Any, target: Any, given: Any, words: tuple[str, ...] = ()) -> Any:
+    """Every real number in an answer: the words of its place, its target, and the answer with another one."""
+    name = type(type_).__name__
+    if name == "OptionalType" and target is not None:
+        yield from leaves(type_.inner, target, given, words)
+    elif name == "RealType":
+        yield words, target, lambda other: other
+    elif name in ("TupleType", "ListType"):
+        for at, (one, each) in enumerate(zip(target, given, strict=True)):
+            if name == "TupleType":
+                part, word = type_.parts[at], type_.names[at]
+            else:
+                part, word = type_.item, f"{type_.one} {at + 1}"
+            for place, bounds_of, changed in leaves(part, one, each, (word, *words)):
+                yield place, bounds_of, lambda x, at=at, f=changed: [*given[:at], f(x), *given[at + 1 :]]
+
+
+@SLOW
+@given(answers, st.data())
+def test_one_ulp_outside_is_refused_and_its_place_is_named(answer, data):
+    text, exact = answer
+    type_ = parse(text)
+    target = type_.target(exact, TOLERANCE)
+    given = journey(given_for(exact, target))
+    found = list(leaves(type_, target, given))
+    assume(found)
+    words, (low, high, *_), changed = data.draw(st.sampled_from(found))
+    assert isinstance(judged(text, exact, changed(high)), Accepted)
+    assert isinstance(judged(text, exact, changed(low)), Accepted)
+    for outside in (math.nextafter(high, math.inf), math.nextafter(low, -math.inf)):
+        outcome = judged(text, exact, changed(outside))
+        assert isinstance(outcome, Rejection)
+        if outcome.where:  # not the right items in another order
+            alone = words[-1:] == ("point 1",) and len(given) == 1
+            assert outcome.where == (" of ".join(words[: -1 if alone else None]) or "the answer")
+            assert outcome.absolute is not None
+
+
+@SLOW
+@given(answers, st.data())
+def test_any_other_shape_is_refused_and_never_raises(answer, data):
+    text, exact = answer
+    raw = data.draw(
+        st.recursive(
+            st.one_of(st.none(), st.booleans(), numbers, st.text(max_size=3)),
+            lambda inner: (
+                st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=2)
+            ),
+            max_leaves=6,
+        )
+    )
+    type_ = parse(text)
+    outcome = judged(text, exact, raw)
+    assert isinstance(outcome, Accepted | Rejection)
+    assert isinstance(type_.outline(raw)[0], str)
+    if isinstance(outcome, Rejection):
+        assert outcome.message.isprintable()
+
+
+@SLOW
+@given(kinds.flatmap(lambda kind: st.tuples(st.just(kind.text), kind.exact, kind.exact, kind.exact)))
+def test_likeness_is_symmetric(case):
+    text, right, one, other = case
+    type_ = parse(text)
+    outlines = [type_.right(type_.target(each, TOLERANCE)) for each in (right, one, other)]
+    usual = Usual.of(outlines[:1])
+
+    def alike(first, second):
+        return WrongAnswer(first, outlines[0], type_, usual).alike(second)
+
+    assert alike(outlines[1], outlines[2]) == alike(outlines[2], outlines[1])
+    assert alike(outlines[1], outlines[1]) == 2
+
+
+def tupled(value: Any) -> Any:
+    return tuple(map(tupled, value)) if isinstance(value, list | tuple) else value
+
+
+@SLOW
+@given(parameters)
+def test_parameters_go_through_text_and_json(parameter):
+    text, value = parameter
+    type_ = parse(text)
+    assert type_.fault("p", value) is None
+    words = list(type_.tokens(value))
+    assert all(word.isascii() and not set(word) & set(" \n") for word in words)
+    again = type_.from_tokens(iter(words))
+    assert repr(again) == repr(value)
+    assert repr(tupled(json.loads(json.dumps(value)))) == repr(value)
+    if "array" not in text:
+        assert repr(tupled(ast.literal_eval(type_.literal(value)))) == repr(value)
+    for simpler in type_.simpler(value):
+        assert type_.fault("p", simpler) is None
+
+
+@pytest.mark.parametrize("kind", ATOMS, ids=lambda kind: kind.text)
+def test_conditions_of_a_regression_test_hold_for_the_exact_answer_alone(kind):
+    @SLOW
+    @given(kind.exact, kind.exact)
+    def holds(right, other):
+        type_ = parse(kind.text)
+        target, wrong = (type_.target(each, TOLERANCE) for each in (right, other))
+        conditions = list(type_.asserts("answer", target))
+
+        def held(answer):
+            return all(eval(each, {"answer": answer, "Fraction": Fraction}) for each in conditions)
+
+        assert held(given_for(right, target))
+        answer = given_for(other, wrong)
+        assert held(answer) == isinstance(judged(kind.text, right, journey(answer)), Accepted)
+
+    holds()

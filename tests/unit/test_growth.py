@@ -1,0 +1,154 @@
+"""How CPU time grows with n: when the exponent is too large, and which groups may say so."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from judge.run.growth import LEAST_SECONDS, Course, exponent, grow
+from judge.run.timing import MOST_PAIRS
+
+SLOPE = 0.4
+SIZES = (2_000, 8_000, 32_000)
+
+
+def course(size, mine, theirs, limit=None, cases=1, log=None):
+    """A group whose turns take these times; a list is taken one by one, its last value again and again."""
+
+    def run(name, values):
+        left = list(values) if isinstance(values, list) else [values]
+
+        def turn():
+            if log is not None:
+                log.append((name, size))
+            return left.pop(0) if len(left) > 1 else left[0]
+
+        return turn
+
+    return Course(f"n-{size}", size, run("mine", mine), run("theirs", theirs), limit, cases)
+
+
+def law(power, factor=1.0, theirs=1.2, log=None):
+    """Courses of a submission that takes n to that power, beside a reference with its own power."""
+    return [
+        course(size, factor * 0.02 * (size / 2000) ** power, 0.02 * (size / 2000) ** theirs, log=log)
+        for size in SIZES
+    ]
+
+
+@pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
+def test_the_exponent_of_a_law_is_found(power):
+    assert exponent([(size, 3e-6 * size**power) for size in SIZES]) == pytest.approx(power)
+
+
+def test_one_odd_time_of_three_bends_the_fit_but_little():
+    points = [(2_000, 0.02), (8_000, 0.08 * 1.2), (32_000, 0.32)]
+    assert exponent(points) == pytest.approx(1.0)  # the middle one has no weight in a slope
+
+
+def test_a_quadratic_is_too_steep_after_two_rounds():
+    grown = grow(law(1.9), SLOPE)
+    assert grown.too_steep
+    assert str(grown.growth) == "it grows like n^1.9, the reference like n^1.2"
+    assert (grown.growth.pairs, grown.growth.borderline) == (2, False)
+    assert grown.growth.groups == ("n-2000", "n-8000", "n-32000")
+
+
+@pytest.mark.parametrize("factor", [0.01, 1.0, 40.0])
+def test_a_constant_factor_is_no_growth(factor):
+    grown = grow(law(1.25, factor), SLOPE)
+    assert (grown.too_steep, grown.growth.borderline, grown.growth.pairs) == (False, False, 2)
+
+
+@pytest.mark.parametrize(("more", "too_steep"), [(0.26, False), (0.38, False), (0.42, True), (0.54, True)])
+def test_nine_pairs_decide_in_the_grey_zone_and_it_is_borderline(more, too_steep):
+    grown = grow(law(1.2 + more), SLOPE)
+    assert (grown.too_steep, grown.growth.borderline, grown.growth.pairs) == (too_steep, True, MOST_PAIRS)
+
+
+def test_both_the_medians_and_the_least_times_must_be_too_steep():
+    steep = 0.02 * 4**1.7
+    courses = [course(2_000, 0.02, 0.02), course(8_000, [steep, 0.08, steep], 0.08)]
+    grown = grow(courses, SLOPE)
+    assert (grown.too_steep, grown.growth.borderline) == (False, True)  # one quick run shows that it can
+    assert grown.growth.pairs == MOST_PAIRS
+
+
+def test_a_grey_first_look_is_settled_by_the_others():
+    noisy = [0.08 * 4**0.3, 0.08 * 4**0.3, 0.08]
+    grown = grow([course(2_000, 0.02, 0.02), course(8_000, noisy, 0.08)], SLOPE)
+    assert (grown.too_steep, grown.growth.borderline) == (False, False)
+
+
+def test_groups_that_take_the_reference_no_time_say_nothing():
+    short = 0.9 * LEAST_SECONDS
+    courses = [course(500, 1e-6, short), *law(1.2)]
+    grown = grow(courses, SLOPE)
+    assert grown.growth.groups == ("n-2000", "n-8000", "n-32000")
+    assert not grown.too_steep
+    assert grow(courses[:2], SLOPE).growth is None  # one group alone shows no growth
+    assert grow([course(500, 9.0, 0.02), course(500, 1.0, 0.02)], SLOPE).growth is None
+
+
+def test_time_that_was_used_up_counts():
+    """What a group took that never came to its end is the least that it takes."""
+    courses = [course(2_000, 0.02, 0.02, limit=100.0), course(8_000, 4.0, 0.08)]
+    grown = grow(courses, SLOPE)
+    assert grown.too_steep
+    assert sorted(grown.decisions) == ["n-2000"]  # what ran out of time has no ratio
+
+
+def test_times_are_those_of_one_case():
+    courses = [course(2_000, 0.16, 0.16, cases=8), course(8_000, 0.08, 0.08, cases=1)]
+    growth = grow(courses, SLOPE).growth
+    assert (growth.exponent, growth.reference) == (pytest.approx(1.0), pytest.approx(1.0))
+
+
+def test_the_rounds_are_interleaved_and_who_goes_first_changes():
+    log = []
+    grow(law(1.2, log=log), SLOPE)
+    first = [(name, size) for size in SIZES for name in ("mine", "theirs")]
+    second = [(name, size) for size in SIZES for name in ("theirs", "mine")]
+    assert log == first + second
+
+
+def test_only_what_is_near_its_limit_is_run_again():
+    log = []
+    courses = [
+        course(2_000, 0.02, 0.02, limit=8.0, log=log),
+        course(8_000, 0.08 * 1.1, 0.08, limit=1.1, log=log),
+    ]
+    grown = grow(courses, SLOPE)
+    assert grown.decisions["n-8000"].borderline
+    assert grown.decisions["n-8000"].ratio.pairs == MOST_PAIRS
+    assert grown.decisions["n-2000"].ratio.pairs == 2
+    assert not grown.too_steep
+
+
+def test_a_turn_that_does_not_end_well_says_nothing():
+    grown = grow([course(2_000, 0.02, 0.02), course(8_000, None, 0.08)], SLOPE)
+    assert (grown.growth, grown.too_steep, grown.decisions) == (None, False, {})
+
+
+def test_one_round_must_do_where_there_may_be_no_more():
+    grown = grow(law(1.9), SLOPE, lambda: False)
+    assert (grown.too_steep, grown.growth.pairs) == (True, 1)
+
+
+def test_times_of_nothing_are_no_fault_of_arithmetic():
+    grown = grow([course(2_000, 0.0, 0.02), course(8_000, 0.0, 0.08)], SLOPE)
+    assert math.isfinite(grown.growth.exponent)
+    assert not grown.too_steep
+
+
+def test_the_published_form():
+    growth = grow(law(1.9), SLOPE).growth
+    assert growth.as_json() == {
+        "exponent": pytest.approx(1.9),
+        "reference": pytest.approx(1.2),
+        "slope": SLOPE,
+        "groups": ["n-2000", "n-8000", "n-32000"],
+        "pairs": 2,
+        "borderline": False,
+    }

@@ -1,0 +1,281 @@
+"""Judging from Python: results without a word printed, jobs that travel, and the executors that do them."""
+
+from __future__ import annotations
+
+import multiprocessing
+import pickle
+import shutil
+import subprocess
+import sys
+import threading
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import pytest
+
+import judge
+from judge.errors import JudgeError, ProblemError, UsageError
+from judge.judging import Job, Session, Terms, containment, run
+from judge.judging import session as session_module
+from judge.judging.executors import ATTEMPTS, Here, Threads, WorkerDied, executor
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.run import judge_fault
+from judge.sandbox import levels, room
+
+PACK = Path(__file__).parents[1] / "fixtures" / "pack"
+ROOMS = Path(judge.__file__).parent
+GOOD = "def middle(a, b):\n    return (a + b) / 2\n"
+FLOOR = "def middle(a, b):\n    return (a + b) // 2\n"
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path_factory, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path_factory.getbasetemp() / "api-cache"))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(PACK / "problems"))
+
+
+@pytest.fixture
+def problem():
+    return find_problem("middle")
+
+
+def test_a_result_says_all_that_the_command_shows_and_nothing_is_printed(capfd):
+    result = judge.judge("middle", FLOOR, name="mine.py")
+    assert (result.verdict, result.submission, result.problem) == (Verdict.WA, "mine.py", "middle")
+    assert result.failure.group
+    assert result.counterexample["replay"].startswith("middle:")
+    assert result.pitfall.name == "floor-division"
+    assert capfd.readouterr() == ("", "")
+
+
+def test_an_accepted_submission_is_timed_unless_that_is_left_out():
+    timed, untimed = judge.judge("middle", GOOD), judge.judge("middle", GOOD, timed=False)
+    assert (timed.verdict, untimed.verdict) == (Verdict.AC, Verdict.AC)
+    assert untimed.time.ratio is None
+    assert (timed.score, timed.submission) == (100, "submission.py")
+
+
+def test_what_is_left_out_is_not_looked_for():
+    result = judge.judge("middle", FLOOR.encode(), diagnosed=False, named=False)
+    assert (result.verdict, result.counterexample, result.pitfall) == (Verdict.WA, None, None)
+
+
+def test_a_path_is_read_and_gives_the_name(tmp_path):
+    path = tmp_path / "alice.py"
+    path.write_text(GOOD)
+    assert judge.judge("middle", path, groups="examples").submission == str(path)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("midle", GOOD), "no problem is called 'midle'"),
+        (("middle", "alice.py"), "'alice.py' is a file's name, not a program"),
+        (("middle", Path("nobody.py")), "cannot be read"),
+    ],
+)
+def test_a_wrong_use_is_told_in_one_line(arguments, told):
+    with pytest.raises(UsageError, match=told) as fault:
+        judge.judge(*arguments)
+    assert "\n" not in str(fault.value)
+
+
+def test_a_group_and_a_level_that_are_none(problem):
+    with pytest.raises(UsageError, match="middle has no group 'exampels'; did you mean 'examples'"):
+        judge.judge(problem, GOOD, groups=["exampels"])
+    with pytest.raises(UsageError, match="there is no isolation level fuller"):
+        judge.judge(problem, GOOD, isolation="fuller")
+
+
+def test_a_weak_containment_that_nobody_asked_for_is_a_note(monkeypatch, problem):
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
+    assert judge.judge(problem, GOOD).notes == (session_module.Session(problem).containment.notes("limits"))
+    assert judge.judge(problem, GOOD, isolation="limits").notes == ()
+
+
+def test_the_level_that_the_doctor_found_is_demanded_from_python_too(monkeypatch, problem):
+    if "full" not in [level.name for level in levels() if level.available]:
+        pytest.skip("full cannot be had here")
+    monkeypatch.setattr(containment, "kept_level", lambda: "full")
+    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "gone" if level == "full" else "")
+    with pytest.raises(UsageError, match="isolation full, which 'judge doctor' found here, cannot be had"):
+        judge.judge(problem, GOOD)
+    assert judge.judge(problem, GOOD, isolation="strong", timed=False).isolation == "strong"
+
+
+def test_what_the_machine_has_no_room_for_is_not_tried(monkeypatch, problem):
+    little = room.Room(
+        tasks=200, tasks_limit="pids.max is 300", ceiling=1 << 20, files=1 << 20, files_limit=""
+    )
+    monkeypatch.setattr(room, "measure", lambda: little)
+    with Session(problem, Terms(), jobs=4, expected=4) as session:
+        assert session.jobs == session.settings.workers == 1
+        assert session.notes == ("1 at once, not 4: there is no room for more (pids.max is 300)",)
+    with Session(problem, Terms(), jobs=1, expected=4) as session:
+        assert session.notes == ()
+
+
+def test_importing_judge_imports_nothing_more():
+    script = (
+        "import sys, judge\nprint([name for name in sys.modules if name.startswith('judge.')])\njudge.judge\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert ended.stdout == "[]\n"
+    assert set(judge.__all__) <= set(dir(judge))
+    with pytest.raises(AttributeError, match="has no attribute 'jugde'"):
+        judge.jugde  # noqa: B018
+
+
+@pytest.mark.parametrize("room", ["judging", "diagnose", "run", "data", "problem", "sandbox", "exact"])
+def test_nothing_below_the_reports_prints(room):
+    """But for what runs in a container, where standard output is the submission's."""
+    for path in (ROOMS / room).rglob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert "judge.report" not in text
+        if "inside" not in path.parts:
+            assert not {"print(", "sys.stdout", "sys.stderr", "click"} & set(text.split()), path
+
+
+# -- jobs ------------------------------------------------------------------------------------------------
+
+
+def test_a_job_and_its_result_can_be_sent_anywhere(problem):
+    job = Job.of(problem, FLOOR.encode(), "mine.py", Terms(named=False))
+    again = pickle.loads(pickle.dumps(job))
+    assert (again, again.digest) == (job, job.digest)
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        there = pool.submit(run, job).result()
+    here = run(job)
+    assert (there.verdict, there.failure, there.counterexample) == (
+        here.verdict, here.failure, here.counterexample
+    )  # fmt: skip
+    assert there.groups[0].wrong == here.groups[0].wrong
+
+
+def test_a_digest_stands_for_all_that_the_outcome_depends_on(problem, tmp_path):
+    shutil.copytree(PACK, tmp_path / "pack")
+    elsewhere = find_problem("middle", [tmp_path / "pack" / "problems"])
+    job = Job.of(problem, GOOD.encode(), "mine.py")
+    assert Job.of(elsewhere, GOOD.encode(), "mine.py").digest == job.digest
+    others = [
+        Job.of(problem, FLOOR.encode(), "mine.py"),
+        Job.of(problem, GOOD.encode(), "yours.py"),
+        Job.of(problem, GOOD.encode(), "mine.py", Terms(seed=1)),
+        Job.of(problem, GOOD.encode(), "mine.py", Terms(("examples",))),
+    ]
+    statement = elsewhere.folder / "statement.md"
+    statement.write_text(statement.read_text() + "\nOne more line.\n")
+    others.append(Job.of(elsewhere, GOOD.encode(), "mine.py"))
+    assert len({job.digest, *(other.digest for other in others)}) == 6
+
+
+def test_a_job_is_not_done_on_another_version_of_its_problem(problem, tmp_path):
+    shutil.copytree(PACK, tmp_path / "pack")
+    elsewhere = find_problem("middle", [tmp_path / "pack" / "problems"])
+    job = Job.of(elsewhere, GOOD.encode(), "mine.py")
+    next((elsewhere.solutions / "wrong").iterdir()).unlink()
+    with pytest.raises(JudgeError, match="is not the problem that this job was made for"):
+        run(job)
+
+
+# -- sessions and executors ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("fault", "told"),
+    [
+        (ProblemError("the reference fails", where="middle/problem.py:9"), "middle/problem.py:9: the ref"),
+        (MemoryError(), "there is no memory left; use a smaller -j"),
+        (ArithmeticError("too many"), "internal fault: ArithmeticError('too many') (judge/judging/"),
+    ],
+)
+def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
+    real = session_module.run_in
+
+    def faulty(box, problem, data, source, name, **how):
+        if name == "b.py":
+            raise fault
+        return real(box, problem, data, source, name, **how)
+
+    monkeypatch.setattr(session_module, "run_in", faulty)
+    with Session(problem, Terms(timed=False)) as session:
+        results = [session.judge(GOOD.encode(), name) for name in ("a.py", "b.py", "c.py")]
+    assert [result.verdict for result in results] == [Verdict.AC, Verdict.JE, Verdict.AC]
+    assert results[1].failure.message.startswith(told)
+
+
+EXECUTORS = [Here(), Threads(1), Threads(3)]
+
+
+def lost(item, why):
+    return judge_fault("p", str(item), why)
+
+
+def done(item):
+    return judge_fault("p", str(item), "done")
+
+
+@pytest.mark.parametrize("executor", EXECUTORS, ids=str)
+class TestExecutors:
+    """What every executor holds to."""
+
+    def test_the_results_come_in_the_order_of_the_items(self, executor):
+        gate = threading.Event()
+
+        def work(item):
+            if item == 0 and executor == Threads(3):
+                gate.wait(30)  # until a later item is done
+            gate.set()
+            return done(item)
+
+        results = executor.results(work, range(9), lost)
+        assert [result.submission for result in results] == [str(item) for item in range(9)]
+
+    @pytest.mark.parametrize("death", [WorkerDied("killed"), SystemExit(3), MemoryError()])
+    def test_a_worker_that_dies_loses_nothing(self, executor, death):
+        died = set()
+
+        def work(item):
+            if item not in died:
+                died.add(item)
+                raise death
+            return done(item)
+
+        results = list(executor.results(work, range(5), lost))
+        assert [result.failure.message for result in results] == ["done"] * 5
+
+    def test_what_kills_every_worker_costs_that_item_alone(self, executor):
+        def work(item):
+            if item == 1:
+                raise WorkerDied("killed by SIGKILL")
+            return done(item)
+
+        results = list(executor.results(work, range(3), lost))
+        assert [result.submission for result in results] == ["0", "1", "2"]
+        assert results[1].verdict is Verdict.JE
+        assert f"lost {ATTEMPTS} times" in results[1].failure.message
+        assert "killed by SIGKILL" in results[1].failure.message
+
+    def test_what_the_caller_has_done_wrong_is_raised_in_its_place(self, executor):
+        def work(item):
+            if item == 2:
+                raise UsageError("isolation full cannot be had here")
+            return done(item)
+
+        results = executor.results(work, range(4), lost)
+        assert [next(results).submission, next(results).submission] == ["0", "1"]
+        with pytest.raises(UsageError):
+            next(results)
+
+    def test_submissions_are_judged(self, executor, problem):
+        with Session(problem, Terms(timed=False, named=False), jobs=3, expected=4) as session:
+            sources = [GOOD, FLOOR, GOOD, "def middle(a, b):\n    import os\n    os._exit(0)\n"]
+            jobs = [Job.of(problem, source.encode(), f"{at}.py") for at, source in enumerate(sources)]
+            results = list(executor.results(session.run, jobs, lambda job, why: lost(job.name, why)))
+        assert [result.submission for result in results] == ["0.py", "1.py", "2.py", "3.py"]
+        assert [result.verdict.value for result in results] == ["AC", "WA", "AC", "RTE"]
+
+
+def test_so_many_jobs_are_done_at_once():
+    assert (executor(1), executor(4)) == (Here(), Threads(4))

@@ -1,0 +1,61 @@
+"""What a program's file is called is fixed in one place."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import judge
+from judge import language
+
+PACKAGE = Path(judge.__file__).parent
+OWN = {  # the judge's own code and the problems' are Python whatever submissions are
+    "data/cache.py": {"*.py"},
+    "sandbox/bundle.py": {".py"},
+    "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
+    "sandbox/probe.py": {"look.py"},
+    "values/grammar.py": {"[a-z]*.py", ".py"},
+}
+
+
+def texts(path: Path) -> set[str]:
+    """The strings of a file that name a Python file, docstrings left out."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    told = {
+        id(node.body[0].value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
+        and node.body
+        and isinstance(node.body[0], ast.Expr)
+    }
+    found = [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in told]
+    words = {node.value for node in found if isinstance(node.value, str)}
+    return {word for word in words if ".py" in word.replace("problem.py", "") or word == "py"}
+
+
+def test_no_other_file_knows_the_suffix():
+    found = {path.relative_to(PACKAGE).as_posix(): texts(path) for path in PACKAGE.rglob("*.py")}
+    assert found.pop("language.py") == {".py"}
+    assert {name: words for name, words in found.items() if words} == OWN
+
+
+@pytest.mark.parametrize(
+    ("name", "wanted"),
+    [
+        ("a.py", True),
+        ("../a.py", True),
+        ("a.pyc", False),
+        ("a.PY", False),
+        (".py", False),
+        (".#a.py", False),
+        ("py", False),
+    ],
+)
+def test_which_files_are_programs(name, wanted):
+    assert language.is_program(name) is wanted
+
+
+def test_the_name_of_a_program_is_made_of_a_stem():
+    assert language.file_name("mine") == "mine.py"

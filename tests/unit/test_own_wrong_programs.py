@@ -1,0 +1,107 @@
+"""A pack's own wrong programs are named, however few test groups it has, or it is said why not."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from judge.diagnose.answers import Answers
+from judge.diagnose.naming import ENOUGH, Known, as_match, twins
+from judge.judging import Session, Terms
+from judge.problem.find import find_problem
+
+PACK = Path(__file__).parents[1] / "fixtures" / "pack"
+TERMS = Terms(timed=False, diagnosed=False)
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+
+
+@pytest.fixture
+def pack(tmp_path):
+    """A pack whose wrong program fails in one group only, of so many cases."""
+
+    def make(count):
+        shutil.copytree(PACK, tmp_path / "pack")
+        place = tmp_path / "pack" / "problems" / "middle" / "problem.toml"
+        text = re.sub(r'(?s)\[\[groups\]\]\nname = "examples".*?(?=\[\[groups\]\])', "", place.read_text())
+        text = text.replace("count = 30\npoints = 50", f"count = {count}\npoints = 60")
+        place.write_text(text)
+        return find_problem("middle", [tmp_path / "pack" / "problems"])
+
+    return make
+
+
+def judged(problem, source):
+    with Session(problem, TERMS) as session:
+        return session.judge(source, "mine.py")
+
+
+def test_a_program_that_fails_in_the_only_group_that_can_is_named(pack):
+    problem = pack(30)
+    (path,) = (problem.solutions / "wrong").iterdir()
+    result = judged(problem, path.read_bytes())
+    assert (result.pitfall.name, result.notes) == ("floor-division", ())
+    assert result.pitfall.score > 0.9
+
+
+def test_where_it_fails_too_seldom_that_is_said(pack):
+    problem = pack(2)
+    (path,) = (problem.solutions / "wrong").iterdir()
+    result = judged(problem, path.read_bytes())
+    assert result.pitfall is None
+    (note,) = result.notes
+    assert note == (
+        "the mistake is not named: it answers as wrong/floor-division.py does, "
+        "but 2 wrong answers are too few to be sure"
+    )
+
+
+def test_two_mistakes_that_answer_alike_are_told_apart_by_nobody(pack):
+    problem = pack(30)
+    (path,) = (problem.solutions / "wrong").iterdir()
+    path.with_name("integer-division.py").write_bytes(path.read_bytes().replace(b"floor", b"integer"))
+    result = judged(problem, path.read_bytes())
+    assert result.pitfall is None
+    (note,) = result.notes
+    assert note == (
+        "the mistake is not named: wrong/floor-division.py, wrong/integer-division.py "
+        "all answer as this does, and make different ones"
+    )
+
+
+def test_what_fails_in_another_way_is_given_no_name_and_no_excuse(pack):
+    result = judged(pack(30), b"def middle(a, b):\n    return (a + b) / 2 + ((a + b) % 2) * 7\n")
+    assert (result.pitfall, result.notes) == (None, ())
+
+
+WRONG = {case: ("number", (float(case),)) for case in range(ENOUGH)}
+
+
+@pytest.mark.parametrize(
+    ("answers", "alike"),
+    [
+        (Answers(20, dict(WRONG)), True),
+        (Answers(20, {**WRONG, 3: ("none", ())}), False),
+        (Answers(20, {**WRONG, 19: ("number", (0.0,))}), False),
+        (Answers(19, dict(WRONG)), False),
+    ],
+)
+def test_twins_answer_alike_in_every_case(answers, alike):
+    known = [Known("a", {"one": Answers(20, WRONG), "two": Answers(5, {})})]
+    assert twins({"one": answers}, known) == ([0] if alike else [])
+
+
+def test_a_match_needs_enough_wrong_answers_of_one_mistake():
+    ours = {"one": Answers(20, WRONG)}
+    few = {"one": Answers(20, {case: WRONG[case] for case in range(ENOUGH - 1)})}
+    known = [Known("a", ours), Known("a", ours), Known("b", ours)]
+    assert as_match(ours, [0, 1], known).places == (0,)
+    assert as_match(ours, [0, 2], known) is None
+    assert as_match(few, [0], known) is None
+    assert as_match(ours, [], known) is None

@@ -1,0 +1,163 @@
+"""What a problem.py hands over: `solve`, asked once a case, its bands, and the hooks of its topic."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections import Counter
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+import judge
+from judge.data import load_data
+from judge.data.build import build
+from judge.data.draw import QuickDraw
+from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
+from judge.data.model import ProblemData
+from judge.data.module import load_module
+from judge.diagnose.replay import decode, encode
+from judge.diagnose.shrink import shrink
+from judge.drawing import Picture
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.problem.topic import Shown, Topic
+from judge.run import Settings, run_submission
+from judge.run.runner import runner_for
+from judge.sandbox import open_box
+from judge.topics import circles
+
+FIXTURES = Path(__file__).parent.parent / "fixtures"
+MIDDLE = FIXTURES / "pack" / "problems" / "middle"
+FLOOR = b"def middle(a, b):\n    return (a + b) // 2\n"
+
+
+@pytest.fixture
+def asked():
+    """The module of `middle`, and how often its solve was asked for each case."""
+    problem = load_problem(MIDDLE)
+    module = load_module(problem)
+    times = Counter()
+
+    def solve(*case):
+        times[repr(case)] += 1
+        return module.solve(*case)
+
+    return problem, replace(module, solve=solve), times
+
+
+def test_building_solves_each_case_once(asked):
+    problem, module, times = asked
+    built = build(problem, module)
+    cases = [repr(case) for group in built for case in group.cases]
+    assert set(cases) == set(times)
+    assert set(times.values()) == {1}
+
+
+def test_a_fresh_case_is_solved_once_and_an_image_never(asked):
+    problem, module, times = asked
+
+    def images(_problem, case, target, chance, most):
+        assert most == IMAGES_EACH
+        return [((case[1], case[0]), target)] if chance.integer(1, 1) else []
+
+    fresh = Fresh(problem, replace(module, topic=Topic(images=images)), problem.groups, 1)
+    for series in islice(fresh.series(), 2):
+        cases = series.data.cases
+        assert len(cases) == 2 * BUILT
+        assert [cases[start + 1] for start in series.starts] == [
+            cases[start][::-1] for start in series.starts
+        ]
+    assert sum(times.values()) == 2 * BUILT
+
+
+def test_an_image_out_of_bounds_is_left_out(asked):
+    problem, module, _ = asked
+    topic = Topic(images=lambda _problem, case, target, _chance, _most: [((case[0], 10**6), target)])
+    fresh = Fresh(problem, replace(module, topic=topic), problem.groups, 1)
+    assert len(next(fresh.series()).data.cases) == BUILT
+
+
+def test_a_replay_solves_its_case_once(asked):
+    problem, module, times = asked
+    found = decode(encode(problem, problem.groups[1], (1, 3)), problem, module)
+    assert (found.group.name, found.case, float(found.answer.x)) == ("whole", (1, 3), 2.0)
+    assert times == {"(1, 3)": 1}
+
+
+def shrunk(problem, module):
+    data = ProblemData(problem, load_data(problem).groups, module=module)
+    result = run_submission(problem, data, FLOOR, "mine.py", settings=Settings(measured=False))
+    with open_box(FLOOR, "mine.py") as box:
+        runner = runner_for(problem, box.inspect(), FLOOR)
+        return shrink(data, box, runner, result.verdict, result.failure)
+
+
+def test_the_search_solves_each_case_once(asked):
+    problem, module, times = asked
+    found = shrunk(problem, module)
+    assert found.case == (0, 1)
+    assert len(times) > 10
+    assert set(times.values()) == {1}
+
+
+def test_the_search_asks_the_topic_what_is_simpler_and_what_is_special(asked):
+    problem, module, _ = asked
+    asked_of = []
+
+    def simpler(same, case):
+        asked_of.append((same, case))
+        return [(2, 3)]
+
+    topic = Topic(simpler=simpler, special=lambda case: 5 * (0 in case) + 9 * (1 in case))
+    found = shrunk(problem, replace(module, topic=topic))
+    assert asked_of[0][0] is problem
+    assert found.case == (2, 3)
+
+
+def test_bands_go_to_who_asks_for_them(tmp_path):
+    folder = tmp_path / "root-count"
+    shutil.copytree(FIXTURES / "problems" / "root-count", folder)
+    toml, source = folder / "problem.toml", folder / "problem.py"
+    toml.write_text(toml.read_text().replace("[limits]", "[bands]\nsnap = 0.25\n\n[limits]"))
+    assert load_module(load_problem(folder)).solve(4).broken is None
+    text = source.read_text().replace("def solve(c)", "def solve(c, *, bands)")
+    source.write_text(text.replace("+ 1, None", '+ 1, str(bands["snap"])'))
+    assert load_module(load_problem(folder)).solve(4).broken == str(Fraction(1, 4))
+
+
+def test_a_topic_draws_what_it_is_shown():
+    problem = find_problem("count")
+    module = load_module(problem)
+    case = {"cx": 0, "cy": 0, "r": 5, "A": [-7, 1], "B": [1, 7]}
+    exact = module.solve(0, 0, 5, (-7, 1), (1, 7)).answer
+    picture = module.topic.picture(Shown(problem, case, exact, "1", "2", 2, "a case"))
+    assert isinstance(picture, Picture)
+    assert (picture.title, picture.heading) == (problem.title, "a case")
+    assert module.topic == circles.LINE
+
+
+def test_the_four_problems_are_of_the_topic_and_short():
+    for name in ("count", "exact-count", "segment", "ray-nearest"):
+        problem = find_problem(name)
+        assert load_module(problem).topic in (circles.LINE, circles.SEGMENT, circles.RAY)
+        assert len((problem.folder / "problem.py").read_text(encoding="utf-8").splitlines()) <= 45
+
+
+PAGE = Path(judge.__file__).parent / "manual" / "problem-py.md"
+
+
+def test_the_page_tells_every_name_and_every_hook():
+    rows = re.findall(r"^\| `(\w+)", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]
+
+
+def test_the_pages_builder_is_one():
+    example = re.findall(r"```py\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)[1]
+    names = {}
+    exec(example, names)
+    (x, y), z = names["BUILDERS"]["anywhere"](QuickDraw("page"), 9)
+    assert max(abs(x), abs(y), z) <= 9

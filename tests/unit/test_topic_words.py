@@ -1,0 +1,62 @@
+"""The engine holds no word of a topic: neither in its code nor in what it says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import judge
+
+PACKAGE = Path(judge.__file__).parent
+OF_A_TOPIC = {"topics", "problems", "solutions"}  # an installed package holds problems and solutions
+WORDS = re.compile(
+    r"(?<![a-z])(line[- ]and[- ]circle|circle[- ]and[- ]line|circles?|rays?"
+    r"|tangents?|tangency|tangencies|segments?|extents?)(?![a-z])",
+    re.IGNORECASE,
+)
+# What stays: the package's own name and description, the key `extent` of [tolerance], SVG's own element.
+KEPT = re.compile(
+    r"circle-line-judge|circle-line geometry"
+    r"|\.extent\b|\"extent\"|`extent`|tolerance extent|\bextent(?=·unit|: |,| = |=| or ulps)"
+)
+OF_SVG = re.compile(r"</?circle\b|\.circle(-area)?\b|\"circle\"|\.tick circle\b")
+
+
+def texts():
+    for path in sorted(PACKAGE.rglob("*")):
+        parts = path.relative_to(PACKAGE).parts
+        if path.is_file() and path.suffix != ".pyc" and not OF_A_TOPIC & set(parts):
+            yield path
+
+
+def found_in(path, text):
+    text = KEPT.sub("", text)
+    if path.suffix in {".j2", ".css"} or path.parent.name == "drawing":
+        text = OF_SVG.sub("", text)
+    return [
+        f"{path.relative_to(PACKAGE)}:{number}: {line.strip()}"
+        for number, line in enumerate(text.split("\n"), 1)
+        if WORDS.search(line)
+    ]
+
+
+def test_no_word_of_a_topic_is_in_the_engine():
+    read = list(texts())
+    assert len(read) > 100
+    assert [line for path in read for line in found_in(path, path.read_text(encoding="utf-8"))] == []
+
+
+@pytest.mark.parametrize(
+    "line", ["a circle", "the RAY hits", "def _segment(x):", "tangents", "of the extent", "line-and-circle"]
+)
+def test_such_a_word_is_found(line):
+    assert found_in(PACKAGE / "run" / "x.py", f"x = 1\n{line}\n") == [f"run/x.py:2: {line}"]
+
+
+@pytest.mark.parametrize(
+    "line", ["an array", "max(extent·unit, …)", "tolerance.extent", "judge circle-line geometry"]
+)
+def test_other_words_are_not(line):
+    assert found_in(PACKAGE / "run" / "x.py", line) == []

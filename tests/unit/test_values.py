@@ -1,0 +1,325 @@
+"""The types of answers: what is accepted, what is told of the rest, by composition."""
+
+from __future__ import annotations
+
+import pickle
+from array import array
+from fractions import Fraction
+
+import pytest
+
+from judge.errors import ProblemError
+from judge.exact import Surd
+from judge.values import (
+    Accepted,
+    AnyOf,
+    Enclosure,
+    Real,
+    Rejection,
+    Run,
+    Tolerance,
+    TypeFault,
+    Words,
+    parse,
+    vector,
+)
+
+TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
+HITS = "[(real, int, word(enter|touch|exit))]"
+HIT = (Real(Surd(1), 1), 0, "enter")
+TIE = Run([(Real(Surd(2), 1), 0, "exit"), (Real(Surd(2), 1), 1, "touch")])
+
+
+def word(text):
+    return {"word": text}
+
+
+def sent(code, items):
+    return {"array": [code, array(code, items).tobytes().hex()]}
+
+
+def judged(text, exact, raw, words=None):
+    type_ = parse(text, words=words or Words())
+    target = type_.target(exact, TOLERANCE)
+    return type_.check(raw, target, lambda: (exact, TOLERANCE))
+
+
+def printed(text, exact, line):
+    type_ = parse(text)
+    return type_.check_line(line, type_.target(exact, TOLERANCE), lambda: (exact, TOLERANCE))
+
+
+RIGHT = [
+    ("int", 3, 3),
+    ("int", 10**30, {"int": f"{10**30:x}"}),
+    ("int?", None, None),
+    ("real", Real(Surd(0, 1, 2), 1), 2**0.5),
+    ("real?", Real(Surd(1), 1), 1),
+    ("word(lit|dark)", "lit", word("lit")),
+    ("word(lit|dark)?", None, None),
+    ("vec2", vector((Surd(1), Surd(2)), 1), [1.0, 2]),
+    ("vec3", vector((1, 2, Fraction(1, 2)), 1), [1, 2.0, {"fraction": ["1", "2"]}]),
+    ("(int, real)", (1, Real(2, 1)), [1, 2.0]),
+    ("[int]", [1, 2, 4], [1, 2, 4]),
+    ("[int]", [], []),
+    ("[int; 2]", (1, 2), [1, 2]),
+    ("[vec2; 0..2]", [vector((1, 2), 1)], {"tuple": [[1.0, 2.0]]}),
+    ("[real; 0..2]?", None, None),
+    ("[[int]; 2]", [[1], []], [[1], []]),
+    ("[(int, real)?]", [None, (1, Real(2, 1))], [None, [1, 2.0]]),
+    (HITS, [HIT, TIE], [[1.0, 0, word("enter")], [2.0, 1, word("touch")], [2.0, 0, word("exit")]]),
+    (HITS, [HIT, TIE], [[1.0, 0, word("enter")], [2.0, 0, word("exit")], [2.0, 1, word("touch")]]),
+    ("int", AnyOf([1, 2]), 2),
+    ("(int, real)?", AnyOf([(1, Real(2, 1)), (3, Real(2, 1))]), [3, 2.0]),
+    ("[int]", [AnyOf([1, 2]), 3], [2, 3]),
+    ("[vec2]", [AnyOf([vector((1, 2), 1), vector((3, 4), 1)])], [[3.0, 4.0]]),
+    ("word(run|any)", "run", word("run")),
+    ("enclosure", Enclosure(Surd(0, 1, 2), Fraction(1, 10**9)), [1.4142135623, 1.4142135624]),
+    ("enclosure", Enclosure(1, 0), [1, {"decimal": "1.0"}]),
+    ("array(i8)", [0, 1, 2], [0, 1, 2]),
+    ("array(i8)", [0, 1, 2], sent("b", [0, 1, 2])),
+    ("array(i8)", [0, 1, 2], sent("q", [0, 1, 2])),
+    ("array(f64)", [Real(Surd(0, 1, 2), 1)], sent("d", [2**0.5])),
+    ("array(f64)", [Real(2, 1)], [2]),
+    ("[int]", [1, 2], sent("q", [1, 2])),
+]
+
+
+@pytest.mark.parametrize(("text", "exact", "raw"), RIGHT)
+def test_right_answers(text, exact, raw):
+    assert isinstance(judged(text, exact, raw), Accepted)
+
+
+@pytest.mark.parametrize(("text", "exact", "raw"), RIGHT)
+def test_the_perfect_line_is_accepted(text, exact, raw):
+    if text.startswith("enclosure"):
+        return  # its perfect line is the narrowest, and may be wider than a width of 0
+    type_ = parse(text)
+    target = type_.target(exact, TOLERANCE)
+    assert isinstance(printed(text, exact, type_.line(target)), Accepted)
+
+
+WRONG = [
+    ("int", 3, 4, "3 wanted, 4 given"),
+    ("int", 3, {"type": "generator", "text": ""}, "a generator where an int is meant"),
+    ("int", 3, {"tuple": [3]}, "the tuple (3,) where an int is meant"),
+    ("real", Real(1), 2.0, "the answer is off by 1, relative error 1 (4.5e+15 ulps)"),
+    ("real?", Real(1), None, "1.0 wanted, None given"),
+    ("word(lit|dark)", "lit", word("dark"), "'lit' wanted, 'dark' given"),
+    ("word(lit|dark)", "lit", 1, "1 where lit or dark is meant"),
+    ("vec2", vector((1, 2)), [1.0, 3.0], "y is off by 1, relative error 0.5 (2.25e+15 ulps)"),
+    ("vec2", vector((1, 2)), {"type": "complex", "text": "(1+2j)"}, "return a point as (x, y)"),
+    ("vec3", vector((1, 2, 3)), {"type": "complex", "text": "1j"}, "return a point as (x, y, z)"),
+    ("word(lit|dark)", "lit", word("Lit"), "'Lit' where lit or dark is meant"),
+    ("array(i8)", [1], {"type": "set", "text": ""}, "a set has no order"),
+    ("vec3", vector((1, 2, 3)), [1.0, 2.0], "the answer has 2 coordinates where (x, y, z) is meant"),
+    ("(int, real)", (1, Real(2)), [2, 2.0], "part 1: 1 wanted, 2 given"),
+    ("[int]", [1, 2], [1], "2 items wanted, 1 given"),
+    ("[int]", [1, 2], [2, 1], "the right items in the wrong order"),
+    ("[int]", [1, 2], [1, 3], "item 2: 2 wanted, 3 given"),
+    ("[int]", [1, 2], None, "None where a list of ints is meant: no items are []"),
+    ("[int; 2]", [1, 2], [1, 2, 3], "3 items given where 2 are meant"),
+    ("[int]", [1], {"type": "set", "text": ""}, "a set has no order"),
+    ("[int]", [1], {"type": "generator", "text": ""}, "wrap it in list(...)"),
+    ("[vec2]", [vector((1, 2))], [1.0, 2.0], "a point where a list of points is meant"),
+    ("[(vec2, int)]", [(vector((1, 2)), 0)], [[[1.0, 9.0], 0]], "part 1 of item 1: y is off by 7"),
+    (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' wanted, 'exit' given"),
+    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is meant"),
+    (HITS, [TIE], [[2.0, 0, word("exit")]] * 2, "part 2 of item 2: 1 wanted, 0 given"),
+    ("int", AnyOf([1, 2]), 3, "1 or 2 wanted, 3 given"),
+    ("(int, int?)", (7, AnyOf([1, 2])), [7, 3], "part 2: 1 or 2 wanted, 3 given"),
+    ("int?", AnyOf([1, 2]), None, "1 or 2 wanted, None given"),
+    ("real", AnyOf([Real(1), Real(4)]), 3.5, "the answer is off by 0.5"),
+    ("enclosure", Enclosure(2, 1), [2.5, 3.0], "lo is above the exact number, 2.0"),
+    ("enclosure", Enclosure(2, 1), [1.0, 1.5], "hi is below the exact number, 2.0"),
+    ("enclosure", Enclosure(2, 1), [1.0, 3.0], "it is 2 wide, 1 is allowed"),
+    ("enclosure", Enclosure(2, 1), [3.0, 1.0], "lo is above hi"),
+    ("array(i8)", [0, 1], [0, 2], "item 2: 1 wanted, 2 given"),
+    ("array(i8)", [0, 1], sent("d", [0, 1]), "an array of floats where array(i8) is meant"),
+    ("array(i8)", [0, 1], [0], "2 items wanted, 1 given"),
+    ("array(f64)", [Real(1)], sent("d", [2.0]), "item 1 is off by 1"),
+    ("word(run|any)", "any", word("run"), "'any' wanted, 'run' given"),
+]
+
+
+@pytest.mark.parametrize(("text", "exact", "raw", "message"), WRONG)
+def test_wrong_answers_say_why(text, exact, raw, message):
+    outcome = judged(text, exact, raw)
+    assert isinstance(outcome, Rejection)
+    assert message in outcome.message
+
+
+def test_a_run_is_no_word_of_that_name():
+    """The names of the wrappers in a target are never taken for an answer."""
+    exact = [Run([("run", 1), ("any", 2)])]
+    for raw in ([word("run")], [[word("run"), 1]], [[word("any"), 2], [word("any"), 2]]):
+        assert isinstance(judged("[(word(run|any), int)]", exact, raw), Rejection)
+
+
+def test_a_problem_has_its_own_words():
+    words = Words(answer="t", missing="but there is one", order="they come upwards")
+    assert judged("real?", Real(1), None, words).message == "None given, but there is one: t = 1.0"
+    off = judged("real?", Real(1), 2.0, words)
+    assert (off.where, off.message[:10]) == ("t", "t is off b")
+    order = judged("[int]", [1, 2], [2, 1], words)
+    assert order.message == "the right items in the wrong order: they come upwards"
+    assert parse("int?", words=Words(meant="0 or 1")).read_line("x") == (
+        '"x" where 0 or 1 is meant: write a plain integer'
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "message"),
+    [
+        ("int", "", "an empty line where an int is meant"),
+        ("int?", "1.5", '"1.5" where an int or none is meant: write a plain integer'),
+        ("real?", "None", '"None" where a number or none is meant: write none in lower case'),
+        ("word(lit|dark)", "lit dark", '"dark" after the answer: one line holds lit or dark'),
+        ("[vec2; 0..2]", "3 1 1 1 1 1 1", "k = 3 where 0 to 2 points are meant"),
+        ("[vec2; 0..2]", "1 1 x", '"x" where a coordinate is meant: it is not a plain decimal number'),
+        ("[int]", "2 1", "k = 2 needs 2 more, 1 given"),
+        ("([int], int)", "5 1 2", "the line ends too early"),
+        ("([int], int)", "1 1 2 3", '"3" after the answer'),
+        ("([(int, real)], int)", "0", "it holds k and then k times (an int, a number), an int"),
+        (HITS, "-1", "k = -1 where 0 or more items are meant"),
+    ],
+)
+def test_lines_that_hold_no_answer(text, line, message):
+    answer = parse(text).read_line(line)
+    assert isinstance(answer, str)
+    assert message in answer
+
+
+def test_lines_of_nested_answers():
+    type_ = parse(HITS)
+    target = type_.target([HIT, TIE], TOLERANCE)
+    assert type_.line(target) == "3 1.0 0 enter 2.0 0 exit 2.0 1 touch"
+    assert isinstance(printed(HITS, [HIT, TIE], "3 1 0 enter 2 1 touch 2 0 exit"), Accepted)
+
+
+@pytest.mark.parametrize(
+    ("text", "exact", "why"),
+    [
+        ("int", 1.0, "1.0 where an int is meant"),
+        ("real", 1, "1 where a Real is meant"),
+        (
+            "real",
+            Real(0.1, 1),
+            "Real(x=0.1, unit=1) holds a float; write Fraction(x) where a double is the exact number",
+        ),
+        ("word(lit|dark)", "dim", "'dim' where lit or dark is meant"),
+        ("[vec2; 0..2]", [vector((1, 2))] * 3, "3 points where at most 2 are meant"),
+        ("(int, int)", (1, 2, 3), "3 parts where 2 are meant"),
+        ("array(i8)", [1, 300], "300 in an array(i8)"),
+        ("int", AnyOf([]), "AnyOf without answers"),
+    ],
+)
+def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
+    with pytest.raises(ProblemError) as raised:
+        parse(text).target(exact, TOLERANCE)
+    assert raised.value.what == f"the exact answer is no {text}: {why}"
+
+
+@pytest.mark.parametrize(
+    ("text", "what", "remedy"),
+    [
+        ("complex", "'complex' is unknown", "use one of count, points"),
+        ("interger", "'interger' is unknown", "did you mean 'integer'?"),
+        ("float", "'float' is unknown", "did you mean 'real'?"),
+        ("[str]", "'[str]' is no type: 'str' is unknown", "did you mean 'word(a|b)'?"),
+        ("list of ints", "'list' is unknown", "did you mean '[T]'?"),
+        ("[reel]", "'[reel]' is no type: 'reel' is unknown", "did you mean 'real'?"),
+        ("[int", "'[int' is no type: its end where ']' is meant", "[T; low..high]"),
+        ("int int", "'int' comes after its end", ""),
+        ("(int)", "a tuple has two parts or more", ""),
+        ("[int; 3..2]", "low is above high", ""),
+        ("int??", "'?' comes after its end", ""),
+        ("(int?, int)?", "whether all of it is none or only its first part", ""),
+        ("word(a)", "a word is one of two or more", ""),
+        ("word(none|some)", "none of them none", ""),
+        ("real(3)", "too many or too few words", ""),
+        ("array(i9)", "an array holds one of i8", ""),
+        ("vec2(3)", "vec2 takes nothing in parentheses", ""),
+        ("[" * 40 + "int", "it is nested too deep", ""),
+        ("", "its end where a type is meant", ""),
+        ("int€", "'€' belongs in no type", ""),
+    ],
+)
+def test_texts_that_are_no_types(text, what, remedy):
+    with pytest.raises(TypeFault) as raised:
+        parse(text)
+    assert what in raised.value.what
+    assert remedy in raised.value.remedy
+
+
+def test_a_topics_types_are_offered_to_those_alone_who_mean_one():
+    with pytest.raises(TypeFault) as raised:
+        parse("complex")
+    assert "word" in raised.value.remedy
+    assert "circle" not in raised.value.remedy
+    with pytest.raises(TypeFault) as raised:
+        parse("circel")
+    assert raised.value.remedy == "did you mean 'circle'?"
+
+
+@pytest.mark.parametrize(
+    "text", ["count", "[vec2; 0..2]", HITS, "array(f64; 1000)", "(int, [int; 3])?", "integer-point"]
+)
+def test_a_type_is_its_text(text):
+    type_ = parse(text)
+    assert str(type_) == text
+    assert pickle.loads(pickle.dumps(type_)) == type_
+    assert type_ != parse("real")
+    assert len({type_, parse(text)}) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "possible"),
+    [
+        ("[(number, point)]", True),
+        ("array(f64)?", True),
+        ("[array(f64)]", False),
+        ("(int, enclosure)", False),
+    ],
+)
+def test_some_types_are_those_of_answers_alone(text, possible):
+    assert parse(text).is_parameter is possible
+
+
+def test_points_of_a_value_and_of_a_target_are_mapped():
+    def swapped(pair):
+        return pair[1], pair[0]
+
+    assert parse("[(point, number)]").pairs((((1, 2), 3),), swapped) == (((2, 1), 3),)
+    assert parse("[circle]").pairs(((1, 2, 3),), swapped) == ((2, 1, 3),)
+    assert parse("ray").pairs(((1, 2), (3, 4)), swapped) == ((2, 1), (4, 3))
+    assert parse("vec3").pairs((1, 2, 3), swapped) == (1, 2, 3)
+    assert parse("(real, real)").pairs((1, 2), swapped) == (1, 2)
+    one, other = (1.0,) * 5, (2.0,) * 5
+    runs = [{"run": [(one, other)]}, {"any": [(other, one)]}]
+    mapped = parse("[vec2]").pairs(runs, swapped)
+    assert mapped == ({"run": [(other, one)]}, {"any": [(one, other)]})
+
+
+def test_a_radius_is_never_negative():
+    circle, inside = parse("circle"), (1, 2, 0)
+    assert circle.outside(inside, -5, 5) is None
+    assert circle.outside((1, 2, -1), -5, 5) == (-1, 0, 5)
+    assert parse("[integer-circle]").outside((inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
+    assert circle.fault("c", (1, 2)) == "c must be 3 numbers, not (1, 2)"
+    assert parse("integer-circle").fault("c", (1, 2, 3.0)) == "c has the float 3.0 where an int is meant"
+
+
+@pytest.mark.parametrize(
+    "atom", ["int", "real", "number", "word(a|b)", "vec2", "vec3", "enclosure", "array(f64)"]
+)
+def test_every_atom_says_what_an_example_may_not_show(atom):
+    assert parse(atom).fault("it", (None, None, None, None))
+    assert parse(f"[{atom}]").fault("it", ((None,),))
+
+
+def test_an_enclosure_of_an_example_is_two_numbers():
+    enclosure = parse("enclosure")
+    assert enclosure.fault("it", (1, 1.5)) is None
+    assert enclosure.fault("it", 1.5) == "it must be (lo, hi), not 1.5"
+    assert enclosure.fault("it", (1.5, "2")) == "it has '2', a str, where a number is meant"
