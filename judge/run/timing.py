@@ -17,7 +17,8 @@ from judge.run.result import Ratio
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
-_FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known
+_FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known and
+_LONG_SECONDS = 0.006  # neither turn is so short that a moment of another speed shows
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
@@ -78,7 +79,7 @@ def race(
     A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
     at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
     whether there may be another. With the `pace` of earlier races a clear one needs a single turn of the
-    reference, and one that is far below the limit needs a single one of its own.
+    reference; one that is far below the limit needs a single one of its own, unless that is short.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
@@ -106,7 +107,7 @@ def race(
             continue
         if pairs[0].ratio > limit:
             break
-        if usual is not None and pairs[0].submission <= _FAR_BELOW * limit * usual:
+        if usual is not None and _one_will_do(Pair(pairs[0].submission, usual), limit):
             return decide([Pair(pairs[0].submission, usual)], limit)
         if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
             break
@@ -150,6 +151,11 @@ def is_clear(pairs: list[Pair], limit: float) -> bool:
     """Whether every pair is clearly below the limit, or every one clearly above it."""
     ratios = [pair.ratio for pair in pairs]
     return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
+
+
+def _one_will_do(pair: Pair, limit: float) -> bool:
+    """Whether a single pair says enough: far below the limit, and of turns that are not short."""
+    return pair.ratio <= _FAR_BELOW * limit and min(pair.submission, pair.reference) >= _LONG_SECONDS
 
 
 def _alike(one: float, other: float) -> bool:

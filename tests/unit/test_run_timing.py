@@ -143,6 +143,13 @@ def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference():
     assert decision.ratio.median == pytest.approx(5.0)  # by the median of the turns before
 
 
+def test_short_turns_are_repeated_though_the_reference_is_known():
+    mine, theirs = Counted(0.004, 0.0041, 0.0042), Counted(0.01)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
+    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (3, 1, 3)
+    assert decision.ratio.median == pytest.approx(0.41)
+
+
 def test_one_far_below_the_limit_of_a_known_reference_needs_one_turn():
     mine, theirs = Counted(0.02, 0.9), Counted(0.0105)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
