@@ -133,7 +133,21 @@ class _Reader:
         if not type_.is_parameter:
             what = f"no parameter can be of the type {table.type}"
             self.fault((*path, "type"), what, "an enclosure is an answer; an array is a whole parameter")
-        return Parameter(table.name, type_, low, high, table.about)
+        return Parameter(table.name, type_, low, high, table.about, self._smallest(table, type_, path))
+
+    def _smallest(self, table: schema.ParameterTable, type_: Type, path: KeyPath) -> Fraction:
+        smallest = self._exact(table.smallest, (*path, "smallest"))
+        if not 0 <= smallest <= 1:
+            self.fault(
+                (*path, "smallest"),
+                f"the smallest number of {table.name!r} other than 0 is {table.smallest}",
+                "give 0 to 1: an int other than 0 is never smaller than 1",
+            )
+        if smallest and not type_.measured:
+            self.fault(
+                (*path, "smallest"), f"{table.name!r} holds no real numbers to be small", "remove smallest"
+            )
+        return smallest
 
     def _answer(self, table: schema.ProblemTable) -> Type:
         if self._known_answer is None:
@@ -332,6 +346,7 @@ def _words(table: schema.ProblemTable) -> dict[str, str]:
         words[f"{parameter.name}.type"] = parameter.type
         words[f"{parameter.name}.low"] = _written(parameter.low)
         words[f"{parameter.name}.high"] = _written(parameter.high)
+        words[f"{parameter.name}.smallest"] = _written(parameter.smallest)
     words |= _numbers("tolerance", table.tolerance)
     words |= _numbers("limits", table.limits)
     for group in table.groups:

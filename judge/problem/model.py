@@ -39,13 +39,17 @@ class Tier(Enum):
 
 
 class Parameter(Struct, frozen=True, cache_hash=True):
-    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
+    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included.
+
+    A real number other than 0 is at least `smallest` in magnitude, which is 0 where nothing is said of it.
+    """
 
     name: str
     type: Type
     low: Fraction
     high: Fraction
     about: str
+    smallest: Fraction = Fraction(0)
 
 
 class Limits(Struct, frozen=True):

@@ -78,6 +78,7 @@ class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     low: Exact
     high: Exact
     about: str
+    smallest: Exact = 0
 
 
 class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
