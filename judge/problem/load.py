@@ -235,7 +235,14 @@ class _Reader:
             points=group.points,
             tolerance=self._tolerance(group, table, path),
             kills=tuple(group.kills),
+            neighbours=self._neighbours(group, path),
         )
+
+    def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:
+        if group.neighbours and (group.builder == EXAMPLES or group.size is not None):
+            what = "examples and big cases are no neighbours of one another"
+            self.fault((*path, "neighbours"), what, "remove neighbours")
+        return group.neighbours
 
     def _seed_and_count(self, group: schema.GroupTable, path: KeyPath) -> tuple[int, int]:
         """A group's seed and number of cases; both 0 for the examples, whose number the statement says."""

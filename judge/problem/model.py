@@ -98,6 +98,7 @@ class Group(Struct, frozen=True):
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: Limits | None = None  # its own
+    neighbours: bool = False  # whether a case differs from the one before in one parameter only
 
 
 class ShownSkill(Struct, frozen=True):

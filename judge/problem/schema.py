@@ -96,6 +96,7 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     size: int | None = None
     time: GroupTimeTable | None = None
     limits: GroupLimitsTable | None = None
+    neighbours: bool = False
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):

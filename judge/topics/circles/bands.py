@@ -25,14 +25,14 @@ class Bands:
 
     snap: Fraction
     clear: Fraction
-    _snap: _Width = field(init=False, repr=False, compare=False)
-    _clear: _Width = field(init=False, repr=False, compare=False)
+    _snap: Width = field(init=False, repr=False, compare=False)
+    _clear: Width = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not 0 <= self.snap <= self.clear:
             raise ValueError("the bands' widths are 0 <= snap <= clear")
-        object.__setattr__(self, "_snap", _Width.of(self.snap))
-        object.__setattr__(self, "_clear", _Width.of(self.clear))
+        object.__setattr__(self, "_snap", Width.of(self.snap))
+        object.__setattr__(self, "_clear", Width.of(self.clear))
 
     @staticmethod
     def of(widths: Mapping[str, Fraction]) -> Bands:
@@ -62,7 +62,7 @@ class Bands:
         for which in self._meets(line):
             if self._snap.within(line, which, 0):
                 return make(0, 0, 0, 1)
-            if _beyond(line, which, 0) > 0:
+            if beyond(line, which, 0) > 0:
                 return line.root(which)
         return None
 
@@ -96,8 +96,8 @@ class Bands:
         return (-1, 1) if line.delta > 0 else ()
 
     def _on_segment(self, line: CircleLine, which: int) -> bool:
-        before = _beyond(line, which, 0) < 0
-        after = not before and _beyond(line, which, 1) > 0
+        before = beyond(line, which, 0) < 0
+        after = not before and beyond(line, which, 1) > 0
         if not before and not after:
             return True
         return self._snap.within(line, which, 1 if after else 0)
@@ -133,7 +133,7 @@ def _inside_band(what: str, distance: Surd, extent: int) -> str:
     return f"{what} is {float(abs(distance) / extent):.2g} {_FORBIDDEN}"
 
 
-def _beyond(line: CircleLine, which: int, t: int) -> int:
+def beyond(line: CircleLine, which: int, t: int) -> int:
     """The sign of (the root's parameter − t), t being 0 or 1."""
     p = -line.b - t * line.a
     if which == 0:
@@ -150,7 +150,7 @@ _MOST_BITS = 4096  # a band of width 0: only Δ = 0 or a tiny one is worth the e
 
 
 @dataclass(frozen=True, slots=True)
-class _Width:
+class Width:
     """A band's half-width n/m in units of the extent, and a power of two above what it does to Δ."""
 
     n: int
@@ -158,7 +158,8 @@ class _Width:
     bits: int
 
     @classmethod
-    def of(cls, width: Fraction) -> _Width:
+    def of(cls, width: Fraction) -> Width:
+        """The width of that share."""
         # |d − r| <= w·e with r <= e puts |Δ| at or below (2w + w²)·e²·a, and so below e²·a·2**-bits.
         spread = 2 * width + width * width
         if spread == 0:
