@@ -52,7 +52,7 @@ class JudgeError(Exception):
 
 
 def told(fault: Exception) -> str:
-    """What a person is told of a fault that costs less than the whole run: a line, whatever it was."""
+    """What to tell a person about a fault that costs less than the whole run: a line, whatever it was."""
     line = fault if isinstance(fault, JudgeError) else shortage(fault)
     return f"internal fault: {fault!r}" if line is None else str(line)
 

@@ -75,7 +75,7 @@ class JudgeProblem:
         Raises:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
                 such group, what was wanted and got, how many cases of each group fail, and the known mistakes
-                that the group is there for.
+                that the group should catch.
             UsageError: there is no such group, or none is named: nothing would be held against anything.
             ProblemError: the problem is broken.
         """
@@ -145,14 +145,14 @@ def _lines(
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:
-    """The known mistakes that the failing group is there for."""
+    """The known mistakes that the failing group should catch."""
     sentences: dict[str, str] = {}
     for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
         sentences.setdefault(mistake.name, mistake.sentence)
     if not group.kills:
         return
     yield line()
-    yield line(f"  {group.name} is there for")
+    yield line(f"  {group.name} should catch")
     for name in group.kills:
         text = f"{name}: {sentences[name]}" if name in sentences else name
         yield from hanging(Span(""), Span(text), _WIDTH, indent=4, column=4)

@@ -24,7 +24,7 @@ COMMANDS = {
     "run": "Judge submissions on a problem.",
     "list": "List the problems.",
     "show": "Show a problem: its statement, parameters and test groups.",
-    "why": "Say what the test groups probe, and which mistakes they are there for.",
+    "why": "Say what the test groups probe, and which mistakes they should catch.",
     "init": "Begin a kata: write the file for your solution.",
     "watch": "Judge a file again on every save.",
     "hint": "Give the next hint.",

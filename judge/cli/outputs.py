@@ -13,7 +13,7 @@ from msgspec import Struct
 from judge.cli.judging_options import GITHUB, JSON, TEXT
 from judge.cli.options import write_json
 from judge.cli.submissions import Submission, read_submissions
-from judge.cli.target import Target
+from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class Outputs:
     """
 
     def __init__(self, form: str, screen: OnScreen, junit: Path | None) -> None:
-        self._junit = Target(junit, "--junit", "JUnit XML", _is_junit) if junit else None
+        self._junit = OutFile(junit, "--junit", "JUnit XML", _is_junit) if junit else None
         if self._junit:
             self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else

@@ -16,7 +16,7 @@ from judge.reading import read_ordinary
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 
 
-class Target(Struct, frozen=True):
+class OutFile(Struct, frozen=True):
     """The file at `path` that `option` names.
 
     What is there already is written over only if it is empty or `ours` says of its first bytes that it is
@@ -55,9 +55,9 @@ class Target(Struct, frozen=True):
         return not start.strip() or self.ours(start)
 
 
-def svg_target(path: Path) -> Target:
+def svg_target(path: Path) -> OutFile:
     """The file that `--svg` names."""
-    return Target(path, "--svg", "SVG", lambda start: b"<svg" in start)
+    return OutFile(path, "--svg", "SVG", lambda start: b"<svg" in start)
 
 
 def check_svg(path: Path, submissions: int) -> None:

@@ -186,7 +186,7 @@ class _WatchScreen:
         return lambda screen: screen.text(practice_lines(path, katas, in_hand, screen.width))
 
     def why(self) -> View:
-        """What the failing group probes, and the mistakes that it is there for."""
+        """What the failing group probes, and the mistakes that it should catch."""
         problem = self._kata.problem
         failure = None if isinstance(self._found, str) else self._found.result.failure
         group = problem.group(failure.group) if failure and failure.group else None

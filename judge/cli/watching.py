@@ -15,7 +15,7 @@ from judge.cli.kata import Kata
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
 from judge.errors import JudgeError, UsageError
-from judge.kata.saves import Mark, mark, settled
+from judge.kata.saves import SavedMark, mark, settled
 from judge.problem import Verdict
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class WatchedFile:
     def __init__(self, kata: Kata, wish: Wish) -> None:
         self.kata = kata
         self._wish = wish
-        self._seen: Mark | None = None
+        self._seen: SavedMark | None = None
         self._looked = False
 
     def saved(self) -> bool:

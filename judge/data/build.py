@@ -22,7 +22,7 @@ from judge.data.neighbours import follows, may_agree, neighbour
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
 from judge.problem import Case, Example, Group, Problem, Tolerance
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 from judge.problem.tomlfile import group_place
 from judge.values import Exact, Rejection, Target
 
@@ -190,11 +190,14 @@ def _check_parameters(builder: Builder, parameters: dict[str, Any], problem: Pro
         signature.bind(None, **parameters)
     except TypeError as error:
         names = [name for name in list(signature.parameters)[1:] if name not in parameters]
-        unknown = next((name for name in parameters if name not in signature.parameters), None)
+        takes_any = any(each.kind is each.VAR_KEYWORD for each in signature.parameters.values())
+        strange = [name for name in parameters if name not in signature.parameters and not takes_any]
+        unknown = strange[0] if strange else None
         meant = nearest(unknown, names) if unknown is not None else None
         listed = ", ".join(list(signature.parameters)[1:]) or "none"
+        why = f"it has none called {unknown!r}" if unknown is not None else error
         raise ProblemError(
-            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {error}",
+            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {why}",
             where=group_place(problem, group.name, "parameters"),
             remedy=f"did you mean {meant!r}?" if meant else f"its parameters are {listed}",
         ) from None

@@ -23,7 +23,7 @@ from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 from judge.problem.tomlfile import group_place
 from judge.problem.topic import Image
 from judge.values import Target

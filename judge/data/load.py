@@ -18,7 +18,7 @@ def load_data(
 ) -> ProblemData:
     """Every group's cases and targets, in the order of the groups.
 
-    With `seed`, each group's own seed is derived from it. `progress` is told of cases while they are built.
+    With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
     Without `cache` they are built afresh and not kept. Raises ProblemError.
     """
     store = DataCache(problem, seed) if cache else None

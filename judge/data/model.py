@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.problem import Case, Group, Problem, Tolerance
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule

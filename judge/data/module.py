@@ -25,7 +25,7 @@ from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
 from judge.problem import Case, Problem
-from judge.problem.tomlfile import read_text
+from judge.problem.text import read_text
 from judge.problem.topic import Topic
 
 if TYPE_CHECKING:

@@ -1,7 +1,7 @@
 """How far one test group speaks for a mistake: the logarithm of a ratio of likelihoods.
 
 Above the line stands the likelihood of the submission's wrong answers in the group if it makes the mistake of
-a known program, below it that of a program of which nothing is known but that it makes some mistake. One
+a known program, below it that of a program that makes some mistake, known or not. One
 program explains another in any of three ways:
 
     by answers   the same cases fail, mostly with the same answers
@@ -43,7 +43,7 @@ _STRAY, _NO_STRAY = math.log(0.02), math.log(0.98)
 _EITHER = math.log(0.5)
 
 _CLEAN = math.log(0.95)  # a group that the known program passes is passed
-_DIRTY = math.log(0.05)  # … and beside that nothing is known of how it fails
+_DIRTY = math.log(0.05)  # … and for the rest it may fail in any way
 _SURVIVES = 0.05  # a group that the known program fails is passed, whatever the share
 _UNHEARD_OF = 0.15  # a share of failures that no known program has
 _ANY_SHARE = (0.02, 0.2, 0.5, 0.8, 0.99)
@@ -176,7 +176,7 @@ class Evidence:
             self._alike[case] = math.log(_ALIKE / like_this)
 
     def _of_unknown(self, weights: Sequence[float]) -> float:
-        """The likelihood if nothing is known: as much fails as in some known program, or any share."""
+        """The likelihood of an unknown mistake: as much fails as in some known program, or any share."""
         total = max(_MISTAKES, sum(weights))
         mass = {0.0: (1 - _FAILS) * (total - sum(weights)) / total}
         for share, weight, each in zip(self.shares, weights, self._overlaps, strict=True):

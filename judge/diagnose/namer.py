@@ -11,8 +11,7 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.diagnose.answers import Behaviour, behaviour
 from judge.diagnose.known import Progress, known_behaviours
-from judge.diagnose.naming import Known, best_match
-from judge.diagnose.twins import as_match, twins, wrong_answers
+from judge.diagnose.naming import Known, as_match, best_match, twins, wrong_answers
 from judge.problem import Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run.matrix import Matrix, kill_matrix
@@ -25,7 +24,7 @@ NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 class Namer:
     """Says which known mistake explains a result; the known-wrong programs are judged when first needed.
 
-    `settings` say how they are judged, `workers` how many at once; `progress` opens what is told of it. Safe
+    `settings` say how they are judged, `workers` how many at once; `progress` opens a bar for it. Safe
     to use from several threads; `notes` are sentences for the person.
     """
 

@@ -7,6 +7,10 @@ hypotheses that nothing known explains it, and that it gives one answer to every
 
 The score is the probability of the best hypothesis beside those that contradict it, less where it leaves a
 part of the failures unexplained, or fails more than the submission does.
+
+No group counts for more than a hundred to one, so that nothing is ever likely enough where only a few
+groups can fail. Such a problem's own wrong programs, and whatever answers as one of them in every case, are
+`twins`.
 """
 
 from __future__ import annotations
@@ -35,6 +39,7 @@ _PARTNERS = 10  # programs that each of them is tried with
 
 
 Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
+ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
 class Known(Struct, frozen=True):
@@ -190,3 +195,24 @@ def _of_one_answer(
 def _wrong_by(answer: Outline, rights: Sequence[Outline]) -> dict[int, Outline]:
     """What is wrong if `answer` is given to everything."""
     return {case: answer for case, right in enumerate(rights) if right != answer}
+
+
+def twins(submission: Behaviour, known: Sequence[Known]) -> list[int]:
+    """The places of the programs that answer as the submission does, right or wrong, in all its groups."""
+    return [place for place, each in enumerate(known) if _answers_alike(submission, each.behaviour)]
+
+
+def as_match(submission: Behaviour, places: Sequence[int], known: Sequence[Known]) -> Match | None:
+    """The mistake that the twins make, if all make the same one and enough answers of it are wrong."""
+    if len({known[place].name for place in places}) != 1 or wrong_answers(submission) < ENOUGH:
+        return None
+    return Match((places[0],), 1.0, 1 - 1 / (1 + wrong_answers(submission)))
+
+
+def wrong_answers(submission: Behaviour) -> int:
+    """In how many cases it is wrong."""
+    return sum(len(answers.wrong) for answers in submission.values())
+
+
+def _answers_alike(submission: Behaviour, other: Mapping[str, object]) -> bool:
+    return all(other.get(name) == answers for name, answers in submission.items())

@@ -23,7 +23,7 @@ from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 
 if TYPE_CHECKING:
     from judge.values import Exact

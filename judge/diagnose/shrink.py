@@ -3,7 +3,7 @@
     1. The failing case is called alone. If it is right then, its message says so, and that is all.
     2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
-    4. What was found is polished, value by value (polish.py).
+    4. What was found, or the failing case itself, is polished, value by value (polish.py).
 
 Cases that no recipe built are judged under the tolerance of the problem's plainest group, and only count if
 the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget.
@@ -24,16 +24,17 @@ from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
-from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Budget, Clock, Finding, Trial, sort_of
+from judge.diagnose.simplicity import items_of
+from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Clock, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
 from judge.run.result import Failure
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
-_SORTS = 8  # of right answers, above which a wanted 5 is like a wanted 3
+_SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -65,7 +66,7 @@ def shrink(
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
-    budget = Budget(budget_seconds, clock)
+    budget = SearchBudget(budget_seconds, clock)
     coarse = _has_many_answers(problem, data)
     trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
     case = group_data.cases[failure.case - 1]
@@ -80,7 +81,12 @@ def shrink(
 
 
 def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
-    """Whether the right answers are of more sorts than a mistake could be looked for in."""
+    """Whether the right answers are of more sorts than a mistake could be looked for in.
+
+    Lists that may have many lengths are, even where the data have few of them: the smallest case is shorter.
+    """
+    if problem.answer.lengths > _SORTS:
+        return True
     right = problem.answer.right
     sorts = {sort_of(right(target)) for group in data.groups for target in group.targets}
     return len(sorts) > _SORTS
@@ -127,8 +133,9 @@ class _Search:
         found = self._climbed(plain)
         if found is not None:
             best = min(best, polished(self._trial, found, plain), key=_measure)
-        if best is self._first and best.measure[0] > SIMPLE:
-            best = self._by_parameters()
+        if best is self._first:
+            if best.measure[0] - items_of(best.case) > SIMPLE:
+                best = self._by_parameters()
             polish_under = plain if plain.tolerance == self._group.tolerance else self._group
             best = min(best, polished(self._trial, best, polish_under), key=_measure)
         return self._told(self._confirmed(best))

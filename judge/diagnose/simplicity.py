@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from judge.problem.model import Case, Number
 
-Measure = tuple[int, int, tuple[float, ...]]
+Simplicity = tuple[int, int, tuple[float, ...]]
 
 _NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
@@ -20,6 +20,11 @@ def numbers_of(case: Case) -> Iterator[Number]:
             yield from numbers_of(argument)
         elif type(argument) in _NUMBERS:  # no bool
             yield argument
+
+
+def items_of(case: Case) -> int:
+    """How many items its lists and points have, however deep in it: as many in all cases of one shape."""
+    return sum(len(argument) + items_of(argument) for argument in case if isinstance(argument, tuple))
 
 
 def with_numbers(case: Case, numbers: Iterator[Number]) -> Case:
@@ -50,12 +55,12 @@ def digits(number: Number) -> int:
     return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
-def measure(case: Case, special: int = 0) -> Measure:
-    """What to compare two cases by; the smaller is the simpler one.
+def measure(case: Case, special: int = 0) -> Simplicity:
+    """What to compare two cases by; the smaller is the simpler one. An item of a list weighs as a digit does.
 
     `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).
     """
-    total = _SPECIAL * special
+    total = _SPECIAL * special + items_of(case)
     negative = 0
     magnitudes = []
     for number in numbers_of(case):

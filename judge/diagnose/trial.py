@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from judge.data.build import target_of
 from judge.data.module import ProblemModule
 from judge.data.validate import Proof, Validator
-from judge.diagnose.simplicity import Measure, measure
+from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
 from judge.run.replies import VERDICTS, Breakdown
@@ -38,7 +38,7 @@ class Finding(Struct, frozen=True):
 
     case: Case
     group: Group
-    measure: Measure
+    measure: Simplicity
     verdict: Verdict
     expected: str
     got: str
@@ -47,7 +47,7 @@ class Finding(Struct, frozen=True):
     given: Raw = None  # the answer itself, None where there is none
 
 
-class Budget:
+class SearchBudget:
     """What the search may cost: seconds by a clock, and calls."""
 
     def __init__(self, seconds: float, clock: Clock = time.monotonic, most_calls: int = 50_000) -> None:
@@ -76,12 +76,12 @@ class Trial:
         box: Box,
         runner: Runner,
         verdict: Verdict,
-        budget: Budget,
+        budget: SearchBudget,
         judge_box: Callable[[], Box | None] = lambda: None,
         *,
         coarse: bool = False,
     ) -> None:
-        """`coarse` says that ints and lengths tell no two mistakes apart, as where there are many of them."""
+        """`coarse` says that ints, words and lengths tell no two mistakes apart: there are many of them."""
         self.problem = runner.problem
         self.module = module
         self.verdict = verdict
@@ -100,7 +100,7 @@ class Trial:
         """From now on only cases that fail in this way count: another mistake would explain nothing."""
         self._kind = finding.kind
 
-    def measure(self, case: Case) -> Measure:
+    def measure(self, case: Case) -> Simplicity:
         """How simple the case is, to those who know the problem's topic."""
         special = self.module.topic.special
         return measure(case, special(case) if special is not None else 0)
@@ -273,9 +273,15 @@ def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) ->
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"
+    elif got.startswith("word ") and got != wanted:  # so is every other word
+        got = "another word"
     if coarse:
-        wanted, got = wanted.rstrip("-0123456789"), got.rstrip("-0123456789")
+        wanted, got = _roughly(wanted), _roughly(got)
     return wanted, got, "off" if outcome.where else "other"
+
+
+def _roughly(sort: str) -> str:
+    return "a word" if sort.startswith("word ") else sort.rstrip("-0123456789")
 
 
 def sort_of(outline: Outline) -> str:

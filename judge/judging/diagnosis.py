@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.run.reference import Reference
-from judge.run.result import Failure, Result
+from judge.run.result import Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, BoxFactory
 
@@ -34,7 +34,7 @@ def diagnosed(
     if result.failure is None:
         return result
     try:
-        found = _smallest(result, result.failure, data, runner, box, open_box, choices)
+        found = _smallest(result, data, runner, box, open_box, choices)
     except Exception as fault:
         return result.noting(f"no smaller case for {result.submission}: {told(fault)}")
     if found is None:
@@ -44,7 +44,6 @@ def diagnosed(
 
 def _smallest(
     result: Result,
-    failure: Failure,
     data: ProblemData,
     runner: Runner,
     box: Box,
@@ -53,6 +52,7 @@ def _smallest(
 ) -> Counterexample | None:
     from judge.diagnose.shrink import shrink  # only after a wrong answer
 
+    assert result.failure is not None
     rule = data.problem.time
     name = runner.reference(rule) if rule else None
     with Reference(data.problem, open_box) as reference:
@@ -61,7 +61,7 @@ def _smallest(
             box,
             runner,
             result.verdict,
-            failure,
+            result.failure,
             reference=lambda: reference.open(name),
             choices=choices,
         )

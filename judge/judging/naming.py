@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from judge.diagnose.namer import Namer
     from judge.run.matrix import Matrix
 
-Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens what is told of work, by its label
+Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
 
 NAMED = (Verdict.WA, Verdict.RTE)
 _MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many

@@ -146,8 +146,16 @@ class Session:
         terms = self.terms
         with self.containment.take(source, name) as box:
             with self._quietly(name) as advance:
+                settings, groups = self.settings, terms.groups or None
                 judged = run_in(
-                    box, self.problem, data, source, name, terms.groups or None, advance, self.settings
+                    box,
+                    self.problem,
+                    data,
+                    source,
+                    name,
+                    settings=settings,
+                    groups=groups,
+                    on_progress=advance,
                 )
             result = judged.result
             if terms.diagnosed and judged.runner is not None:

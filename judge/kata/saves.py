@@ -17,7 +17,7 @@ _PAUSES = 20  # of them at most
 _PATIENCE = 6  # pauses for a file that is being replaced
 
 
-class Mark(Struct, frozen=True):
+class SavedMark(Struct, frozen=True):
     """What changes with every save."""
 
     file: int  # the inode: another one after a rename
@@ -25,16 +25,16 @@ class Mark(Struct, frozen=True):
     changed: int  # nanoseconds
 
 
-def mark(path: Path) -> Mark | None:
+def mark(path: Path) -> SavedMark | None:
     """The file's mark; None where there is none, or it cannot be seen."""
     try:
         found = path.stat()
     except (OSError, ValueError):
         return None
-    return Mark(found.st_ino, found.st_size, found.st_mtime_ns)
+    return SavedMark(found.st_ino, found.st_size, found.st_mtime_ns)
 
 
-def settled(path: Path) -> Mark | None:
+def settled(path: Path) -> SavedMark | None:
     """The file's mark once it has stopped changing; a missing or empty one is given time to come back."""
     before = mark(path)
     for pauses in range(1, _PAUSES + 1):

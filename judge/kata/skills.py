@@ -210,7 +210,7 @@ def mistake_names(run: Run) -> list[str]:
 
 
 def _mistakes_of(need: Need, problem: Problem) -> set[str]:
-    """The mistakes that the need's groups are there for."""
+    """The mistakes that the need's groups should catch."""
     return {name for group in problem.groups if group.name in need.groups for name in group.kills}
 
 

@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar, assert_never
 
 import msgspec
 
 from judge.errors import ProblemError, nearest
-from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
-from judge.problem.tomlfile import read_text, toml_of
+from judge.problem.lines import key_lines, line_of
+from judge.problem.text import read_text
+from judge.problem.tomlfile import toml_of
+
+if TYPE_CHECKING:
+    from judge.problem.shape import Misfit
 
 T = TypeVar("T")
-
-_UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
-_MISSING = re.compile(r"Object missing required field `(.*)`")
-_WRONG = re.compile(r"Expected (`.*`), got (`.*`)")
-_KINDS = {
-    "`str`": "text",
-    "`array`": "a list",
-    "`array | null`": "a list",
-    "`object`": "a table",
-    "`int`": "a number",
-}
 
 
 class Table:
@@ -42,22 +34,27 @@ class Table:
         raw = toml_of(self._text, self._name)
         try:
             return msgspec.convert(raw, shape)
-        except msgspec.ValidationError as error:
-            what, _, place = str(error).partition(" - at `")
-            raise self._misshapen(what, parse_path(place.rstrip("`"))) from None
+        except msgspec.ValidationError as why:
+            from judge.problem.shape import refused  # most files are as they should be
 
-    def _misshapen(self, what: str, path: KeyPath) -> ProblemError:
+            raise self._misshapen(refused(raw, shape, (), why)) from None
+
+    def _misshapen(self, found: Misfit) -> ProblemError:
+        from judge.problem.shape import Missing, NoChoice, Unknown, WrongKind
+
+        path = found.path
         name = next((part for part in reversed(path) if isinstance(part, str)), "the file")
-        if unknown := _UNKNOWN.fullmatch(what):
+        if isinstance(found, Unknown):
             return self.fault(
-                f"unknown key {unknown[1]!r}", "remove it, or correct its name", *path, unknown[1]
+                f"unknown key {found.key!r}", "remove it, or correct its name", *path, found.key
             )
-        if missing := _MISSING.fullmatch(what):
-            return self.fault(f"the key {missing[1]!r} is missing", f"add {missing[1]} = …", *path)
-        if wrong := _WRONG.fullmatch(what):
-            wanted, got = (_KINDS.get(kind, kind.strip("`")) for kind in wrong.groups())
-            return self.fault(f"{name} is {got}", f"give {wanted}", *path)
-        return self.fault(f"{name}: {what[:1].lower()}{what[1:]}", "correct its value", *path)
+        if isinstance(found, Missing):
+            return self.fault(f"the key {found.key!r} is missing", f"add {found.key} = …", *path)
+        if isinstance(found, NoChoice):
+            return self.fault(f"{name} = {found.given!r} is unknown", f"use one of {found.choice}", *path)
+        if isinstance(found, WrongKind):
+            return self.fault(f"{name} is {found.given}", f"give {found.wanted}", *path)
+        assert_never(found)
 
     def _at(self, line: int, what: str, remedy: str) -> ProblemError:
         return ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)

@@ -79,6 +79,11 @@ def problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
     return list(found.values())
 
 
+def folders_within(named: Sequence[Path]) -> list[Path]:
+    """The problems' folders in the folders that a person names, and nowhere else. Raises UsageError."""
+    return _folders([_root(folder, "--problems") for folder in named])
+
+
 def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
     """The folders of problems that are looked in, in their order. Raises as find_problem does.
 

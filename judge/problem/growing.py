@@ -35,20 +35,19 @@ from msgspec.structs import replace
 from judge.errors import nearest
 from judge.problem import schema
 from judge.problem.lines import KeyPath
-from judge.problem.model import Group, GrowthRule, Limits
-from judge.problem.statement import EXAMPLES
+from judge.problem.model import EXAMPLES, Group, GroupLimits, GrowthRule
 
 MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 _MOST_SIZE = 10**9
 
 Fault = Callable[[KeyPath, str, str], NoReturn]
-Exactly = Callable[[schema.Exact, KeyPath], Fraction]
+Exactly = Callable[[schema.TomlNumber, KeyPath], Fraction]
 
 
 class GrowingKeys:
     """The checks; `fault` refuses what stands at a key, `exact` reads its number."""
 
-    def __init__(self, table: schema.ProblemTable, limits: Limits, fault: Fault, exact: Exactly) -> None:
+    def __init__(self, table: schema.ProblemTable, limits: GroupLimits, fault: Fault, exact: Exactly) -> None:
         self._table = table
         self._limits = limits
         self._fault = fault
@@ -111,7 +110,7 @@ class GrowingKeys:
             self._fault((*path, "time", "limit"), what, "give a multiple above 1")
         return float(limit)
 
-    def _own_limits(self, table: schema.GroupTable, path: KeyPath) -> Limits | None:
+    def _own_limits(self, table: schema.GroupTable, path: KeyPath) -> GroupLimits | None:
         if table.limits is None:
             return None
         place = (*path, "limits")
@@ -122,7 +121,7 @@ class GrowingKeys:
             wall = self._seconds(table.limits.wall_seconds, (*place, "wall_seconds"))
         return replace(usual, cpu_seconds=cpu, wall_seconds=wall)
 
-    def _seconds(self, value: schema.Exact, path: KeyPath) -> float:
+    def _seconds(self, value: schema.TomlNumber, path: KeyPath) -> float:
         seconds = self._exact(value, path)
         if seconds <= 0:
             self._fault(path, f"{path[-1]} allows nothing", "give a number above 0")

@@ -18,7 +18,7 @@ from judge.errors import ProblemError
 from judge.problem.load import words_beside
 from judge.problem.model import Problem
 from judge.problem.statement import filled
-from judge.problem.tomlfile import read_text
+from judge.problem.text import read_text
 
 HINTS = "hints.md"
 _STEP = "## "

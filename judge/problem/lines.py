@@ -41,12 +41,6 @@ def line_of(path: KeyPath, lines: dict[KeyPath, int]) -> int:
     return lines[path]
 
 
-def parse_path(text: str) -> KeyPath:
-    """The path that msgspec writes as `$.groups[2].seed`."""
-    parts = re.findall(r"\.([^.\[\]]+)|\[(\d+)\]", text)
-    return tuple(name or int(index) for name, index in parts)
-
-
 def _parts(dotted: str) -> KeyPath:
     return tuple(part.strip("\"'") for part in _PART.findall(dotted))
 

@@ -21,8 +21,8 @@ from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.growing import MOST_INPUT_MB, GrowingKeys
 from judge.problem.lines import KeyPath
-from judge.problem.model import Group, Limits, Parameter, Problem, ShownSkill, TimeRule
-from judge.problem.statement import EXAMPLES, read_statement
+from judge.problem.model import EXAMPLES, Group, GroupLimits, Parameter, Problem, ShownSkill, TimeRule
+from judge.problem.statement import read_statement
 from judge.problem.tomlfile import TomlFile, meant
 from judge.values import Tolerance, Type, TypeFault, Words, parse
 
@@ -162,7 +162,7 @@ class _Reader:
         except TypeFault as fault:
             self.fault(path, f"{path[-1]} = {fault.what}", fault.remedy)
 
-    def _limits(self, table: schema.LimitsTable) -> Limits:
+    def _limits(self, table: schema.LimitsTable) -> GroupLimits:
         for key in table.__struct_fields__:
             limit = self._exact(getattr(table, key), ("limits", key))
             if limit <= 0:
@@ -171,7 +171,7 @@ class _Reader:
         if table.input_mb > MOST_INPUT_MB:
             remedy = f"give at most {MOST_INPUT_MB}"
             self.fault(("limits", "input_mb"), f"there is no room for {table.input_mb} MB of cases", remedy)
-        return Limits(
+        return GroupLimits(
             cpu_seconds=float(table.cpu_seconds),
             wall_seconds=float(table.wall_seconds),
             memory_bytes=int(table.memory_mb * _MEGABYTE),
@@ -327,7 +327,7 @@ class _Reader:
             path, f"a builder cannot take {value!r}", "give a number, text, true or false, or a list"
         )
 
-    def _exact(self, value: schema.Exact, path: KeyPath) -> Fraction:
+    def _exact(self, value: schema.TomlNumber, path: KeyPath) -> Fraction:
         if isinstance(value, Decimal):
             if not value.is_finite():
                 self.fault(path, f"{path[-1]} is {value}", "give a finite number")
@@ -369,5 +369,5 @@ def _numbers(prefix: str, table: schema.ToleranceTable | schema.LimitsTable | No
     return {f"{prefix}.{key}": _written(getattr(table, key)) for key in table.__struct_fields__}
 
 
-def _written(number: schema.Exact) -> str:
+def _written(number: schema.TomlNumber) -> str:
     return str(number).lower().replace("e+", "e")

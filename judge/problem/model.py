@@ -19,6 +19,8 @@ Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
+EXAMPLES = "examples"  # the builder whose cases are the statement's worked examples
+
 
 def case_of(arguments: Mapping[str, Any]) -> Case:
     """The case of arguments by parameter name, also where JSON has made lists of tuples."""
@@ -52,7 +54,7 @@ class Parameter(Struct, frozen=True, cache_hash=True):
     smallest: Fraction = Fraction(0)
 
 
-class Limits(Struct, frozen=True):
+class GroupLimits(Struct, frozen=True):
     """The bounds of one test group: all its calls together, or its one program."""
 
     cpu_seconds: float
@@ -94,10 +96,10 @@ class Group(Struct, frozen=True):
     count: int
     points: int
     tolerance: Tolerance
-    kills: tuple[str, ...]  # the mistakes it is there for
+    kills: tuple[str, ...]  # the mistakes it should catch
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
-    limits: Limits | None = None  # its own
+    limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
 
 
@@ -131,7 +133,7 @@ class Problem(Struct, frozen=True):
     answer: Type
     parameters: tuple[Parameter, ...]
     bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
-    limits: Limits
+    limits: GroupLimits
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
@@ -143,7 +145,7 @@ class Problem(Struct, frozen=True):
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
 
-    def limits_of(self, group: Group) -> Limits:
+    def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""
         return group.limits or self.limits
 

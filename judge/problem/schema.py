@@ -3,39 +3,38 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from enum import Enum
 from typing import Any
 
 import msgspec
 
 from judge.problem.model import Tier
 
-Exact = int | Decimal  # a number of the file, never rounded
+TomlNumber = int | Decimal  # a number of the file, never rounded
 
 
 class ToleranceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[tolerance]`, or a group's own one, which replaces it whole."""
 
-    extent: Exact = 0
-    relative: Exact = 0
-    zero: Exact = 0
-    ulps: Exact = 0
+    extent: TomlNumber = 0
+    relative: TomlNumber = 0
+    zero: TomlNumber = 0
+    ulps: TomlNumber = 0
 
 
 class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[limits]`: the bounds of one test group."""
 
-    cpu_seconds: Exact
-    wall_seconds: Exact
-    memory_mb: Exact
-    output_mb: Exact
-    input_mb: Exact = 64
+    cpu_seconds: TomlNumber
+    wall_seconds: TomlNumber
+    memory_mb: TomlNumber
+    output_mb: TomlNumber
+    input_mb: TomlNumber = 64
 
 
 class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[time]`: the limit as a multiple of a reference solution's CPU time."""
 
-    limit: Exact
+    limit: TomlNumber
     function: str
     program: str | None = None
 
@@ -44,20 +43,20 @@ class GrowthTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[growth]`: the groups it is measured in, and how far an exponent may exceed the reference's."""
 
     groups: list[str]
-    slope: Exact
+    slope: TomlNumber
 
 
 class GroupTimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[groups.time]`: a group's own limit."""
 
-    limit: Exact
+    limit: TomlNumber
 
 
 class GroupLimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[groups.limits]`: a group's own bounds."""
 
-    cpu_seconds: Exact
-    wall_seconds: Exact | None = None
+    cpu_seconds: TomlNumber
+    wall_seconds: TomlNumber | None = None
 
 
 class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -75,10 +74,10 @@ class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
     name: str
     type: str
-    low: Exact
-    high: Exact
+    low: TomlNumber
+    high: TomlNumber
     about: str
-    smallest: Exact = 0
+    smallest: TomlNumber = 0
 
 
 class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -118,7 +117,7 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     parameters: list[ParameterTable]
     groups: list[GroupTable]
     tolerance: ToleranceTable | None = None
-    bands: dict[str, Exact] = {}
+    bands: dict[str, TomlNumber] = {}
     words: WordsTable | None = None
     time: TimeTable | None = None
     sets: list[str] = []
@@ -147,9 +146,3 @@ def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
     known = _TABLES | _TABLES_OF_GROUPS if names[:1] == ["groups"] else _TABLES
     table = known[names[0] if named else names[-1]] if names else ProblemTable
     return table.__struct_fields__
-
-
-def enum_values(path: tuple[str | int, ...]) -> tuple[str, ...]:
-    """The words that the key at `path` may have."""
-    kinds: dict[str | int, type[Enum]] = {"tier": Tier}
-    return tuple(member.value for member in kinds[path[-1]])

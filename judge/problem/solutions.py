@@ -4,7 +4,7 @@
     solutions/<id>/slow/one-by-one.py       right, and too slow
     solutions/<id>/wrong/off-by-one.py      a mistake that people make; off-by-one-….py are variants of it
 
-A program begins with what a person is told of it: its name (an idea, or a mistake), and below that why it
+A program begins with what the judge says about it: its name (an idea, or a mistake), and below that why it
 works, or what is wrong and what to do instead. In Python that is its docstring. A pack may come without any.
 """
 
@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from enum import Enum
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from msgspec import Struct
 
@@ -42,7 +42,9 @@ class Kind(Enum):
             return verdict is Verdict.AC
         if self is Kind.SLOW:
             return verdict is Verdict.TLE
-        return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+        if self is Kind.WRONG:
+            return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
+        assert_never(self)
 
     @property
     def wanted(self) -> str:

@@ -15,11 +15,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from judge.errors import ProblemError, nearest
-from judge.problem.model import Argument, Case, Example, Problem
-from judge.problem.tomlfile import read_text
+from judge.problem.model import EXAMPLES, Argument, Case, Example, Problem
+from judge.problem.text import read_text
 from judge.values import Type
-
-EXAMPLES = "examples"  # the builder whose cases are the worked examples
 
 _BRIEF = 80  # characters of what is wrong
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.

@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, assert_never
 
 import msgspec
 
 from judge.errors import ProblemError, nearest
-from judge.problem import schema
-from judge.problem.lines import KeyPath, key_lines, line_of, parse_path
+from judge.problem.lines import KeyPath, key_lines, line_of
 from judge.problem.model import Problem
-from judge.reading import read_ordinary_text
+from judge.problem.schema import ProblemTable, fields_at
+from judge.problem.text import read_text
+
+if TYPE_CHECKING:
+    from judge.problem.shape import Misfit
 
 T = TypeVar("T")
-
-_KINDS = {
-    "`int | decimal`": "a number",
-    "`decimal`": "a number with a point",
-    "`float`": "a number with a point",
-    "`int`": "a whole number",
-    "`int | null`": "a whole number",
-    "`str`": "text",
-    "`bool`": "true or false",
-    "`array`": "a list",
-    "`object | array`": "a list",
-    "`object`": "a table",
-    "`object | null`": "a table",
-}
 
 
 class TomlFile:
@@ -46,45 +34,43 @@ class TomlFile:
         line = line_of(path, key_lines(self._text))
         raise ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)
 
-    def table(self) -> schema.ProblemTable:
+    def table(self) -> ProblemTable:
         """The file in its shape; its values are not yet checked."""
         raw = toml_of(self._text, self._name, parse_float=Decimal)
-        return self.shaped(raw, schema.ProblemTable, ())
+        return self.shaped(raw, ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
         """What stands at `path`, in that shape."""
         try:
             return msgspec.convert(raw, shape)
-        except msgspec.ValidationError as error:
-            what, _, place = str(error).partition(" - at `")
-            within = parse_path(place.rstrip("`"))
-            if missing := re.fullmatch(r"Object missing required field `(.*)`", what):
-                for part in within:
-                    raw = raw[part]
-                self._missing_key(missing[1], (*path, *within), raw)
-            self._misshapen(what, (*path, *within))
+        except msgspec.ValidationError as why:
+            from judge.problem.shape import refused  # most files are as they should be
 
-    def _misshapen(self, what: str, path: KeyPath) -> NoReturn:
-        """Raise msgspec's fault in words for a person, with the name that was meant."""
-        if unknown := re.fullmatch(r"Object contains unknown field `(.*)`", what):
-            self._unknown_key(unknown[1], path)
-        if invalid := re.fullmatch(r"Invalid enum value '(.*)'", what, re.DOTALL):
-            values = schema.enum_values(path)
-            self.fault(
-                path, f"{path[-1]} = {invalid[1]!r} is unknown", meant(invalid[1], values, "use one of")
-            )
-        if kinds := re.fullmatch(r"Expected (`.*`), got (`.*`)", what):
-            wanted, got = (_KINDS.get(kind, kind) for kind in kinds.groups())
-            self.fault(path, f"{_dotted(path)} is {got}", f"give {wanted}")
-        self.fault(path, f"{_dotted(path)}: {what[:1].lower()}{what[1:]}", "correct its value")
+            self._misshapen(refused(raw, shape, path, why))
+
+    def _misshapen(self, found: Misfit) -> NoReturn:
+        """Raise what is wrong, with the name that was meant."""
+        from judge.problem.shape import Missing, NoChoice, Unknown, WrongKind
+
+        path = found.path
+        if isinstance(found, Unknown):
+            self._unknown_key(found.key, path)
+        if isinstance(found, Missing):
+            self._missing_key(found.key, path, found.table)
+        if isinstance(found, NoChoice):
+            remedy = meant(found.given, found.choice, "use one of")
+            self.fault(path, f"{path[-1]} = {found.given!r} is unknown", remedy)
+        if isinstance(found, WrongKind):
+            self.fault(path, f"{_dotted(path)} is {found.given}", f"give {found.wanted}")
+        assert_never(found)
 
     def _unknown_key(self, key: str, path: KeyPath) -> NoReturn:
-        known = schema.fields_at(path)
+        known = fields_at(path)
         self.fault((*path, key), f"unknown key {key!r}", meant(key, known, "the keys are"))
 
     def _missing_key(self, key: str, path: KeyPath, table: dict[str, Any]) -> NoReturn:
         """A key that is missing is most often there, misspelt."""
-        stray = nearest(key, set(table) - set(schema.fields_at(path)))
+        stray = nearest(key, set(table) - set(fields_at(path)))
         if stray is not None:
             self.fault((*path, stray), f"unknown key {stray!r}", f"did you mean {key!r}?")
         self.fault(path, f"the key {key!r} is missing in {_dotted(path)}", f"add {key} = …")
@@ -107,9 +93,8 @@ def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> 
     try:
         return tomllib.loads(text, parse_float=parse_float)
     except tomllib.TOMLDecodeError as error:
-        what, _, place = str(error).partition(" (at ")
-        found = re.match(r"line (\d+)", place)
-        line = int(found[1]) if found else text.count("\n") + 1
+        what = str(error).partition(" (at ")[0]
+        line = _line_of(error, text)
         what, where = f"{what[:1].lower()}{what[1:]}", f"{name}:{line}"
     except ValueError:  # longer than Python reads
         what, where = "an integer has too many digits", name
@@ -120,19 +105,13 @@ def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> 
     )
 
 
-def read_text(path: Path) -> str:
-    """The text of one of a problem's files. Raises ProblemError."""
-    where = f"{path.parent.name}/{path.name}"
-    try:
-        return read_ordinary_text(path)
-    except FileNotFoundError:
-        raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
-    except UnicodeDecodeError as error:
-        what = f"byte {error.start} is not UTF-8"
-        raise ProblemError(what, where=where, remedy="save the file as UTF-8") from None
-    except OSError as error:
-        what = f"cannot be read: {error.strerror}"
-        raise ProblemError(what, where=where, remedy=f"make {path} a readable file") from None
+def _line_of(error: tomllib.TOMLDecodeError, text: str) -> int:
+    """The line of a fault; before Python 3.14 it is in the error's text alone: "… (at line 3, column 1)"."""
+    line = getattr(error, "lineno", None)
+    if isinstance(line, int):
+        return line
+    number = str(error).rpartition("(at line ")[2].partition(",")[0]
+    return int(number) if number.isdecimal() else text.count("\n") + 1
 
 
 def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:

@@ -15,24 +15,24 @@ _COMPILED = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
 _RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |; it was run as a program)")
 
 
-class Place(Struct, frozen=True):
+class FilePlace(Struct, frozen=True):
     """A line of a file, and a column where it is known; both from 1, 0 for unknown."""
 
     line: int
     column: int = 0
 
 
-def fault_place(result: Result) -> Place | None:
+def fault_place(result: Result) -> FilePlace | None:
     """Where a submission does not compile or raised its exception, as its failure's message says."""
     message = result.failure.message if result.failure else ""
     if result.verdict is Verdict.CE:
         found = _COMPILED.search(message)
-        return Place(int(found[1]), int(found[2] or 0)) if found else None
+        return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
     found = _RAISED.match(message) if result.verdict is Verdict.RTE else None
-    return Place(int(found[1])) if found else None
+    return FilePlace(int(found[1])) if found else None
 
 
-def annotated_place(result: Result, source: bytes, entry: str) -> Place:
+def annotated_place(result: Result, source: bytes, entry: str) -> FilePlace:
     """Where to show a person the result: at the fault, else at the entry function, else at the top.
 
     A line that the file does not have, which an exception's text may claim, is not believed.
@@ -43,4 +43,4 @@ def annotated_place(result: Result, source: bytes, entry: str) -> Place:
     name = re.escape(entry.encode())
     # Not by parsing: the file is nobody's yet, and a compiler can be made to crash.
     defined = re.search(rb"^(?:async[ \t]+)?(?:def[ \t]+%s\b|%s[ \t]*(?::.*)?=)" % (name, name), source, re.M)
-    return Place(source.count(b"\n", 0, defined.start()) + 1 if defined and entry else 1)
+    return FilePlace(source.count(b"\n", 0, defined.start()) + 1 if defined and entry else 1)

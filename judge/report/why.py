@@ -1,4 +1,4 @@
-"""What test groups probe and the mistakes they are there for, for the screen."""
+"""What test groups probe and the mistakes they should catch, for the screen."""
 
 from __future__ import annotations
 

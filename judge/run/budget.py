@@ -38,7 +38,7 @@ class Budget:
         return limits._replace(waiting_seconds=max(0.0, self._most_waiting - self._waited))
 
     def booked(self, replies: Replies) -> Replies:
-        """Book what a series of cases has cost; its replies, as a person is told of them."""
+        """Book what a series of cases has cost; its replies, as a person sees them."""
         stop = replies.stop
         with self._lock:
             self._waited += replies.usage.waiting_seconds

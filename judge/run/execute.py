@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import ExitStack
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from judge.problem import Problem, Verdict
@@ -57,7 +58,10 @@ def run_submission(
     """
     settings = settings or Settings()
     with settings.box_factory(source, name) as box:
-        return run_in(box, problem, data, source, name, groups, on_progress, settings).result
+        judged = run_in(
+            box, problem, data, source, name, settings=settings, groups=groups, on_progress=on_progress
+        )
+        return judged.result
 
 
 def run_in(
@@ -66,9 +70,10 @@ def run_in(
     data: ProblemData,
     source: bytes,
     name: str,
-    groups: Collection[str] | None,
-    on_progress: Progress | None,
+    *,
     settings: Settings,
+    groups: Collection[str] | None = None,
+    on_progress: Progress | None = None,
 ) -> Judged:
     """As `run_submission`, in a box that is open already and holds the submission."""
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
@@ -77,12 +82,13 @@ def run_in(
     if isinstance(runner, Failure):
         return Judged(uncompiled(problem, name, runner, box), None)
     budget = Budget(problem)
-    judging = _Judging(data, runner, source, name, settings, on_progress, budget)
+    open_box = partial(settings.box_factory, source, name)
+    judging = _Judging(data, runner, open_box, settings.workers, on_progress, budget)
     with turnstile.judging():
         runs = judging.groups(box, chosen)
     timing = Timed(Decision(None))
     if settings.measured and worth_racing(problem, runs):
-        timing = _race(problem, runner, runs, box, settings, turnstile, budget)
+        timing = _race(runner, runs, box, settings, turnstile, budget)
     return Judged(_result(problem, name, runner, runs, timing, box.isolation), runner)
 
 
@@ -133,7 +139,6 @@ def _close(timing: Timed) -> bool:
 
 
 def _race(
-    problem: Problem,
     runner: Runner,
     runs: Sequence[GroupRun],
     box: Box,
@@ -141,6 +146,7 @@ def _race(
     turnstile: Turnstile,
     budget: Budget,
 ) -> Timed:
+    problem = runner.problem
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         stack.enter_context(turnstile.measuring())
@@ -154,17 +160,15 @@ class _Judging:
         self,
         data: ProblemData,
         runner: Runner,
-        source: bytes,
-        name: str,
-        settings: Settings,
+        open_box: Callable[[], Box],
+        workers: int,
         on_progress: Progress | None,
         budget: Budget,
     ) -> None:
         self._data = data
         self._runner = runner
-        self._source = source
-        self._name = name
-        self._settings = settings
+        self._open_box = open_box
+        self._workers = workers
         self._on_progress = on_progress
         self._budget = budget
         self._lock = threading.Lock()
@@ -175,14 +179,14 @@ class _Judging:
         """Judge the groups; `box` is the first worker's, the others open their own."""
         runs = [GroupRun(self._data, group, self._runner) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
-        workers = self._settings.workers
+        workers = self._workers
         here = threading.current_thread()
 
         def work(queue: Iterable[tuple[int, list[GroupRun]]]) -> None:
             with ExitStack() as stack:
                 mine = box
                 if threading.current_thread() is not here:
-                    mine = stack.enter_context(self._settings.box_factory(self._source, self._name))
+                    mine = stack.enter_context(self._open_box())
                 for _, share_of in queue:
                     self._judge(mine, share_of)
 

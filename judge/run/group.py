@@ -111,7 +111,7 @@ class GroupRun:
         return named_input(self.problem, self.cases[index]) if self.group.size is None else None
 
     def give_up(self, verdict: Verdict, reason: str) -> None:
-        """Record that the rest of it is not run, of which nothing is known then."""
+        """Record that the rest of it is not run: those cases are undecided."""
         if self.failure is None:
             self.given_up = True
             self.failed(0, verdict, f"not run: {reason}")

@@ -31,7 +31,6 @@ class Duel:
 
     def __init__(
         self,
-        problem: Problem,
         runner: Runner,
         runs: Sequence[GroupRun],
         submission: Box,
@@ -45,7 +44,7 @@ class Duel:
         self._budget = budget
         self._cases = track.cases
         self._places = [(runs[place], index) for place, index in track.places]
-        self._limits = limits = _limits(problem, runs)
+        self._limits = limits = _limits(runner.problem, runs)
         used = sum((run.usage for run in runs), Usage())
         self._tighter = limits._replace(
             cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
@@ -98,7 +97,7 @@ def measure(
     if problem.time is None or rival is None:
         return Decision(None)
     track = track_of(reference, runner, runs)
-    duel = Duel(problem, runner, runs, submission, rival, track, budget)
+    duel = Duel(runner, runs, submission, rival, track, budget)
     decision = race(duel.mine, duel.theirs, time_limit(problem, runs), duel.goes_on, track.pace)
     if any(run.verdict is not Verdict.AC for run in runs):
         return Decision(decision.ratio)

@@ -134,9 +134,11 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
 
 def _why_a_program(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> str:
     """Why a source was taken for a program that may not be meant as one; nothing where it reads its input."""
-    close = nearest(entry, (name for name, _ in names))
     nested = f"def {entry}(".encode() in source
-    if close is None and not nested and any(word in source for word in _READS):
+    reads = any(word in source for word in _READS)
+    # In what reads its input a variable of a name like the entry's means nothing.
+    close = nearest(entry, (name for name, _ in names if not reads or f"def {name}(".encode() in source))
+    if close is None and not nested and reads:
         return ""
     note = f"it was run as a program because it defines no {entry}"
     if nested:

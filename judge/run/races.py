@@ -104,7 +104,7 @@ def _grown(
     duels, courses = [], []
     for run in growing:
         track = track_of(reference, runner, [run])
-        duel = Duel(problem, runner, [run], submission, rival, track, budget)
+        duel = Duel(runner, [run], submission, rival, track, budget)
         duels.append(duel)
         ended = run.verdict is Verdict.AC
         courses.append(

@@ -33,7 +33,7 @@ class GroupResult(Struct, frozen=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
     `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. Those
-    before `reached` have all been decided; of one beyond it nothing is known unless it is in `wrong`.
+    before `reached` have all been decided; a case beyond it was not decided unless it is in `wrong`.
     """
 
     name: str

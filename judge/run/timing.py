@@ -17,6 +17,7 @@ from judge.run.result import Ratio
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
+_FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
@@ -77,7 +78,7 @@ def race(
     A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
     at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
     whether there may be another. With the `pace` of earlier races a clear one needs a single turn of the
-    reference.
+    reference, and one that is far below the limit needs a single one of its own.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
@@ -105,6 +106,8 @@ def race(
             continue
         if pairs[0].ratio > limit:
             break
+        if usual is not None and pairs[0].submission <= _FAR_BELOW * limit * usual:
+            return decide([Pair(pairs[0].submission, usual)], limit)
         if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
             break
     return decide(pairs, limit)

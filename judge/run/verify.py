@@ -24,6 +24,7 @@ from judge.errors import ProblemError
 from judge.language import file_name
 from judge.problem import Group, Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
+from judge.problem.tomlfile import key_place, meant
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
@@ -108,6 +109,7 @@ def verify_problem(
         folder = problem.solutions / Kind.ACCEPTED.value
         where = f"{problem.solutions.name}/{folder.name}"
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
+    faults += _time_faults(problem, solutions)
     reports = []
     settings = Settings(box_factory=box_factory or Boxes())
     for done, solution in enumerate(solutions):
@@ -155,6 +157,22 @@ def _check_pins(problem: Problem, data: ProblemData, update: bool) -> tuple[str,
         return "differing", [Fault("the data are not pinned", where, remedy)]
     faults = [Fault(what, where, remedy) for what in differences(pins, data.groups)]
     return ("differing" if faults else "matching"), faults
+
+
+def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]:
+    """The files that `[time]` names and that are not there: nothing would be raced against them."""
+    rule = problem.time
+    accepted = [solution.path.name for solution in solutions if solution.kind is Kind.ACCEPTED]
+    named = {"function": rule.function, "program": rule.program} if rule else {}
+    return [
+        Fault(
+            f"[time] names {name!r}, which is no accepted solution",
+            key_place(problem, ("time", key)),
+            meant(name, accepted, "name one of"),
+        )
+        for key, name in named.items()
+        if name and name not in accepted
+    ]
 
 
 def _solution_report(solution: Solution, result: Result) -> SolutionReport:

@@ -24,11 +24,10 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Container, Done, Lost, OnSeries
-from judge.sandbox.holder import Holder, Ladder
+from judge.sandbox.container import Done, Lost, OnSeries
+from judge.sandbox.holder import Holder
 from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
-from judge.sandbox.roots import Roots
 
 IdleCosts = dict[tuple[str, bytes, tuple[str, ...]], int]
 """CPU time in ns of a child that does nothing, by level, kind of run and modules imported ahead."""
@@ -46,29 +45,18 @@ class ForkServerBox:
     """A submission behind a fork server; a context manager that ends it all.
 
     The container is started at once and awaited on entering, so that a judge may do other things while it
-    boots. Where `level` cannot be had `ladder` says what to do.
-
-    One thread at a time may use it, whichever opened it.
+    boots. One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(
-        self,
-        source: bytes,
-        name: str,
-        level: str,
-        ladder: Ladder,
-        roots: Roots,
-        share: room.Share,
-        idle: IdleCosts,
-    ) -> None:
-        """Start the container; `share` bounds its threads, `idle` is what other boxes have found out."""
+    def __init__(self, holder: Holder, share: room.Share, idle: IdleCosts) -> None:
+        """`holder` has the container, `share` bounds its threads, `idle` is what other boxes found out."""
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
         self._share = share
         self._idle = idle
         self._warm_up: threading.Thread | None = None
         self._oom_kills = room.oom_kills()
-        self._holder = Holder(level, ladder, lambda level: Container(level, name, source, roots, share))
+        self._holder = holder
 
     @property
     def isolation(self) -> str:
@@ -267,18 +255,7 @@ class ForkServerBox:
         if kind in (wire.CALLS, wire.PROGRAM):
             room.check_memory(memory)
         try:
-            done = self._holder.here().ask(
-                kind,
-                stdio,
-                payload,
-                cpu_ns=round(limits.cpu_seconds * 1e9),
-                wall_ns=round(limits.wall_seconds * 1e9),
-                waiting_ns=round(limits.waiting_seconds * 1e9),
-                memory=memory,
-                output=limits.output_bytes,
-                series=series,
-                on_series=on_series,
-            )
+            done = self._holder.here().ask(kind, stdio, payload, limits, memory, series, on_series)
         except BaseException as fault:
             self._holder.drop()
             if isinstance(fault, Lost):

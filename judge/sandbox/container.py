@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
 from judge.sandbox import bundle, launch, refusal, shared
+from judge.sandbox.boundary import Limits
 from judge.sandbox.inside import wire
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
@@ -33,7 +34,7 @@ REASON_BYTES = 2000
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
-class Mark(NamedTuple):
+class SeriesEnd(NamedTuple):
     """The end of a series but the last, as the fork server measured and sealed it."""
 
     cpu_ns: int
@@ -50,7 +51,7 @@ class Lost(Exception):  # noqa: N818 - it never reaches a person
     """
 
     def __init__(
-        self, replies: bytes = b"", marks: Sequence[Mark] = (), wall_ns: int = 0, *, asked: bool = True
+        self, replies: bytes = b"", marks: Sequence[SeriesEnd] = (), wall_ns: int = 0, *, asked: bool = True
     ) -> None:
         super().__init__()
         self.asked = asked
@@ -68,7 +69,7 @@ class Done(NamedTuple):
     wall_ns: int
     peak_bytes: int
     started: int  # whether the child came as far as running foreign code
-    marks: tuple[Mark, ...] = ()  # one for each series that ended before
+    marks: tuple[SeriesEnd, ...] = ()  # one for each series that ended before
 
 
 OnSeries = Callable[[], None]  # told of each series that has ended but the last
@@ -231,40 +232,39 @@ class Container:
         kind: bytes,
         stdio: Sequence[int],
         payload: bytes,
-        *,
-        cpu_ns: int,
-        wall_ns: int,
-        waiting_ns: int,
+        limits: Limits,
         memory: int,
-        output: int,
         series: int = 1,
         on_series: OnSeries | None = None,
     ) -> Done:
         """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
 
-        `cpu_ns`, `wall_ns` and `output` are each series' own, `waiting_ns` and `memory` the process's.
+        `memory` is the bytes that the process may have in all, more than the limit of the submission.
         """
         if self._process is None:
             raise Lost
         self.await_ready()
         start = wire.replies_at(len(payload))
+        output = limits.output_bytes
         stop = start + wire.reply_room(output, series)
         if stop > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
             )
         self.region.prepare(payload)
-        times = (cpu_ns, wall_ns, waiting_ns)
+        times = [
+            round(each * 1e9) for each in (limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds)
+        ]
         frame = wire.REQUEST.pack(kind, *times, memory, output, len(payload), stop, series)
         try:
             self._line.send(frame, stdio)
         except OSError:
             self.close()
             raise Lost(asked=False) from None
-        marks: list[Mark] = []
+        marks: list[SeriesEnd] = []
         began = time.monotonic_ns()
         while True:
-            answer = self._receive(wall_ns / 1e9 + GRACE_SECONDS)
+            answer = self._receive(limits.wall_seconds + GRACE_SECONDS)
             if answer.startswith(wire.LACKING):
                 raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
             if answer.startswith(wire.ENDED):
@@ -274,7 +274,7 @@ class Container:
                 data = self.replies(payload, output, series)
                 self.close()
                 raise Lost(data, marks, time.monotonic_ns() - began)
-            marks.append(Mark(*wire.MARK.unpack_from(answer)[1:]))
+            marks.append(SeriesEnd(*wire.MARK.unpack_from(answer)[1:]))
             began = time.monotonic_ns()
             if on_series:
                 on_series()

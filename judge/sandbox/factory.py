@@ -61,6 +61,8 @@ class Boxes:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `below`."""
         from judge.sandbox import room  # only a run needs sockets, processes and ctypes
         from judge.sandbox.box import ForkServerBox
+        from judge.sandbox.container import Container
+        from judge.sandbox.holder import Holder
         from judge.sandbox.roots import find_roots
 
         level = self._first()
@@ -68,7 +70,9 @@ class Boxes:
             self._share = room.measure().share(1)
         if self._roots is None:
             self._roots = find_roots(self._hide)
-        return ForkServerBox(source, name, level, self, self._roots, self._share, self._idle)
+        roots, share = self._roots, self._share
+        holder = Holder(level, self, lambda level: Container(level, name, source, roots, share))
+        return ForkServerBox(holder, share, self._idle)
 
     def had(self, level: str) -> None:
         """A container is ready at this level."""

@@ -17,7 +17,7 @@ from itertools import repeat
 from typing import Any
 
 from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
-from judge.sandbox.container import Done, Lost, Mark
+from judge.sandbox.container import Done, Lost, SeriesEnd
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
@@ -31,16 +31,16 @@ def usage_of(done: Done) -> Usage:
 
 def usages_of(done: Done) -> list[Usage]:
     """The figures of each series that was begun; the peak is that of the process up to its end."""
-    last = Mark(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
+    last = SeriesEnd(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
     return [_usage(mark) for mark in (*done.marks, last)]
 
 
 def usages_of_lost(lost: Lost) -> list[Usage]:
     """The same where nobody was left to measure the last series."""
-    return [_usage(mark) for mark in (*lost.marks, Mark(0, lost.wall_ns, 0, 0, b""))]
+    return [_usage(mark) for mark in (*lost.marks, SeriesEnd(0, lost.wall_ns, 0, 0, b""))]
 
 
-def _usage(mark: Mark) -> Usage:
+def _usage(mark: SeriesEnd) -> Usage:
     return Usage(mark.cpu_ns / 1e9, mark.wall_ns / 1e9, mark.peak_bytes)
 
 
@@ -149,7 +149,7 @@ def _replies(rows: list[Any]) -> list[Reply]:
     return replies
 
 
-def parse_series(data: bytes, marks: Sequence[Mark], counts: Sequence[int]) -> tuple[list[Reply], bool]:
+def parse_series(data: bytes, marks: Sequence[SeriesEnd], counts: Sequence[int]) -> tuple[list[Reply], bool]:
     """The replies to so many calls in each series, and whether the child kept to the form.
 
     What it changed after a series was sealed, or answered before it was asked, is not the form. Only a module

@@ -64,6 +64,17 @@ class Written(Struct, frozen=True):
         return Fraction(self.text)
 
 
+def written_off(given: Any, bounds: tuple[float, float, float, float, float]) -> float | None:
+    """How far off a decimal is, in ulps, where its double shows that it is accepted; None otherwise."""
+    if type(given) is not Written:
+        return None
+    lo, hi, nearest, residual, unit = bounds
+    y = given.approx
+    if not lo < y < hi:
+        return None
+    return abs((y - nearest) / unit - residual) if nearest else 0.0
+
+
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
 
@@ -254,3 +265,10 @@ def near(value: int | float | Fraction) -> float:
         return float(value)
     except OverflowError:
         return float("inf") if value > 0 else float("-inf")
+
+
+def collecting(type_name: str) -> str:
+    """What to do about a value of that type where a list is meant, or nothing."""
+    if type_name in SETS:
+        return "a set has no order, and list(...) gives it none; collect a list"
+    return "wrap it in list(...)" if type_name in ITERATORS else ""

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from judge.values.decode import Written
-from judge.values.numbers import written_off
+from judge.values.decode import Written, written_off
 
 
 class Wanted(NamedTuple):

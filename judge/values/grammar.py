@@ -12,7 +12,7 @@ argument is a word or a number, and arguments are parted by "|", ";" or ",".
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -37,6 +37,15 @@ ALIASES = {
     "parameter": "real?",
     "number": "real",
     "integer": "int",
+}
+
+# What people write who know other languages, and what it is called here.
+_FOREIGN = {
+    **dict.fromkeys(("float", "double", "decimal"), "real"),
+    **dict.fromkeys(("str", "string", "text", "enum"), "word(a|b)"),
+    **dict.fromkeys(("list", "vector"), "[T]"),
+    **dict.fromkeys(("tuple", "pair"), "(T, T)"),
+    **dict.fromkeys(("none", "null", "optional", "Optional", "None"), "T?"),
 }
 
 
@@ -71,9 +80,9 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
     return found.worded(words)
 
 
-def names(folder: Path | None = None) -> list[str]:
-    """The names of all types there are, for a person to choose from."""
-    files = {path.stem.replace("_", "-") for place in _places(folder) for path in place.glob("[a-z]*.py")}
+def names(places: Iterable[Path]) -> list[str]:
+    """The names of the types that those folders and this file hold, for a person to choose from."""
+    files = {path.stem.replace("_", "-") for place in places for path in place.glob("[a-z]*.py")}
     return [*ALIASES, *VECTORS, *sorted(files)]
 
 
@@ -198,18 +207,23 @@ class _Parser:
         return type_  # type: ignore[no-any-return]
 
     def _unknown(self, name: str) -> TypeFault:
-        known = names(self._folder)
-        meant = nearest(name, known)
-        remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(known)}"
+        meant = _FOREIGN.get(name) or nearest(name, names(_places(self._folder)))
+        own = names(_own_places(self._folder))  # a topic's types are for whoever knows of them
+        remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         if self._tokens == [name]:
             return TypeFault(f"{name!r} is unknown", remedy)
         return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
 
 
-def _places(folder: Path | None) -> Iterator[Path]:
+def _own_places(folder: Path | None) -> Iterator[Path]:
+    """Where the types of a pack and of the language itself are."""
     if folder is not None:
         yield folder
     yield _PACKAGE / "atoms"
+
+
+def _places(folder: Path | None) -> Iterator[Path]:
+    yield from _own_places(folder)
     yield from sorted(_TOPICS.glob("*/types"))
 
 

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from judge.values.decode import ITERATORS, SETS, fault, items
+from judge.values.decode import collecting, fault, items
 from judge.values.elements import Wanted, elements, hot_pairs
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
+from judge.values.list_values import ListValues
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run
 from judge.values.type import (
     LONGEST,
+    MANY_LENGTHS,
     NOTHING_MEASURED,
-    Draws,
-    Number,
     Question,
     Quick,
     Raw,
@@ -34,9 +33,10 @@ _SHOWN = 20  # items that are shown
 _REORDERED = 64  # items up to which a wrong list is held against itself in another order
 
 
-class ListType(Type):
+class ListType(ListValues, Type):
     """So many times `item`: from `low` to `high`, which is None where there is no bound."""
 
+    item: Type
     width = None
     is_plain = False
 
@@ -47,11 +47,12 @@ class ListType(Type):
         self.low, self.high = low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
-        self.measured = item.measured
+        self.measured, self.settled = item.measured, item.settled
         self.is_parameter = item.is_parameter and not item.is_buffer
         self.depth = 1 + item.depth
         each = item.most + (item.depth > 0)
         self.most = LONGEST if high is None else high * each
+        self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.element
         self.noun, self.plural = f"a list of {item.plural}", "lists"
         self.variable = self.several
@@ -84,17 +85,8 @@ class ListType(Type):
                 targets.append(self.item.targeted(each, tolerance, roots))
                 count += 1
         if count < self.low or (self.high is not None and count > self.high):
-            raise Unfit(
-                f"{count} {self.one if count == 1 else self.several} where {self._bounds()} are meant"
-            )
+            raise Unfit(f"{count} {self.one if count == 1 else self.several} where {self.bounds()} are meant")
         return tuple(targets)
-
-    def _bounds(self) -> str:
-        if self.high is None:
-            return f"at least {self.low}"
-        if self.low == self.high:
-            return str(self.low)
-        return f"{self.low} to {self.high}" if self.low else f"at most {self.high}"
 
     # -- deciding ------------------------------------------------------------------------------------
 
@@ -127,7 +119,7 @@ class ListType(Type):
         if found is None or (self.item.depth and len(found) and self._is_one(found)):
             raise Unreadable(self._no_list(raw, found, place))
         if self.high is not None and len(found) > self.high and question.bounded:
-            meant = f"where {self._bounds() if self.low == self.high else f'at most {self.high}'} are meant"
+            meant = f"where {self.bounds() if self.low == self.high else f'at most {self.high}'} are meant"
             raise Unreadable(f"{place.prefix()}{len(found)} {self.several} given {meant}")
         return [
             self.item.read(each, question, self._place(place, at, at, len(found)))
@@ -150,9 +142,7 @@ class ListType(Type):
             what = f"a {self.one}" if self.one != "item" else self.shown_item(raw)
             return f"{what} where {meant}"
         wrong = fault(raw)
-        if wrong.type in SETS:
-            return wrong.where(meant, "a set has no order, and list(...) gives it none; collect a list")
-        return wrong.where(meant, "wrap it in list(...)" if wrong.type in ITERATORS else "")
+        return wrong.where(meant, collecting(wrong.type))
 
     def shown_item(self, raw: Raw) -> str:
         """One item, as its type shows it."""
@@ -269,7 +259,8 @@ class ListType(Type):
         if self._is_points:
             names: Sequence[str] = self.item.names  # type: ignore[attr-defined]
             return f"k {' '.join(f'{name}1' for name in names)} …"
-        return f"k and then k times {self.item.hint(Words())}"
+        item = self.item.hint(Words())
+        return f"k and then k times ({item})" if self.item.depth else f"k and then k times {item}"
 
     def printed_one(self, target: Target) -> Iterator[str]:
         """The length and the items' tokens."""
@@ -352,95 +343,6 @@ class ListType(Type):
         if reordered(numbers, wanted, count):
             return "reordered"
         return "elsewhere" if form == wanted_form else form
-
-    # -- values of parameters ------------------------------------------------------------------------
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """A tuple of as many items as it may have, each as it should be."""
-        if type(value) is not tuple:
-            return f"{name} must be a tuple of {self.several}, not {value!r}"
-        if len(value) < self.low or (self.high is not None and len(value) > self.high):
-            return f"{name} has {len(value)} {self.several} where {self._bounds()} are meant"
-        return next((wrong for each in value if (wrong := self.item.fault(name, each))), None)
-
-    def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
-        """The first item's that is outside."""
-        for each in value:
-            found = self.item.outside(each, low, high)
-            if found is not None:
-                return found
-        return None
-
-    def reals(self, value: Any) -> Iterator[Number]:
-        """Those of the items."""
-        for each in value:
-            yield from self.item.reals(each)
-
-    def tokens(self, value: Any) -> Iterator[str]:
-        """The length and the items' tokens."""
-        yield str(len(value))
-        for each in value:
-            yield from self.item.tokens(each)
-
-    def from_tokens(self, tokens: Iterator[str]) -> Any:
-        """What `tokens` wrote."""
-        count = int(next(tokens))
-        if not 0 <= count <= (LONGEST if self.high is None else self.high):
-            raise ValueError("no such length")
-        return tuple([self.item.from_tokens(tokens) for _ in range(count)])
-
-    def listed(self, value: Any) -> Any:
-        """A list of the items' values."""
-        return [self.item.listed(each) for each in value]
-
-    def argument(self, value: Any) -> Any:
-        """A list of the items' arguments."""
-        return [self.item.argument(each) for each in value]
-
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """Those of its items."""
-        if type(tree) is dict:
-            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
-        return tuple(
-            [
-                {"run": [self.item.pairs(one, mapped) for one in each["run"]]}
-                if type(each) is dict and "run" in each
-                else self.item.pairs(each, mapped)
-                for each in tree
-            ]
-        )
-
-    def literal(self, value: Any) -> str:
-        """A list."""
-        return f"[{', '.join(map(self.item.literal, value))}]"
-
-    def simpler(self, value: Any) -> Iterator[Any]:
-        """Fewer items: half of them, all but one; then one item simpler."""
-        count = len(value)
-        size = count // 2
-        while size:
-            if count - size >= self.low:
-                for start in range(0, count, size):
-                    yield (*value[:start], *value[start + size :])
-            size //= 2
-        for at, each in enumerate(value):
-            for other in self.item.simpler(each):
-                yield (*value[:at], other, *value[at + 1 :])
-
-    def round(self, value: Any) -> Any:
-        """The items rounded."""
-        return [self.item.round(each) for each in value]
-
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
-        """As few items as may be, up to three more."""
-        high = self.low + 3 if self.high is None else min(self.high, self.low + 3)
-        return tuple(
-            [self.item.simple(draw, number, positive=positive) for _ in range(draw.integer(self.low, high))]
-        )
-
-    def aliases(self) -> Mapping[str, str]:
-        """Those of the items."""
-        return self.item.aliases()
 
 
 def _any(item: Quick, given: Raw, wanted: Target) -> float | None:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from math import inf, nextafter
 from sys import float_info
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from judge.values.decode import Given, Written, near
 from judge.values.tolerance import Tolerance
@@ -39,17 +39,6 @@ def accepts(given: Given, bounds: Bounds, leaf: LeafOf) -> bool:
         return False
     between = nextafter(lo, -inf) < given < nextafter(hi, inf)
     return (between or _beyond_doubles(bounds)) and _exactly(given, leaf)
-
-
-def written_off(given: Any, bounds: Bounds) -> float | None:
-    """`ulps_off` of a decimal whose double alone shows that it is accepted; None for anything else."""
-    if type(given) is not Written:
-        return None
-    lo, hi, nearest, residual, unit = bounds
-    y = given.approx
-    if not lo < y < hi:
-        return None
-    return abs((y - nearest) / unit - residual) if nearest else 0.0
 
 
 def _beyond_doubles(bounds: Bounds) -> bool:

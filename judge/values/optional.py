@@ -42,11 +42,11 @@ class OptionalType(Type):
             raise ValueError("as text it does not say whether all of it is none or only its first part")
         self.inner = inner
         self.text = f"{inner.text}?"
-        self.measured = inner.measured
+        self.measured, self.settled = inner.measured, inner.settled
         self.is_buffer = inner.is_buffer
         self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
         self.width = 1 if inner.width == 1 else None
-        self.depth, self.most = inner.depth, inner.most
+        self.depth, self.most, self.lengths = inner.depth, inner.most, inner.lengths
         self.noun = f"{inner.noun} or None"
         self.plural, self.element = inner.plural, inner.element
         self.variable = inner.variable
@@ -103,6 +103,12 @@ class OptionalType(Type):
         else:
             message = f"{self.inner.wanted(target)} wanted, None given"
         raise Mismatch(f"{place.prefix()}{message}", place.name())
+
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """As the inner type has it."""
+        if value is not None:
+            return self.inner.missed(value, target, misses, place)
+        return Mismatch(f"{place.prefix()}{self.wanted(target)} wanted, None given", place.name())
 
     def take(self, tokens: Tokens) -> Raw:
         """`none`, or what the inner type takes."""

@@ -78,8 +78,15 @@ class PlainType(Type):
         """Nothing is measured."""
         if value == target:
             return NOTHING_MEASURED
+        raise self._unequal(value, target, place)
+
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """All that are right are told."""
+        return self._unequal(value, target, place)
+
+    def _unequal(self, value: Any, target: Target, place: Place) -> Mismatch:
         message = f"{place.prefix()}{self.wanted(target)} wanted, {self.wanted(value)} given"
-        raise Mismatch(message, place.name())
+        return Mismatch(message, place.name())
 
     def take(self, tokens: Tokens) -> Raw:
         """The value of a token, in the form in which it is sent."""
@@ -140,7 +147,7 @@ def integer_of(token: str) -> int | None:
 
 
 def number_fault(name: str, value: Any) -> str | None:
-    """Why a value is no number, as it is told of a parameter; None for an int."""
+    """Why a parameter's value is no number, as a message says it; None for an int."""
     if type(value) is int:
         return None
     return f"{name} has {value!r}, a {type(value).__name__}, where a number is meant"

@@ -28,9 +28,10 @@ class TupleType(Type):
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
         self._is_planar = self.names[:2] == COORDINATES[:2] and self.names[2:3] != COORDINATES[2:]
         self.is_vector = self.names == COORDINATES[: len(parts)]
-        self.text = self.noun = f"({', '.join(part.text for part in parts)})"
+        self.text = f"({', '.join(part.text for part in parts)})"
         self.plural = "tuples"
         self.measured = any(part.measured for part in parts)
+        self.settled = all(part.settled for part in parts)
         self.is_parameter = all(part.is_parameter and not part.is_buffer for part in parts)
         self.may_begin_with_none = parts[0].may_begin_with_none
         self.is_plain = all(part.is_plain for part in parts)
@@ -38,9 +39,11 @@ class TupleType(Type):
         self.width = None if None in widths else sum(filter(None, widths))
         self.depth = 1 + max(part.depth for part in parts)
         self.most = sum(part.most + (part.depth > 0) for part in parts)
+        self.lengths = max(part.lengths for part in parts)
         self._alias = alias
         self._spelled = f"tuple[{', '.join(part.annotation for part in parts)}]"
         self.annotation = alias or self._spelled
+        self.noun = f"a {self._spelled}"  # as the file to begin with spells it
         if self.is_vector:
             self.noun = f"({', '.join(self.names)})"
             self.plural, self.element = "points", ("point", "points")
@@ -83,7 +86,8 @@ class TupleType(Type):
         name = place.name()
         if found is None:
             wrong = fault(raw)
-            remedy = "return a point as (x, y)" if self.is_vector and wrong.type.startswith("complex") else ""
+            is_point = self.is_vector and wrong.type.startswith("complex")
+            remedy = f"return a point as {self.noun}" if is_point else ""
             meant = f"{name} is meant to be {self.noun}" if name else f"{self.noun} is meant"
             raise Unreadable(wrong.where(meant, remedy))
         if len(found) != len(self.parts):

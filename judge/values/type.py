@@ -10,11 +10,11 @@ An atom defines the methods of `Type` that have no body here, or derives from `j
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from fractions import Fraction
+from collections.abc import Callable, Iterator
 from functools import cached_property
+from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from judge.errors import ProblemError
 from judge.values import decode
@@ -33,6 +33,9 @@ from judge.values.outcome import (
     Unreadable,
     Words,
 )
+from judge.values.parameters import Draws as Draws
+from judge.values.parameters import Number as Number
+from judge.values.parameters import ParameterValues
 from judge.values.tolerance import Tolerance
 from judge.values.tree import AnyOf, Exact
 
@@ -44,10 +47,10 @@ Target = Any
 ExactOf = Callable[[], tuple[Exact, Tolerance]]  # asked only where doubles do not decide
 Check = Callable[[Raw, Target, ExactOf], Outcome]
 Quick = Callable[[Raw, Target], float | None]
-Number = int | float
 
 NOTHING_MEASURED = -1.0
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
+MANY_LENGTHS = 1000  # of a list without a bound, and of an array
 _ANSWERS = 3  # of several that are right, which are shown
 
 
@@ -56,14 +59,6 @@ def first_of(target: Target) -> Target:
     while type(target) is dict and "any" in target:
         target = target["any"][0]
     return target
-
-
-class Draws(Protocol):
-    """Where the search for simple cases takes its choices from; `judge.data.draw.Draw` is one."""
-
-    def integer(self, low: int, high: int) -> int:
-        """An int from `low` to `high`."""
-        ...
 
 
 class Question:
@@ -86,7 +81,7 @@ class Question:
         return exact, tolerance
 
 
-class Type:
+class Type(ParameterValues):
     """A type of answers and of parameters. Types are equal if they are written alike; they never change."""
 
     text = ""  # as problem.toml has it
@@ -96,12 +91,14 @@ class Type:
     is_parameter = True  # whether a parameter may be of this type
     is_buffer = False  # whether a submission receives a parameter's value as bytes
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
+    settled = True  # whether an example shows the right answer, and not one of many that differ widely
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
     may_begin_with_none = False  # whether the first token of a value may be `none`
     width: int | None = 1  # tokens on a line; None where that varies
     depth = 0  # levels of lists and tuples
     most = 1  # items of all levels in the longest answer, where the type bounds them
+    lengths = 1  # that the longest of its lists may have, as many as are told apart
     noun = "a value"  # what is meant, "a number"
     plural = "values"  # "a list of numbers"
     element = ("item", "items")  # what one and several of them in a list are called
@@ -208,14 +205,17 @@ class Type:
         """`matched`, where any of several targets may do."""
         if type(target) is not dict or "any" not in target:
             return self.matched(value, target, question, place)
-        first: Mismatch | None = None
+        misses = []
         for step, each in enumerate(target["any"]):
             try:
                 return self.held(value, each, question, Place(place, step, ""))
             except Mismatch as why:
-                first = first or why
-        assert first is not None
-        raise first
+                misses.append(why)
+        raise self.missed(value, target, misses, place)
+
+    def missed(self, value: Any, target: Target, misses: list[Mismatch], place: Place) -> Mismatch:
+        """What is told of a value that is none of several right ones: how far the nearest of them is off."""
+        return min(misses, key=lambda why: inf if why.errors[0] is None else why.errors[0])
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """How many ulps the value is off at most, NOTHING_MEASURED if there is nothing; raises Mismatch."""
@@ -379,60 +379,6 @@ class Type:
     def flat(self, value: Any, *, target: bool = False) -> Iterator[float]:
         """The numbers of an answer that was read, or of a target, as doubles."""
         raise NotImplementedError
-
-    # -- values of parameters ------------------------------------------------------------------------
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """What is wrong with the shape of a parameter's value, for a person, or None."""
-        raise NotImplementedError
-
-    def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
-        """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
-        return None
-
-    def reals(self, value: Any) -> Iterator[Number]:
-        """The numbers of a well-shaped value that are of the type `real`."""
-        return iter(())
-
-    def tokens(self, value: Any) -> Iterator[str]:
-        """The value as a program reads it: numbers as `repr` writes them, a list begins with its length."""
-        raise NotImplementedError
-
-    def from_tokens(self, tokens: Iterator[str]) -> Any:
-        """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
-        raise NotImplementedError
-
-    def listed(self, value: Any) -> Any:
-        """The value with lists for lists and arrays, as JSON can hold it."""
-        return value
-
-    def argument(self, value: Any) -> Any:
-        """The value as a submission receives it."""
-        return value
-
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """A target or a value, `mapped` applied to every point in the plane in it: to its x and y."""
-        return tree
-
-    def literal(self, value: Any) -> str:
-        """The value as it is written in Python."""
-        return repr(value)
-
-    def simpler(self, value: Any) -> Iterator[Any]:
-        """Values of the same shape or a smaller one that say less: numbers are left as they are."""
-        return iter(())
-
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
-        """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
-        raise NotImplementedError
-
-    def round(self, value: Any) -> Any:
-        """What the expression `rounded` makes of a value."""
-        return value
-
-    def aliases(self) -> Mapping[str, str]:
-        """The names that `annotation` uses beside Python's own, with what they stand for."""
-        return {}
 
     # -- of a problem --------------------------------------------------------------------------------
 

@@ -169,7 +169,8 @@ def test_verify_json_and_pins(judge, pack, tmp_path):
     }
     assert [set(fault) for fault in report["faults"]] == [{"what", "where", "remedy"}]
     assert judge("verify", "middle", "--pin", "--problems", folder).status == 0
-    pinned = judge("verify", "middle", "--json", "--problems", folder)
+    pinned = judge("verify", "--json", "--problems", folder)  # of that folder alone, which is one problem
+    assert pinned.out.count("\n") == 1
     assert (pinned.status, json.loads(pinned.out)["pins"]) == (0, "matching")
 
 

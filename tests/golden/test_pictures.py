@@ -57,6 +57,7 @@ def test_kept_pictures_are_sound(name):
     check_svg(drawn(name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["count", "exact-count", "ray-nearest", "segment"])
 def test_any_case_can_be_drawn_with_any_answer(name):
     problem = load_problem(ROOT / "problems" / name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from pages import ROOT, claims_hold
@@ -53,6 +54,15 @@ def test_every_file_of_a_kata_is_told(walk, tmp_path):
     for path in tmp_path.rglob("*"):
         if path.is_file():
             assert f"`{path.name}`" in page or f"`{path.parent.name}/*.py`" in page, path
+
+
+def test_every_path_that_is_told_is_there():
+    told = set(
+        re.findall(r"`((?:judge|tests|problems|solutions)/[^`<>*\s]+)`", PAGE.read_text(encoding="utf-8"))
+    )
+    own = {path for path in told if "two-points" not in path}  # the page's own kata is made as one goes
+    assert len(own) > 30
+    assert [path for path in sorted(own) if not (ROOT / path).exists()] == []
 
 
 def test_the_page_about_problem_toml_is_linked():

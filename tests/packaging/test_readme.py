@@ -25,6 +25,7 @@ PAGES = (
     "judge/manual/problem-toml.md",
     "judge/manual/new-kata.md",
     "judge/manual/problem-py.md",
+    "judge/manual/new-type.md",
 )
 TOUR = WALKS[0][1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

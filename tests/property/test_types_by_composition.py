@@ -17,6 +17,8 @@ from judge.exact import Surd
 from judge.sandbox.encode import encode
 from judge.values import Accepted, Enclosure, Real, Rejection, Tolerance, Usual, parse
 
+pytestmark = pytest.mark.slow
+
 TOLERANCE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**12), ulps=Fraction(1))
 WORDS = ("lit", "dark", "run", "any")
 SLOW = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))

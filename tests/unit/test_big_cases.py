@@ -26,6 +26,8 @@ from judge.run.verify import verify_problem
 from judge.sandbox.inside import wire
 from judge.schema import schema_of
 
+pytestmark = pytest.mark.slow
+
 PACK = Path(__file__).parent.parent / "fixtures" / "growth"
 GROWS = re.compile(r"it grows like n\^\d\.\d, the reference like n\^\d\.\d")
 

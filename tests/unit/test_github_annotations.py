@@ -8,7 +8,7 @@ import pytest
 
 from judge.problem import Verdict
 from judge.report.github import annotation
-from judge.report.places import Place, annotated_place, fault_place
+from judge.report.places import FilePlace, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Mode, Pitfall, Result, judge_fault
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
@@ -106,15 +106,15 @@ def test_a_path_is_told_from_the_root_of_the_repository(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("verdict", "message", "place"),
     [
-        (Verdict.CE, "SyntaxError: bad (line 2, column 9): f(line 3)", Place(2, 9)),
-        (Verdict.CE, "the file is not UTF-8: byte 0xff (line 4); save it as UTF-8", Place(4)),
+        (Verdict.CE, "SyntaxError: bad (line 2, column 9): f(line 3)", FilePlace(2, 9)),
+        (Verdict.CE, "the file is not UTF-8: byte 0xff (line 4); save it as UTF-8", FilePlace(4)),
         (Verdict.CE, "source code string cannot contain null bytes", None),
-        (Verdict.RTE, "ValueError: at (line 9) (line 4)", Place(4)),
-        (Verdict.RTE, "ValueError: x (line 4), after 0 lines of 13", Place(4)),
+        (Verdict.RTE, "ValueError: at (line 9) (line 4)", FilePlace(4)),
+        (Verdict.RTE, "ValueError: x (line 4), after 0 lines of 13", FilePlace(4)),
         (
             Verdict.RTE,
             "ValueError: x (line 4); it was run as a program because it defines no f; is g (line 9) meant",
-            Place(4),
+            FilePlace(4),
         ),
         (Verdict.RTE, "killed by SIGSEGV", None),
         (Verdict.WA, "the str 'a (line 4)'", None),
@@ -138,9 +138,9 @@ def test_the_place_of_a_fault(verdict, message, place):
     ],
 )
 def test_without_a_fault_it_is_the_entry_functions_line(source, line):
-    assert annotated_place(result(Verdict.WA, "x"), source, "solve") == Place(line)
+    assert annotated_place(result(Verdict.WA, "x"), source, "solve") == FilePlace(line)
 
 
 def test_a_line_that_the_file_does_not_have_is_not_believed():
-    assert annotated_place(result(Verdict.RTE, "x (line 99)"), SOURCE, "solve") == Place(3)
-    assert annotated_place(result(Verdict.RTE, "x (line 4)"), SOURCE, "solve") == Place(4)
+    assert annotated_place(result(Verdict.RTE, "x (line 99)"), SOURCE, "solve") == FilePlace(3)
+    assert annotated_place(result(Verdict.RTE, "x (line 4)"), SOURCE, "solve") == FilePlace(4)

@@ -193,10 +193,10 @@ def test_a_job_is_not_done_on_another_version_of_its_problem(problem, tmp_path):
 def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
     real = session_module.run_in
 
-    def faulty(box, problem, data, source, name, *how):
+    def faulty(box, problem, data, source, name, **how):
         if name == "b.py":
             raise fault
-        return real(box, problem, data, source, name, *how)
+        return real(box, problem, data, source, name, **how)
 
     monkeypatch.setattr(session_module, "run_in", faulty)
     with Session(problem, Terms(timed=False)) as session:

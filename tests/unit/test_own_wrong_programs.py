@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 
 from judge.diagnose.answers import Answers
-from judge.diagnose.naming import Known
-from judge.diagnose.twins import ENOUGH, as_match, twins
+from judge.diagnose.naming import ENOUGH, Known, as_match, twins
 from judge.judging import Session, Terms
 from judge.problem.find import find_problem
 

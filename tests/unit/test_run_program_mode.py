@@ -105,6 +105,13 @@ def test_a_misspelt_entry_is_pointed_out():
     )
 
 
+def test_a_variable_of_a_program_that_reads_its_input_is_no_misspelt_entry():
+    message = judged("anwser = 7\nfor _ in range(int(input())):\n    print(anwser)\n").failure.message
+    assert "anwser" not in message
+    message = judged("anwser = 7\nfor _ in range(4):\n    print(anwser)\n").failure.message
+    assert "is anwser (line 1) meant to be it?" in message
+
+
 def test_an_entry_inside_a_class_is_pointed_out():
     message = judged("class Solution:\n    def answer(self, n, P):\n        return 1\n").failure.message
     assert message.endswith(

@@ -137,10 +137,18 @@ def paced(*times):
 
 
 def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference():
-    mine, theirs = Counted(0.02), Counted(0.0105)
+    mine, theirs = Counted(0.05), Counted(0.0105)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
     assert (mine.turns, theirs.turns, decision.ratio.pairs) == (3, 1, 3)
-    assert decision.ratio.median == pytest.approx(2.0)  # by the median of the turns before
+    assert decision.ratio.median == pytest.approx(5.0)  # by the median of the turns before
+
+
+def test_one_far_below_the_limit_of_a_known_reference_needs_one_turn():
+    mine, theirs = Counted(0.02, 0.9), Counted(0.0105)
+    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
+    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (1, 1, 1)
+    assert (decision.too_slow, decision.borderline, decision.ratio.unreliable) == (False, False, "")
+    assert decision.ratio.median == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize("times", [(), (0.01, 0.01), (0.02, 0.02, 0.02), (0.01, 0.012, 0.012)])
@@ -150,7 +158,7 @@ def test_a_reference_that_is_not_known_or_takes_another_time_now_is_raced_anew(t
     assert mine.turns == theirs.turns == decision.ratio.pairs
 
 
-@pytest.mark.parametrize("mine", [(0.095,), (0.02, 0.095), (0.02, 0.02, 0.095)])
+@pytest.mark.parametrize("mine", [(0.095,), (0.05, 0.095), (0.05, 0.05, 0.095)])
 def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
     mine, theirs = Counted(*mine), Counted(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
@@ -164,9 +172,9 @@ def test_a_pace_knows_every_speed_of_the_machine():
     assert (pace.add(0.0099), pace.add(0.015)) == (0.01, None)
 
 
-@pytest.mark.parametrize("later", [(0.03,), (0.02, 0.03)])
+@pytest.mark.parametrize("later", [(0.06,), (0.05, 0.06)])
 def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
-    mine, theirs = Counted(0.02, *later), Counted(0.01)
+    mine, theirs = Counted(0.05, *later), Counted(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
     assert theirs.turns == decision.ratio.pairs
     assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out

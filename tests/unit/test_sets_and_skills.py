@@ -187,7 +187,7 @@ GOOD = 'title = "T"\nabout = "A"\n'
         ('about = "A"\n', r"sets/mine.toml:1: the key 'title' is missing; add title = …"),
         (GOOD + "problems = []\n", r"sets/mine.toml:3: the set holds no problem; name at least one"),
         (GOOD + 'problems = "count"\n', r"sets/mine.toml:3: problems is text; give a list"),
-        (GOOD + "problems = [1]\n", r"sets/mine.toml:3: problems is a number; give text"),
+        (GOOD + "problems = [1]\n", r"sets/mine.toml:3: problems is a whole number; give text"),
         (
             GOOD + 'problems = ["cuont"]\n',
             r"sets/mine.toml:3: no problem is called 'cuont'; did you mean 'count'",

@@ -331,3 +331,18 @@ def test_every_case_can_be_laid_level(name):
     cases = [group.cases[number] for group in data.groups for number in (0, -1)]
     shorter = [sum(measure(level) < measure(case) for level in levelled(case)) for case in cases]
     assert sum(map(bool, shorter)) > len(cases) / 2
+
+
+@pytest.mark.parametrize(
+    ("simpler", "other"),
+    [
+        (((-1,),), ((0, 0, -1),)),  # an item weighs as a digit does
+        (((0, 1),), ((0, 0, 1),)),
+        (((10**6,),), ((0,) * 9,)),
+        ((((0, 0, 0),),), (((0, 0, 0), (0, 0, 0)),)),
+        (((1.0,),), ((1.0,) * 4,)),
+        ((0, (1, 2)), (3, (1, 2))),  # of one shape the numbers decide
+    ],
+)
+def test_a_case_of_fewer_items_is_simpler(simpler, other):
+    assert measure(simpler) < measure(other)

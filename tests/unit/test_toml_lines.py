@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.problem.lines import key_lines, line_of, parse_path
+from judge.problem.lines import key_lines, line_of
 
 TEXT = '''title = "a"
 summary = """
@@ -48,17 +48,3 @@ tolerance.relative = 1
 )
 def test_line_of_a_path(path, line):
     assert line_of(path, key_lines(TEXT)) == line
-
-
-@pytest.mark.parametrize(
-    ("text", "path"),
-    [
-        ("$", ()),
-        ("", ()),
-        ("$.title", ("title",)),
-        ("$.groups[12].tolerance.ulps", ("groups", 12, "tolerance", "ulps")),
-        ("$.bands[...]", ("bands",)),
-    ],
-)
-def test_paths_as_msgspec_writes_them(text, path):
-    assert parse_path(text) == path

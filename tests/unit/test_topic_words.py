@@ -10,12 +10,7 @@ import pytest
 import judge
 
 PACKAGE = Path(judge.__file__).parent
-OF_A_TOPIC = {
-    "topics",
-    "problems",
-    "solutions",
-    "compare",
-}  # an installed package holds problems and solutions
+OF_A_TOPIC = {"topics", "problems", "solutions"}  # an installed package holds problems and solutions
 WORDS = re.compile(
     r"(?<![a-z])(line[- ]and[- ]circle|circle[- ]and[- ]line|circles?|rays?"
     r"|tangents?|tangency|tangencies|segments?|extents?)(?![a-z])",

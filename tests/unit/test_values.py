@@ -109,6 +109,9 @@ WRONG = [
     ("word(lit|dark)", "lit", 1, "1 where lit or dark is meant"),
     ("vec2", vector((1, 2)), [1.0, 3.0], "y is off by 1, relative error 0.5 (2.25e+15 ulps)"),
     ("vec2", vector((1, 2)), {"type": "complex", "text": "(1+2j)"}, "return a point as (x, y)"),
+    ("vec3", vector((1, 2, 3)), {"type": "complex", "text": "1j"}, "return a point as (x, y, z)"),
+    ("word(lit|dark)", "lit", word("Lit"), "'Lit' where lit or dark is meant"),
+    ("array(i8)", [1], {"type": "set", "text": ""}, "a set has no order"),
     ("vec3", vector((1, 2, 3)), [1.0, 2.0], "the answer has 2 coordinates where (x, y, z) is meant"),
     ("(int, real)", (1, Real(2)), [2, 2.0], "part 1: 1 wanted, 2 given"),
     ("[int]", [1, 2], [1], "2 items wanted, 1 given"),
@@ -121,9 +124,12 @@ WRONG = [
     ("[vec2]", [vector((1, 2))], [1.0, 2.0], "a point where a list of points is meant"),
     ("[(vec2, int)]", [(vector((1, 2)), 0)], [[[1.0, 9.0], 0]], "part 1 of item 1: y is off by 7"),
     (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' wanted, 'exit' given"),
-    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where (real, int, word(enter|touch|exit)) is meant"),
+    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is meant"),
     (HITS, [TIE], [[2.0, 0, word("exit")]] * 2, "part 2 of item 2: 1 wanted, 0 given"),
-    ("int", AnyOf([1, 2]), 3, "1 wanted, 3 given"),
+    ("int", AnyOf([1, 2]), 3, "1 or 2 wanted, 3 given"),
+    ("(int, int?)", (7, AnyOf([1, 2])), [7, 3], "part 2: 1 or 2 wanted, 3 given"),
+    ("int?", AnyOf([1, 2]), None, "1 or 2 wanted, None given"),
+    ("real", AnyOf([Real(1), Real(4)]), 3.5, "the answer is off by 0.5"),
     ("enclosure", Enclosure(2, 1), [2.5, 3.0], "lo is above the exact number, 2.0"),
     ("enclosure", Enclosure(2, 1), [1.0, 1.5], "hi is below the exact number, 2.0"),
     ("enclosure", Enclosure(2, 1), [1.0, 3.0], "it is 2 wide, 1 is allowed"),
@@ -174,6 +180,7 @@ def test_a_problem_has_its_own_words():
         ("[int]", "2 1", "k = 2 needs 2 more, 1 given"),
         ("([int], int)", "5 1 2", "the line ends too early"),
         ("([int], int)", "1 1 2 3", '"3" after the answer'),
+        ("([(int, real)], int)", "0", "it holds k and then k times (an int, a number), an int"),
         (HITS, "-1", "k = -1 where 0 or more items are meant"),
     ],
 )
@@ -213,6 +220,9 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
     [
         ("complex", "'complex' is unknown", "use one of count, points"),
         ("interger", "'interger' is unknown", "did you mean 'integer'?"),
+        ("float", "'float' is unknown", "did you mean 'real'?"),
+        ("[str]", "'[str]' is no type: 'str' is unknown", "did you mean 'word(a|b)'?"),
+        ("list of ints", "'list' is unknown", "did you mean '[T]'?"),
         ("[reel]", "'[reel]' is no type: 'reel' is unknown", "did you mean 'real'?"),
         ("[int", "'[int' is no type: its end where ']' is meant", "[T; low..high]"),
         ("int int", "'int' comes after its end", ""),
@@ -235,6 +245,16 @@ def test_texts_that_are_no_types(text, what, remedy):
         parse(text)
     assert what in raised.value.what
     assert remedy in raised.value.remedy
+
+
+def test_a_topics_types_are_offered_to_those_alone_who_mean_one():
+    with pytest.raises(TypeFault) as raised:
+        parse("complex")
+    assert "word" in raised.value.remedy
+    assert "circle" not in raised.value.remedy
+    with pytest.raises(TypeFault) as raised:
+        parse("circel")
+    assert raised.value.remedy == "did you mean 'circle'?"
 
 
 @pytest.mark.parametrize(

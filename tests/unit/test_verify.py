@@ -100,6 +100,17 @@ def test_no_accepted_solution(pack):
     assert "no wrong program makes the mistake 'sign-forgotten' that group 'small' names" in no_mistake
 
 
+def test_a_time_limit_is_a_solutions_that_is_there(pack):
+    toml = pack / "problems" / "root-count" / "problem.toml"
+    toml.write_text(toml.read_text() + '\n[time]\nlimit = 100\nfunction = "sings.py"\n')
+    line = toml.read_text().count("\n")
+    (fault,) = faults(pack)
+    assert fault == (
+        f"root-count/problem.toml:{line}: [time] names 'sings.py', which is no accepted solution; "
+        "did you mean 'signs.py'?"
+    )
+
+
 FINE = "def root_count(c):\n    return 2 if c > 0 else 1 if c == 0 else 0\n"
 ZERO = "def root_count(c):\n    return 0\n"
 ONE_OFF = "def root_count(c):\n    return 2 if c == -1 else (c > 0) - (c < 0) + 1\n"

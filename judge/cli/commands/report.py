@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.target import Target
+from judge.cli.target import OutFile
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.problem import Problem
@@ -67,7 +67,7 @@ def command(
 
     Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
     """
-    target = Target(path, "--out", "report", _is_report)
+    target = OutFile(path, "--out", "report", _is_report)
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with History.open(db, reading=True) as history:
         runs = history.runs()

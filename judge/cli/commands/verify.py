@@ -13,7 +13,7 @@ from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
 from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
-from judge.problem.find import find_problem, problem_folders
+from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
@@ -38,14 +38,14 @@ def command(
 
     That every case keeps the promise, that examples agree with the reference, that the data are the pinned
     ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
-    made. Without a name: all problems.
+    made. Without a name: all problems of the folders that --problems gives, or of all there are.
 
     With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
     groups that are the only ones to reject no program; and a small set of cases that rejects all programs.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
-    chosen = names or tuple(sorted(folder.name for folder in problem_folders(folders)))
+    chosen = names or tuple(sorted(folder.name for folder in _chosen(folders)))
     reports = []
     for name in dict.fromkeys(chosen):
         report = _verify(name, folders, pin=pin)
@@ -59,6 +59,11 @@ def command(
         screen = out()
         screen.show(summary_line(reports, screen.width))
     return ExitCode.ACCEPTED if all(report.ok for report in reports) else ExitCode.FAULT
+
+
+def _chosen(folders: Sequence[Path]) -> list[Path]:
+    """The problems to check where none is named: a setter means their own, not all that can be found."""
+    return folders_within(folders) if folders else problem_folders()
 
 
 def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:

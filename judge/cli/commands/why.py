@@ -1,4 +1,4 @@
-"""`judge why`: what the test groups of a problem probe, and the mistakes they are there for."""
+"""`judge why`: what the test groups of a problem probe, and the mistakes they should catch."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SCHEMA = 1
 @json_option
 @problems_option
 def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
-    """Say what the test groups probe, and which mistakes they are there for.
+    """Say what the test groups probe, and which mistakes they should catch.
 
     With a GROUP, only that one.
     """

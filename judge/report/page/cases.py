@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
+from typing import Any
 
 from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
@@ -50,7 +51,7 @@ def failing_cases(
     """
     times = Counter(kind_of(run) for run in runs if _failed(run))
     latest = {kind_of(run): run for run in runs if _failed(run)}
-    artist = _Artist(problem) if problem else None
+    artist = _Artist(problem)
     for kind, anchor in places.items():
         run = latest[kind]
         solved = next((each.when for each in runs if each.id > run.id and each.solved), None)
@@ -71,14 +72,14 @@ def _case(
     anchor: str,
     times: int,
     solved: datetime | None,
-    artist: _Artist | None,
+    artist: _Artist,
     advice: Mapping[str, str],
 ) -> FailingCase:
     record = read_record(run)
     first, small = record.failure or CaseRecord(""), record.counterexample
     smallest = small is not None and small.replay is not None
     shown = small if small is not None and smallest else first
-    picture = artist.picture(shown, first.group) if artist else None
+    picture = artist.picture(shown, first.group)
     return FailingCase(
         anchor=anchor,
         title=run.mistake or _title(run, first),
@@ -88,7 +89,7 @@ def _case(
         times=times,
         overcome=solved,
         kind=_kind(first, smallest=smallest),
-        facts=tuple(_facts(run, shown, first, small)),
+        facts=tuple(_facts(run, shown, first, small, artist.problem)),
         drawings=tuple(_drawings(picture, anchor)) if picture else (),
         marks=_marks(picture) if picture else (),
         explained=tuple(Explained(name, advice[name]) for name in mistake_names(run) if name in advice),
@@ -108,10 +109,10 @@ def _kind(first: CaseRecord, *, smallest: bool) -> str:
 
 
 def _facts(
-    run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None
+    run: Run, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None, problem: Problem | None
 ) -> Iterable[tuple[str, str, str]]:
     if shown.input:
-        yield "input", arguments(with_points(shown.input)), "code"
+        yield "input", arguments(_as_called(problem, shown.input)), "code"
     if shown.expected is not None and shown.input:
         yield "wanted", _cut(shown.expected), "wanted"
         yield "got", _cut(shown.got or "no answer"), "got"
@@ -122,6 +123,16 @@ def _facts(
         yield "note", _cut(small.message), ""
     if shown.replay:
         yield "again", shown_command("judge", "replay", shown.replay, file=run.submission), "code"
+
+
+def _as_called(problem: Problem | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The arguments with lists and tuples as their types have them; as they look if it has changed."""
+    if problem is not None and list(values) == [parameter.name for parameter in problem.parameters]:
+        case = case_of(values)
+        typed = zip(problem.parameters, case, strict=True)
+        if all(parameter.type.fault(parameter.name, value) is None for parameter, value in typed):
+            return problem.named(case)
+    return with_points(values)
 
 
 def _cut(text: str) -> str:
@@ -140,29 +151,32 @@ def _marks(picture: Picture) -> tuple[str, ...]:
 
 
 class _Artist:
-    """Draws cases of one problem; its reference is loaded with the first of them."""
+    """Draws cases of one problem, which may be gone; its reference is loaded with the first of them."""
 
-    def __init__(self, problem: Problem) -> None:
-        self._problem = problem
+    def __init__(self, problem: Problem | None) -> None:
+        self.problem = problem
         self._module: ProblemModule | None = None
 
     def picture(self, case: CaseRecord, group: str | None) -> Picture | None:
         """The picture of a case, or None where there is none: the problem may have changed since."""
-        known = self._problem.group(group) if group else None
-        names = [parameter.name for parameter in self._problem.parameters]
-        if known is None or not case.input or list(case.input) != names:
+        problem = self.problem
+        known = problem.group(group) if problem and group else None
+        if problem is None or known is None or not case.input:
+            return None
+        names = [parameter.name for parameter in problem.parameters]
+        if list(case.input) != names:
             return None
         values = case_of(case.input)
         try:
             if self._module is None:
-                self._module = load_module(self._problem)
+                self._module = load_module(problem)
             draw = self._module.topic.picture
             if draw is None:
                 return None
-            proof = Validator(self._problem, self._module.solve).proof(values)
+            proof = Validator(problem, self._module.solve).proof(values)
             if proof.fault:
                 return None
         except JudgeError:  # a problem that is broken now: its runs are told of all the same
             return None
-        given = reread(self._problem.answer, case.got)
-        return draw(Shown(self._problem, case.input, proof.answer, case.expected, case.got, given))
+        given = reread(problem.answer, case.got)
+        return draw(Shown(problem, case.input, proof.answer, case.expected, case.got, given))

@@ -49,7 +49,7 @@ def compose_page(
     """The page of these runs, oldest first, at least one.
 
     Args:
-        runs: of all problems; one that is not in `known` any more is told of as far as its runs do.
+        runs: of all problems; one that is not in `known` any more is shown by its runs alone.
         known: all problems, tried or not.
         sources: by problem, what the last run judged.
         skills: how they stand after these runs; without any there is no checklist.

@@ -62,7 +62,7 @@ class Dot(Struct, frozen=True):
     number: int
 
 
-class Level(Struct, frozen=True):
+class GridLine(Struct, frozen=True):
     """A horizontal line of the plot and its label."""
 
     y: float
@@ -76,8 +76,8 @@ class Plot(Struct, frozen=True):
     height: float
     dots: tuple[Dot, ...]
     links: tuple[tuple[Dot, Dot], ...]
-    levels: tuple[Level, ...]
-    limit: Level | None
+    levels: tuple[GridLine, ...]
+    limit: GridLine | None
     description: str
     left_out: int  # earlier runs that are not shown
 
@@ -200,3 +200,8 @@ class Page(Struct, frozen=True):
     skills: tuple[SkillLine, ...]
     problems: tuple[ProblemPart, ...]
     verdicts: tuple[Verdict, ...]  # those that occur, to be explained
+
+    @property
+    def drawn(self) -> bool:
+        """Whether there is a picture on it."""
+        return any(case.drawings for part in self.problems for case in part.cases)

@@ -11,7 +11,7 @@ from math import ceil, floor, log10
 
 from judge.kata.history import Run
 from judge.problem import Verdict
-from judge.report.page.parts import Dot, Level, Plot
+from judge.report.page.parts import Dot, GridLine, Plot
 from judge.report.page.record import RatioRecord, read_record
 from judge.report.values import counted, times
 
@@ -51,8 +51,8 @@ def ratio_plot(name: str, runs: Sequence[Run], limit: float | None) -> Plot | No
         height=_HEIGHT,
         dots=dots,
         links=tuple(pairwise(dots)),
-        levels=tuple(Level(scale(value), f"{_plain(value)} ×") for value in scale.levels()),
-        limit=Level(scale(limit), f"limit {_plain(limit)} ×") if limit else None,
+        levels=tuple(GridLine(scale(value), f"{_plain(value)} ×") for value in scale.levels()),
+        limit=GridLine(scale(limit), f"limit {_plain(limit)} ×") if limit else None,
         description=_words(shown, limit),
         left_out=len(timed) - len(shown),
     )

@@ -79,20 +79,19 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     os._exit(_finish(status) & 0xFF)
 
 
-def make_calls(
-    code: CodeType, name: str, region: wire.Region, payload: int, series: int, limit: int, stop: int
-) -> NoReturn:
+def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Request, limit: int) -> NoReturn:
     """Import the module, call its entry once for each argument list, append a reply for each.
 
     Between two series it stops, so that each is measured apart; it finds the next arguments in the place of
     the last. `limit` is that of a series' replies.
     """
-    entry, count, most, places, calls = marshal.loads(region.payload(payload))
+    entry, count, most, places, calls = marshal.loads(region.payload(request.payload))
     calls = _with_arrays(calls, places)
     me, pause = os.getpid(), os.kill
+    series = request.series
     module = _main_module("submission", name)  # its own name may be that of a module it imports
     start_the_clock()
-    replies = _Replies(region, limit, stop)
+    replies = _Replies(region, limit, request.stop)
     try:
         exec(code, module.__dict__)
     except MemoryError as error:
@@ -106,7 +105,7 @@ def make_calls(
         for place in range(series):
             if place:
                 pause(me, signal.SIGSTOP)
-                _, _, _, places, calls = marshal.loads(region.payload(payload))
+                _, _, _, places, calls = marshal.loads(region.payload(request.payload))
                 calls = _with_arrays(calls, places)
             replies.make(module.__dict__[entry], calls, name, most)
     else:

@@ -48,32 +48,6 @@ class Lacking(Exception):  # noqa: N818 - it never reaches a person
         self.code = code
 
 
-class Job:
-    """One request, unpacked."""
-
-    __slots__ = (
-        "cpu_ns",
-        "descriptors",
-        "kind",
-        "memory",
-        "output",
-        "payload",
-        "series",
-        "stop",
-        "waiting_ns",
-        "wall_ns",
-    )
-
-    cpu_ns: int
-
-    def __init__(self, frame: bytes, descriptors: list[int]) -> None:
-        fields = wire.REQUEST.unpack_from(frame)
-        self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
-        self.payload, self.stop = fields[6:8]
-        self.series = fields[8]  # how many series of calls, each with cpu_ns, wall_ns and output to itself
-        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the series
-
-
 def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
     """Confine this process, say so, and serve until the judge hangs up."""
     line = wire.Channel(_socket.socket(fileno=channel))
@@ -158,7 +132,7 @@ class Server:
                 frame, descriptors = self._line.receive(descriptors=4)
                 if not frame:
                     os._exit(0)
-                job = Job(frame, descriptors)
+                job = wire.Request(frame, descriptors)
                 try:
                     answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
                 except Lacking as lack:
@@ -169,7 +143,7 @@ class Server:
             except (BrokenPipeError, ConnectionError):
                 os._exit(0)
 
-    def _prepare(self, job: Job) -> bytes:
+    def _prepare(self, job: wire.Request) -> bytes:
         """Compile, import ahead, and measure what a child of the wanted kind costs that does nothing.
 
         That is the answer's CPU time. A judge that has measured it in a box like this one tells it.
@@ -187,7 +161,7 @@ class Server:
         self._idle_ns[kind] = self._idle_cost(job, kind) if idle is None else idle
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, self._idle_ns[kind], 0, 0, 0)
 
-    def _idle_cost(self, job: Job, kind: bytes) -> int:
+    def _idle_cost(self, job: wire.Request, kind: bytes) -> int:
         """What a child of that kind costs that does nothing, in ns."""
         payload = marshal.dumps(("nothing", 1, 1, (), [()]))
         job.kind, job.payload = kind, len(payload)
@@ -197,7 +171,7 @@ class Server:
             costs.append(wire.DONE.unpack(self._run(job, compile(IDLE, self._name, "exec")))[3])
         return int(sorted(costs)[IDLE_RUNS // 2])
 
-    def _run(self, job: Job, code: CodeType | None) -> bytes:
+    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         if len(job.descriptors) < (3 if job.series == 1 else 4):
             raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
         try:
@@ -221,7 +195,7 @@ class Server:
         peak = usage.ru_maxrss * _PEAK_UNIT
         return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, started)
 
-    def _be_child(self, job: Job, code: CodeType | None) -> NoReturn:
+    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:
         region, name = self._region, self._name
         try:
             signal.set_wakeup_fd(-1)
@@ -235,7 +209,7 @@ class Server:
             if job.kind == wire.PROGRAM:
                 child.be_program(code, name, region)
             limit = wire.reply_bytes(job.output)
-            child.make_calls(code, name, region, job.payload, job.series, limit, job.stop)
+            child.make_calls(code, name, region, job, limit)
         except BaseException as error:
             region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
@@ -314,7 +288,7 @@ class _Watch:
 
     __slots__ = ("_job", "baseline", "before", "began", "cores", "idle", "series", "waited")
 
-    def __init__(self, job: Job, began: int, idle: int, cores: int) -> None:
+    def __init__(self, job: wire.Request, began: int, idle: int, cores: int) -> None:
         self.began = began  # of the series, wall time
         self.idle = idle
         self.baseline: int | None = None  # CPU time before foreign code ran, once the child has told it

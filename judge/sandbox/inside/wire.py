@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FRAME = 64
-REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of server.Job
+REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of Request
 MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
 DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
@@ -65,6 +65,32 @@ REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: 
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
 EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
+
+
+class Request:
+    """One request, unpacked."""
+
+    __slots__ = (
+        "cpu_ns",
+        "descriptors",
+        "kind",
+        "memory",
+        "output",
+        "payload",
+        "series",
+        "stop",
+        "waiting_ns",
+        "wall_ns",
+    )
+
+    cpu_ns: int
+
+    def __init__(self, frame: bytes, descriptors: list[int]) -> None:
+        fields = REQUEST.unpack_from(frame)
+        self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
+        self.payload, self.stop = fields[6:8]
+        self.series = fields[8]  # how many series of calls, each with cpu_ns, wall_ns and output to itself
+        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the series
 
 
 class Channel:

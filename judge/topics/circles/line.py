@@ -48,13 +48,14 @@ class CircleLine(Struct, frozen=True):
         """
         (icx, icy, ir, ax, ay, bx, by), shift = integers(cx, cy, r, *start, *end)
         reach = max(ir, abs(ax - icx), abs(ay - icy), abs(bx - icx), abs(by - icy))
-        return _build(icx, icy, ir, ax, ay, bx - ax, by - ay, shift, reach)
+        return _build((icx, icy, ir), (ax, ay), (bx - ax, by - ay), shift, reach)
 
     @classmethod
     def ray(cls, cx: Number, cy: Number, r: Number, origin: Pair, direction: Pair) -> CircleLine:
         """The line O + t·D; e = max(r, |O − C|∞). Raises as `through` does."""
         (icx, icy, ir, ox, oy, dx, dy), shift = integers(cx, cy, r, *origin, *direction)
-        return _build(icx, icy, ir, ox, oy, dx, dy, shift, max(ir, abs(ox - icx), abs(oy - icy)))
+        reach = max(ir, abs(ox - icx), abs(oy - icy))
+        return _build((icx, icy, ir), (ox, oy), (dx, dy), shift, reach)
 
     @property
     def degenerate(self) -> bool:
@@ -112,8 +113,13 @@ class CircleLine(Struct, frozen=True):
 
 
 def _build(
-    cx: int, cy: int, r: int, ax: int, ay: int, dx: int, dy: int, shift: int, extent: int
+    circle: tuple[int, int, int],
+    start: tuple[int, int],
+    direction: tuple[int, int],
+    shift: int,
+    extent: int,
 ) -> CircleLine:
+    (cx, cy, r), (ax, ay), (dx, dy) = circle, start, direction
     if r < 0:
         raise ValueError("the radius is negative")
     fx, fy = ax - cx, ay - cy

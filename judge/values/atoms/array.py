@@ -24,7 +24,17 @@ from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
 from judge.values.plain import integer_of
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
-from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type
+from judge.values.type import (
+    MANY_LENGTHS,
+    NOTHING_MEASURED,
+    Draws,
+    Number,
+    Question,
+    Quick,
+    Raw,
+    Target,
+    Type,
+)
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -42,6 +52,7 @@ class ArrayType(Type):
     width = None
     is_plain = False
     is_buffer = True
+    lengths = MANY_LENGTHS
     depth = 1
 
     def __init__(self, code: str, most: str = "") -> None:
@@ -49,12 +60,13 @@ class ArrayType(Type):
             raise ValueError(f"an array holds one of {', '.join(_CODES)}")
         if most and not (most.isdecimal() and len(most) < 10 and int(most) <= _MOST):
             raise ValueError(f"an array holds at most {_MOST} items")
-        self.text = self.noun = f"array({code}; {most})" if most else f"array({code})"
+        self.text = f"array({code}; {most})" if most else f"array({code})"
         self._code = _CODES[code]
         self._longest = int(most) if most else _MOST
         self._real = RealType() if code == "f64" else None
         self.measured = self._real is not None
         self.annotation = "array[float]" if self._real else "array[int]"
+        self.noun = "an array of numbers" if self._real else "an array of ints"
         if self._real:
             self.rounded = f"[{self._real.rounded.format('item')} for item in {{0}}]"
         else:
@@ -121,7 +133,7 @@ class ArrayType(Type):
             name = place.name()
             meant = f"{name} is meant to be {self.text}" if name else f"{self.text} is meant"
             wrong = decode.fault(raw)
-            raise Unreadable(wrong.where(meant, "wrap it in list(...)" * (wrong.type in decode.ITERATORS)))
+            raise Unreadable(wrong.where(meant, decode.collecting(wrong.type)))
         if len(found) > self._longest:
             raise Unreadable(
                 f"{place.prefix()}{len(found)} items given where at most {self._longest} are meant"

@@ -33,6 +33,7 @@ class EnclosureType(Type):
     noun = "(lo, hi)"
     plural = "enclosures"
     is_parameter = False
+    settled = False
     width = 2
     depth = 1
     most = 2

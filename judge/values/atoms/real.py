@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from judge.values import numbers
-from judge.values.decode import Fault, number
+from judge.values.decode import Fault, number, written_off
 from judge.values.likeness import Outline, Usual, only_digits
 from judge.values.lines import Tokens
 from judge.values.outcome import COORDINATES, Mismatch, Place, Unfit, Unreadable
@@ -53,7 +53,7 @@ class RealType(Type):
 
         def quick(raw: Raw, target: Target) -> float | None:
             if type(raw) is not float:
-                return numbers.written_off(raw, target)
+                return written_off(raw, target)
             lo, hi, nearest, residual, unit = target
             if not lo <= raw <= hi:
                 return None

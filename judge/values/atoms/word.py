@@ -7,9 +7,9 @@ from typing import Any
 
 from judge.values.decode import LONGEST_WORD, shown, word
 from judge.values.lines import Tokens
-from judge.values.outcome import Unreadable
+from judge.values.outcome import Mismatch, Place, Unreadable
 from judge.values.plain import PlainType
-from judge.values.type import NOTHING_MEASURED, Quick, Raw, Target
+from judge.values.type import NOTHING_MEASURED, Question, Quick, Raw, Target
 
 
 class WordType(PlainType):
@@ -53,6 +53,12 @@ class WordType(PlainType):
         if given is None:
             raise ValueError("no word")
         return given
+
+    def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
+        """A word that is no choice at all is told as that."""
+        if wrong := self.why_not(value):
+            raise Mismatch(f"{place.prefix()}{wrong}", place.name())
+        return super().matched(value, target, question, place)
 
     def sent(self, value: Any) -> Raw:
         """As a word."""

@@ -15,7 +15,7 @@ _FAR = 6  # points further out than so many radii (or distances of the line) are
 _MARGIN = Fraction(5, 4)
 _BAR = Fraction(1, 2)
 
-Box = tuple[Fraction, Fraction, Fraction, Fraction]
+Bounds = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 def whole_panel(scene: Scene) -> Panel:
@@ -53,7 +53,7 @@ def rounded_near(value: ExactNumber, middle: Fraction, reach: Fraction) -> Fract
     return middle + rounded((value - middle) / reach) * reach
 
 
-def _core(scene: Scene) -> Box:
+def _core(scene: Scene) -> Bounds:
     """The circle and the foot, or for a point circle on the line what there is besides."""
     line = scene.line
     fx, fy = scene.foot
@@ -68,9 +68,9 @@ def _core(scene: Scene) -> Box:
     return box
 
 
-def _around(box: Box, x: Fraction, y: Fraction) -> Box:
+def _around(box: Bounds, x: Fraction, y: Fraction) -> Bounds:
     return min(box[0], x), min(box[1], y), max(box[2], x), max(box[3], y)
 
 
-def _side(box: Box) -> Fraction:
+def _side(box: Bounds) -> Fraction:
     return max(box[2] - box[0], box[3] - box[1])
