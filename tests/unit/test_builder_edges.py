@@ -19,7 +19,7 @@ RANGES = {
     "snap": (Fraction(9, 10**13), Fraction(1, 10**12)),
     "clear": (Fraction(101, 10**9), Fraction(3, 10**7)),
     "within": (Fraction(1, 10**15), Fraction(1, 10**12)),
-    "beyond": (Fraction(101, 10**9), Fraction(1, 100)),
+    "beyond": (Fraction(101, 10**9), Fraction(1, 10)),
 }
 
 

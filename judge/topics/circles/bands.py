@@ -55,11 +55,11 @@ class Bands:
         """
         if line.a == 0:
             return (0,) if self._snap.starts_on_circle(line) else ()
-        return tuple(which for which in self._meets(line) if self._on_segment(line, which))
+        return tuple(which for which in self.meets(line) if self._on_segment(line, which))
 
     def ray(self, line: CircleLine) -> Surd | None:
         """The least t >= 0 of a common point, exactly 0 at the origin; None for a miss or D = 0."""
-        for which in self._meets(line):
+        for which in self.meets(line):
             if self._snap.within(line, which, 0):
                 return make(0, 0, 0, 1)
             if beyond(line, which, 0) > 0:
@@ -87,7 +87,7 @@ class Bands:
             return None
         return self.broken_count(line) or self._broken_root(line, ((0, "the ray's origin"),))
 
-    def _meets(self, line: CircleLine) -> tuple[int, ...]:
+    def meets(self, line: CircleLine) -> tuple[int, ...]:
         """The common points of the circle and the infinite line, in order of t."""
         if line.a == 0:
             return ()
@@ -109,7 +109,7 @@ class Bands:
         return _inside_band("the point's distance to the circle", Surd(-line.r, 1, square, 1), line.extent)
 
     def _broken_root(self, line: CircleLine, ends: tuple[tuple[int, str], ...]) -> str | None:
-        for which in self._meets(line):
+        for which in self.meets(line):
             for t, name in ends:
                 if not self._snap.within(line, which, t) and self._clear.within(
                     line, which, t, strictly=True

@@ -8,7 +8,7 @@ they change the share by less than a thousandth, which the ranges leave room for
     snap     0.9 to 1 times the band: just within
     clear    1.01 to 3 times the promise: just outside of it
     within   anything in the band, down to 2e-15
-    beyond   anything outside of the promise, up to a hundredth
+    beyond   anything outside of the promise, up to a tenth
 
 All magnitudes of a range are equally likely.
 """
@@ -54,8 +54,8 @@ def _edge(low: int, high: int, units: int, least: str, most: str) -> Edge:
 EDGES = {
     "snap": _edge(9_050, 9_950, 10**16, "0.9e-12", "1e-12"),
     "clear": _edge(1_015, 2_985, 10**10, "1.01e-7", "3e-7"),
-    "within": _edge(40, 9_950, 10**16, "1e-15", "1e-12"),
-    "beyond": _edge(1_015, 99_000_000, 10**10, "1.01e-7", "1e-2"),
+    "within": _edge(20, 9_950, 10**16, "1e-15", "1e-12"),
+    "beyond": _edge(1_015, 850_000_000, 10**10, "1.01e-7", "0.1"),
 }
 
 

@@ -7,7 +7,7 @@ then takes the figure to any direction, place, size and number type:
     axis    one of the 8 symmetries of the square: the line stays level or becomes upright; exact
     exact   turned by a Pythagorean triple and enlarged by its hypotenuse: integers stay integers; exact
     any     turned by an angle no double holds and divided; every number is rounded once
-    steep   turned by 1 down to 1e-16 off level or upright, all magnitudes alike; rounded and divided as well
+    steep   turned by 1 down to 1e-14 off level or upright, all magnitudes alike; rounded and divided as well
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ WITHIN = 10**15  # and for one that is to be within 1e-12 of it
 
 
 _ROUNDED = ("any", "steep")
-_STEEPEST = 52  # octaves of the slope of a line that is nearly upright or level
-_TELLING = (28, 32)  # those between the usual thresholds for a slope and for a tangency
+_STEEPEST = 46  # octaves of the slope of a line that is nearly upright or level
+_TELLING = (30, 33)  # those between the usual thresholds for a slope and for a tangency
 _DIRECTIONS = 1 << 12  # bounds the hypotenuse of the direction to a point that is close
 _SMALL_TRIPLES = 30  # bounds the hypotenuse, by which an exact turn enlarges a figure
 
@@ -97,8 +97,8 @@ def spun(figure: Figure, turn: Turn) -> Figure:
 
 
 def slight_turn(draw: Draw) -> Turn:
-    """A rotation by an angle of 1 to 1e-16, all octaves equally likely, those of 1e-8 to 1e-10 more so."""
-    octave = draw.integer(*draw.choice(((1, _STEEPEST), _TELLING, _TELLING)))
+    """A rotation by an angle of 1 to 1e-14, all octaves equally likely, those of 1e-9 to 1e-10 more so."""
+    octave = draw.integer(*draw.choice(((1, _STEEPEST), (1, _STEEPEST), _TELLING)))
     m = draw.integer(1 << octave, 2 << octave)
     return Turn(m * m - 1, 2 * m * draw.sign(), m * m + 1)
 

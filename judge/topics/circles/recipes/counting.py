@@ -210,6 +210,12 @@ def least_gap(draw: Draw, *, size: Sizes) -> Figure:
     )
 
 
+def nearly(draw: Draw, *, size: Sizes) -> Figure:
+    """Lines of every slope that hit or miss by any part of the radius; |AB| may be any part of it too."""
+    figure = lines.nearly_tangent(draw, _size(draw, size), draw.choice((HIT, MISS)))
+    return _finished(draw, figure, "int", False, 0)
+
+
 def _finished(draw: Draw, figure: Figure, numbers: str, turn: Turns, exponent: Exponents) -> Figure:
     """The figure mirrored and perhaps reversed at random, then turned, scaled and typed as asked."""
     figure = draw_mirrored(draw, figure)
@@ -266,4 +272,5 @@ RECIPES: Mapping[str, Recipe] = {
     "small_gap": small_gap,
     "slid": slid,
     "least_gap": least_gap,
+    "nearly": nearly,
 }

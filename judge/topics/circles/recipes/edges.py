@@ -21,6 +21,7 @@ from judge.topics.circles.figures.posing import closed_up, posed, stretched
 from judge.topics.circles.recipes import counting, endpoints, rays
 from judge.topics.circles.recipes.rays import well_conditioned
 
+_ANYWHERE = ("near", "by", "far")
 _STEPS = 6  # bounds a ray's level direction before it is stretched
 _FARTHEST = 4  # powers of ten, in radii, that an end may be away
 _SHORT = (17, 22)  # bits: a segment 2.4e-7 to 1.5e-5 of the extent long, which may hold a root
@@ -46,7 +47,8 @@ def tangent(
     its bounds.
     """
     radius = _radius(draw, size)
-    start, end = _place(draw, radius), _place(draw, radius)
+    reach = draw.choice((_ANYWHERE, _ANYWHERE, ("near",)))  # of both, so that the radius may be the extent
+    start, end = _place(draw, radius, reach), _place(draw, radius, reach)
     if start == end:
         draw.reject()
     if around and start * end > 0:
@@ -100,7 +102,7 @@ def end(
     (outward), far away (far), or close to the first (short, tiny).
     """
     radius = _radius(draw, size)
-    height = draw.integer(-radius * 4 // 5, radius * 4 // 5)
+    height = _height(draw, radius)
     half = _half(radius, height)
     kind = draw.choice(others)
     places = {
@@ -154,7 +156,7 @@ def origin(
 ) -> Figure:
     """A ray whose origin is nearly on the circle, the root "ahead" or "behind"; it looks "in" or "out"."""
     radius = _radius(draw, size)
-    height = draw.integer(-radius * 4 // 5, radius * 4 // 5)
+    height = _height(draw, radius)
     half = _half(radius, height)
     look = _side(draw, looks, "in", "out")
     start = -half if look == "in" else half
@@ -177,16 +179,21 @@ def _radius(draw: Draw, size: int) -> int:
     return draw.integer(max(8, size // 2), size)
 
 
-def _place(draw: Draw, radius: int) -> int:
+def _place(draw: Draw, radius: int, reach: Sequence[str]) -> int:
     """A place on the line, seen from the foot."""
-    kind = draw.choice(("near", "by", "far"))
+    kind = draw.choice(reach)
     if kind == "near":
-        place = draw.integer(0, radius // 3)
+        place = draw.integer(1, radius // 3)
     elif kind == "by":
         place = draw.integer(radius, 3 * radius)
     else:
         place = draw.integer(radius, 9 * radius) * 10 ** draw.integer(1, _FARTHEST)
     return place * draw.sign()
+
+
+def _height(draw: Draw, radius: int) -> int:
+    """How far a line that is cut at a good angle passes from the centre; every fourth runs through it."""
+    return draw.integer(-radius * 4 // 5, radius * 4 // 5) if draw.integer(0, 3) else 0
 
 
 def _half(radius: int, height: int) -> int:
