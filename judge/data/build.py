@@ -153,7 +153,7 @@ def new_case(
         if proof.fault:
             failures["against the promise"] += 1
             latest["against the promise"] = f" ({proof.fault})"
-        elif case in taken:
+        elif case in taken or (last is not None and changed is not None and case == last[0]):
             failures["already in the group"] += 1
         elif last is not None and changed is not None and proof.answer == last[1] and not may_agree(attempt):
             failures["with the answer of the case before"] += 1

@@ -10,7 +10,7 @@ from __future__ import annotations
 from judge.problem import Case, Group
 
 _ROUNDS = 2  # of all parameters, until a case stands for itself again
-_CONTENT = 500  # attempts after which a neighbour may have the same answer
+_CONTENT = 100  # attempts after which a neighbour may have the same answer
 
 
 def follows(group: Group, number: int, parameters: int) -> int | None:
