@@ -2,7 +2,8 @@
 
 Case i of a group is drawn from the seed text `seed/group/i/attempt`; attempts go on until one is neither
 rejected by its builder, nor out of bounds, nor against the promise, nor already in the group. So a case
-depends on nothing but the group's own declaration and the cases before it.
+depends on nothing but the group's own declaration and the cases before it (neighbours.py: it may take all
+parameters but one from the last of them).
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from typing import Any
 from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
 from judge.data.module import Builder, ProblemModule, blaming
+from judge.data.neighbours import follows, may_agree, neighbour
 from judge.data.validate import Validator
 from judge.errors import ProblemError, nearest
 from judge.problem import Case, Example, Group, Problem, Tolerance
@@ -58,7 +60,8 @@ def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[S
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
             draws = partial(_seeded, group, number)
-            case, answer = new_case(problem, group, builder, validator, draws, number + 1, cases)
+            last = next(reversed(cases.items()), None)
+            case, answer = new_case(problem, group, builder, validator, draws, number + 1, cases, last)
             cases[case] = answer
     return list(cases.items())
 
@@ -88,6 +91,8 @@ def choices_of(
     group: Group, builder: Callable[[Draw], Any], number: int, case: Case
 ) -> tuple[int, ...] | None:
     """The choices that case `number` (from 0) of the group was built from; None if it was not."""
+    if group.neighbours:
+        return None
     attempt = attempt_of(group, builder, number, case)
     if attempt is None:
         return None
@@ -116,11 +121,14 @@ def new_case(
     draws: Callable[[int], Draw],
     number: int,
     taken: Container[Case] = (),
+    last: SolvedCase | None = None,
 ) -> SolvedCase:
     """Case `number` (from 1) of a group and its exact answer: the case is proved and not `taken`.
 
-    `draws` gives the source for each attempt. Raises ProblemError where none of the attempts makes a case.
+    `draws` gives the source for each attempt, `last` is the case before. Raises ProblemError where none of
+    the attempts makes a case.
     """
+    changed = follows(group, number, len(problem.parameters)) if last is not None else None
     failures: Counter[str] = Counter()
     latest: dict[str, str] = {}  # for each reason, what the last such fault was
     for attempt in range(_ATTEMPTS):
@@ -135,6 +143,8 @@ def new_case(
                 where=f"{problem.id}/problem.py",
                 remedy="correct what it returns",
             )
+        if last is not None and changed is not None:
+            case = neighbour(last[0], case, changed)
         if fault := validator.bounds(case):
             failures["out of bounds"] += 1
             latest["out of bounds"] = f" ({fault})"
@@ -143,8 +153,10 @@ def new_case(
         if proof.fault:
             failures["against the promise"] += 1
             latest["against the promise"] = f" ({proof.fault})"
-        elif case in taken:
+        elif case in taken or (last is not None and changed is not None and case == last[0]):
             failures["already in the group"] += 1
+        elif last is not None and changed is not None and proof.answer == last[1] and not may_agree(attempt):
+            failures["with the answer of the case before"] += 1
         else:
             return case, proof.answer
     reason, times = failures.most_common(1)[0]

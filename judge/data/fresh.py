@@ -70,9 +70,14 @@ class Fresh:
             for group, builder in zip(self.groups, self._builders, strict=True):
                 yield self._series(number, group, builder)
 
-    def choices_of(self, series: Series, place: int) -> tuple[int, ...]:
-        """The choices that case `place` (from 0) of a series, or that which it mirrors, was built from."""
+    def choices_of(self, series: Series, place: int) -> tuple[int, ...] | None:
+        """The choices that case `place` (from 0) of a series, or that which it mirrors, was built from.
+
+        None for a case that its builder did not make alone.
+        """
         group = series.data.group
+        if group.neighbours:
+            return None
         builder = self._builders[self.groups.index(group)]
         draw = RecordedDraw(QuickDraw(self._text(series.round, group)))
 
@@ -93,16 +98,20 @@ class Fresh:
         cases: list[Case] = []
         targets: list[Target] = []
         starts = []
+        last = None
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
             for place in range(BUILT):
                 case, answer = new_case(
-                    self._problem, group, builder, self._validator, lambda _: draw, place + 1
+                    self._problem, group, builder, self._validator, lambda _: draw, place + 1, (), last
                 )
+                last = case, answer
                 target = target_of(self._problem, answer, group.tolerance)
                 starts.append(len(cases))
                 cases.append(case)
                 targets.append(target)
+                if group.neighbours:  # nothing may come between them
+                    continue
                 for image, image_target in self._images(case, target, chance):
                     cases.append(image)
                     targets.append(image_target)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -26,6 +27,11 @@ class Validator:
     def __init__(self, problem: Problem, solve: Callable[..., Solved]) -> None:
         self._parameters = problem.parameters
         self._bounds = [(_simple(each.low), _simple(each.high)) for each in problem.parameters]
+        self._fine = [
+            (place, each.type, least_double(each.smallest))
+            for place, each in enumerate(problem.parameters)
+            if each.smallest
+        ]
         self._solve = solve
 
     def shape(self, case: Any) -> str | None:
@@ -38,12 +44,18 @@ class Validator:
         return None
 
     def bounds(self, case: Case) -> str | None:
-        """Whether every number of a well-shaped case lies within its parameter's bounds."""
+        """Whether every number of a well-shaped case lies within its parameter's bounds, none too small."""
         for parameter, (low, high), value in zip(self._parameters, self._bounds, case):  # noqa: B905  # as above
             found = parameter.type.outside(value, low, high)
             if found is not None:
                 number, low, high = found
                 return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
+        for place, type_, smallest in self._fine:
+            for number in type_.reals(case[place]):
+                if number and -smallest < number < smallest:
+                    parameter = self._parameters[place]
+                    least = float(parameter.smallest)
+                    return f"{parameter.name} has {number!r}, nearer to 0 than {least:g} but not 0"
         return None
 
     def promise(self, case: Case) -> Proof:
@@ -71,6 +83,13 @@ def prove(validator: Validator, group: str, cases: Sequence[Case], where: str) -
 def _simple(bound: Fraction) -> int | Fraction:
     """An int where it is one: Python compares ints with ints and floats exactly, and much faster."""
     return bound.numerator if bound.denominator == 1 else bound
+
+
+def least_double(bound: Fraction) -> float:
+    """The least double that is not below the bound: a double is not below the one just when it is not below
+    the other."""
+    nearest = float(bound)
+    return nearest if nearest >= bound else math.nextafter(nearest, math.inf)
 
 
 def _text(bound: Number | Fraction) -> str:

@@ -99,6 +99,7 @@ class _Reader:
             place=table.place,
             skills=self._skills(table),
             growth=growing.growth(groups),
+            audit=self._audit(table),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -133,7 +134,21 @@ class _Reader:
         if not type_.is_parameter:
             what = f"no parameter can be of the type {table.type}"
             self.fault((*path, "type"), what, "an enclosure is an answer; an array is a whole parameter")
-        return Parameter(table.name, type_, low, high, table.about)
+        return Parameter(table.name, type_, low, high, table.about, self._smallest(table, type_, path))
+
+    def _smallest(self, table: schema.ParameterTable, type_: Type, path: KeyPath) -> Fraction:
+        smallest = self._exact(table.smallest, (*path, "smallest"))
+        if not 0 <= smallest <= 1:
+            self.fault(
+                (*path, "smallest"),
+                f"the smallest number of {table.name!r} other than 0 is {table.smallest}",
+                "give 0 to 1: an int other than 0 is never smaller than 1",
+            )
+        if smallest and not type_.measured:
+            self.fault(
+                (*path, "smallest"), f"{table.name!r} holds no real numbers to be small", "remove smallest"
+            )
+        return smallest
 
     def _answer(self, table: schema.ProblemTable) -> Type:
         if self._known_answer is None:
@@ -221,7 +236,14 @@ class _Reader:
             points=group.points,
             tolerance=self._tolerance(group, table, path),
             kills=tuple(group.kills),
+            neighbours=self._neighbours(group, path),
         )
+
+    def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:
+        if group.neighbours and (group.builder == EXAMPLES or group.size is not None):
+            what = "examples and big cases are no neighbours of one another"
+            self.fault((*path, "neighbours"), what, "remove neighbours")
+        return group.neighbours
 
     def _seed_and_count(self, group: schema.GroupTable, path: KeyPath) -> tuple[int, int]:
         """A group's seed and number of cases; both 0 for the examples, whose number the statement says."""
@@ -260,6 +282,12 @@ class _Reader:
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
+
+    def _audit(self, table: schema.ProblemTable) -> MappingProxyType[str, str]:
+        for kind, reason in table.audit.items():
+            if not reason.strip():
+                self.fault(("audit", kind), f"it is not said why there is no case of {kind!r}", "say why")
+        return MappingProxyType(dict(table.audit))
 
     def _sets(self, names: list[str]) -> tuple[str, ...]:
         for at, name in enumerate(names):
@@ -332,6 +360,7 @@ def _words(table: schema.ProblemTable) -> dict[str, str]:
         words[f"{parameter.name}.type"] = parameter.type
         words[f"{parameter.name}.low"] = _written(parameter.low)
         words[f"{parameter.name}.high"] = _written(parameter.high)
+        words[f"{parameter.name}.smallest"] = _written(parameter.smallest)
     words |= _numbers("tolerance", table.tolerance)
     words |= _numbers("limits", table.limits)
     for group in table.groups:

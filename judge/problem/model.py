@@ -41,13 +41,17 @@ class Tier(Enum):
 
 
 class Parameter(Struct, frozen=True, cache_hash=True):
-    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included."""
+    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included.
+
+    A real number other than 0 is at least `smallest` in magnitude, which is 0 where nothing is said of it.
+    """
 
     name: str
     type: Type
     low: Fraction
     high: Fraction
     about: str
+    smallest: Fraction = Fraction(0)
 
 
 class GroupLimits(Struct, frozen=True):
@@ -96,6 +100,7 @@ class Group(Struct, frozen=True):
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
+    neighbours: bool = False  # whether a case differs from the one before in one parameter only
 
 
 class ShownSkill(Struct, frozen=True):
@@ -139,6 +144,7 @@ class Problem(Struct, frozen=True):
     place: int | None = None  # in its tier's order; without one it comes last
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
+    audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
 
     def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""

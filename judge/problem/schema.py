@@ -77,6 +77,7 @@ class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     low: TomlNumber
     high: TomlNumber
     about: str
+    smallest: TomlNumber = 0
 
 
 class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -94,6 +95,7 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     size: int | None = None
     time: GroupTimeTable | None = None
     limits: GroupLimitsTable | None = None
+    neighbours: bool = False
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -122,6 +124,7 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     place: int | None = None
     skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
     growth: GrowthTable | None = None
+    audit: dict[str, str] = {}  # kinds of cases that there need not be, each with the reason
 
 
 _TABLES: dict[str, type[msgspec.Struct]] = {

@@ -39,6 +39,8 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     """What follows the statement: parameters with bounds, test groups with tolerances, limits."""
     yield line(Span("Parameters", Style.STRONG))
     yield from _parameter_table(problem.parameters).lines(width)
+    if smallest := _smallest(problem.parameters):
+        yield from _labelled("numbers", smallest, width)
     yield line()
     yield line(Span("Answer", Style.STRONG))
     yield from hanging(Span(""), Span(str(problem.answer)), width, indent=2, column=2)
@@ -60,6 +62,17 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield from _labelled("memory", size(limits.memory_bytes), width)
     yield from _labelled("output", size(limits.output_bytes), width)
     yield from _own_limits(problem, width)
+
+
+def _smallest(parameters: Sequence[Parameter]) -> str:
+    """How small a real number other than 0 may be; empty where nothing is said."""
+    widths = dict.fromkeys(each.smallest for each in parameters if each.smallest)
+    parts = []
+    for width in widths:
+        names = [each.name for each in parameters if each.smallest == width]
+        whose = "" if len(widths) == 1 else f" in {', '.join(names)}"
+        parts.append(f"0 or at least {bound(width)} in magnitude{whose}")
+    return "; ".join(parts)
 
 
 def _own_limits(problem: Problem, width: int | None) -> Iterator[Line]:

@@ -4,6 +4,7 @@
     pins        the data are those of hashes.json
     solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says
     kills       each wrong program fails a group that names its mistake, and each group kills what it names
+    audit       there are cases of every kind, or problem.toml says why not
 
 Nothing is printed: what is wrong is in the report.
 """
@@ -17,7 +18,7 @@ from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import load_module
+from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
@@ -25,6 +26,7 @@ from judge.language import file_name
 from judge.problem import Group, Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.tomlfile import key_place, meant
+from judge.run.audit import Audit, audit
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Result
@@ -75,6 +77,7 @@ class VerifyReport(Struct, frozen=True):
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
     matrix: Matrix | None = None  # of the wrong programs; None where none was judged
+    audit: Audit | None = None  # of the data; None where there are none
 
     @property
     def ok(self) -> bool:
@@ -121,6 +124,9 @@ def verify_problem(
             faults.append(_verdict_fault(report, result, problem))
     tell("judging solutions", len(solutions), len(solutions))
     faults += _kill_faults(problem, reports)
+    matrix = _matrix(problem.groups, reports)
+    audited = _audited(problem, data, matrix)
+    faults += _audit_faults(problem, audited)
     return VerifyReport(
         problem=problem.id,
         groups=len(data.groups),
@@ -128,7 +134,8 @@ def verify_problem(
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
-        matrix=_matrix(problem.groups, reports),
+        matrix=matrix,
+        audit=audited,
     )
 
 
@@ -137,6 +144,32 @@ def _prove_data(problem: Problem, data: ProblemData) -> None:
     validator = Validator(problem, load_module(problem).solve)
     for group in data.groups:
         prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
+
+
+def _audited(problem: Problem, data: ProblemData, matrix: Matrix) -> Audit:
+    with blaming(problem, "the topic's decisions cannot be told"):
+        return audit(problem, data.module.topic, data.groups, matrix)
+
+
+def _audit_faults(problem: Problem, audited: Audit) -> list[Fault]:
+    """What there is no case of, and reasons for what there is."""
+    where = f"{problem.id}/problem.toml"
+    faults = [
+        Fault(
+            f"there is no case of {bucket.name!r}",
+            where,
+            "let a group have some, or say in [audit] why there need be none",
+        )
+        for bucket in audited.gaps
+    ]
+    return faults + [
+        Fault(
+            f"[audit] gives a reason for {key!r}, and no such kind is empty",
+            key_place(problem, ("audit", key)),
+            "remove it",
+        )
+        for key in audited.idle
+    ]
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:

@@ -42,6 +42,11 @@ class ListValues(ParameterValues):
                 return found
         return None
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """Those of the items."""
+        for each in value:
+            yield from self.item.reals(each)
+
     def tokens(self, value: Any) -> Iterator[str]:
         """The length and the items' tokens."""
         yield str(len(value))

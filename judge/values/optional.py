@@ -179,6 +179,10 @@ class OptionalType(Type):
         """None is within all bounds."""
         return None if value is None else self.inner.outside(value, low, high)
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """None has none."""
+        return iter(()) if value is None else self.inner.reals(value)
+
     def tokens(self, value: Any) -> Iterator[str]:
         """`none`, or the inner tokens."""
         return iter(("none",)) if value is None else self.inner.tokens(value)

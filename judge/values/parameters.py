@@ -31,6 +31,10 @@ class ParameterValues:
         """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
         return None
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """The numbers of a well-shaped value that are of the type `real`."""
+        return iter(())
+
     def tokens(self, value: Any) -> Iterator[str]:
         """The value as a program reads it: numbers as `repr` writes them, a list begins with its length."""
         raise NotImplementedError

@@ -197,6 +197,11 @@ class TupleType(Type):
                 return found
         return None
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """Those of the parts."""
+        for part, each in zip(self.parts, value, strict=True):
+            yield from part.reals(each)
+
     def tokens(self, value: Any) -> Iterator[str]:
         """The parts' tokens."""
         for part, each in zip(self.parts, value, strict=True):

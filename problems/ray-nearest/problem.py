@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import RAY, Bands, CircleLine, builders
-from judge.topics.circles.recipes import rays
+from judge.topics.circles.recipes import edges, rays, whole
 from judge.values import Real
 
-BUILDERS = builders(rays.RECIPES)
+BUILDERS = builders(rays.RECIPES, edges.RAYS, whole.RAYS)
 TOPIC = RAY
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import SEGMENT, Bands, CircleLine, builders
-from judge.topics.circles.recipes import endpoints
+from judge.topics.circles.recipes import edges, endpoints, whole
 from judge.values import vector
 
-BUILDERS = builders(endpoints.RECIPES)
+BUILDERS = builders(endpoints.RECIPES, edges.SEGMENTS, whole.SEGMENTS)
 TOPIC = SEGMENT
 
 

@@ -63,6 +63,7 @@ def test_show_json(judge):
         "type": "number",
         "low": "-1000",
         "high": "1000",
+        "smallest": "0",
         "about": "one number",
     }
     assert shown["groups"][2]["kills"] == ["floor-division"]

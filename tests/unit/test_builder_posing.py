@@ -75,7 +75,7 @@ def test_a_divisor_shrinks_the_figure():
 
 
 def test_only_any_pose_divides_and_poses_have_names():
-    with pytest.raises(ProblemError, match="only a figure in any pose"):
+    with pytest.raises(ProblemError, match="only a figure that is rounded"):
         posing.posed(SeededDraw("x"), FIGURE, poses=["exact"], divisor=10)
     with pytest.raises(ProblemError, match="a pose is one of"):
         posing.posed(SeededDraw("x"), FIGURE, poses=["sideways"])

@@ -174,13 +174,13 @@ def test_cancellation_has_a_power_that_is_tiny_and_a_chord_that_is_long():
 
 
 def test_the_conditioning_is_that_of_the_nearer_root_ahead():
-    assert rays._well_conditioned(1, 0, -2)
-    assert not rays._well_conditioned(1, 0, -1.000001)
-    assert rays._well_conditioned(1, 0, -0.999999)  # its root ahead is the far one
-    assert not rays._well_conditioned(1, 0, 0.999999)
-    assert rays._well_conditioned(1, 0, 1.000001)  # nothing ahead
-    assert rays._well_conditioned(1, 1, -1e-9)  # a tangency is its foot
-    assert not rays._well_conditioned(1, 1 - 1e-12, -1)
+    assert rays.well_conditioned(1, 0, -2)
+    assert not rays.well_conditioned(1, 0, -1.000001)
+    assert rays.well_conditioned(1, 0, -0.999999)  # its root ahead is the far one
+    assert not rays.well_conditioned(1, 0, 0.999999)
+    assert rays.well_conditioned(1, 0, 1.000001)  # nothing ahead
+    assert rays.well_conditioned(1, 1, -1e-9)  # a tangency is its foot
+    assert not rays.well_conditioned(1, 1 - 1e-12, -1)
 
 
 def test_the_grid_and_the_uniform_box_keep_their_size():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from fractions import Fraction
 
 import pytest
@@ -94,12 +95,33 @@ def test_only_integers_are_turned():
         t.turned(t.as_floats(FIGURE), t.Turn(3, 4, 5))
 
 
+MIXED = {int, float}
+
+
 @pytest.mark.parametrize("numbers", t.NUMBER_TYPES)
 def test_retyping_keeps_every_value(numbers):
     typed = t.typed(SeededDraw(numbers), FIGURE, numbers)
     assert typed == FIGURE  # 2 == 2.0
     kinds = {type(value) for value in (*typed.centre, typed.radius, *typed.points[0], *typed.points[1])}
-    assert kinds == {"int": {int}, "float": {float}, "mixed": {int, float}}[numbers]
+    assert (
+        kinds
+        in {"int": [{int}], "float": [{float}], "mixed": [MIXED], "any": [{int}, {float}, MIXED]}[numbers]
+    )
+
+
+def test_any_numbers_are_of_each_kind_in_a_third_of_the_figures():
+    kinds = Counter(
+        frozenset(map(type, (*typed.centre, typed.radius, *typed.points[0], *typed.points[1])))
+        for typed in (t.typed(SeededDraw(f"any/{n}"), FIGURE, "any") for n in range(300))
+    )
+    assert set(kinds) == {frozenset({int}), frozenset({float}), frozenset(MIXED)}
+    assert min(kinds.values()) > 70
+
+
+@pytest.mark.parametrize("number", range(100))
+def test_a_mixture_holds_both_types(number):
+    typed = t.typed(SeededDraw(f"mixed/{number}"), t.as_floats(FIGURE), "mixed")
+    assert {type(v) for v in (*typed.centre, typed.radius, *typed.points[0], *typed.points[1])} == MIXED
 
 
 def test_retyping_what_no_double_holds_is_refused():

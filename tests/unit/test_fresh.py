@@ -38,7 +38,7 @@ def assert_same(answer, one, other):
     if answer.depth:
         assert len(one) == len(other)
         for first, second in zip(chain(*one), chain(*other), strict=True):
-            assert abs(first[3] - second[3]) < 1e-12
+            assert abs(first[3] - second[3]) < 1e-5  # nearly upright lines have coordinates of few digits
             assert (first[:3], first[4]) == (second[:3], second[4])
     else:
         assert one == other
@@ -94,7 +94,7 @@ def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
     for series in islice(source.series(), len(source.groups)):
         group, pairs = series.data.group, list(zip(series.data.cases, series.data.targets, strict=True))
         assert len(series.starts) == BUILT
-        assert BUILT < len(pairs) <= BUILT * (1 + IMAGES_EACH)
+        assert len(pairs) == BUILT if group.neighbours else BUILT < len(pairs) <= BUILT * (1 + IMAGES_EACH)
         for case, target in pairs:
             proof = validator.proof(case)
             assert proof.fault is None

@@ -105,6 +105,7 @@ SAMPLE = {
         "sign-of-zero": USUAL,
         "absolute-epsilon": EPSILON,
         "loose-origin": EPSILON,
+        "near-skipped": MILLION + 1,
         "cancellation-half-chord": EPSILON,
         "absolute-value": USUAL,
         "both-roots": USUAL,

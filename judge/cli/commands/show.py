@@ -76,6 +76,7 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
         "type": str(parameter.type),
         "low": str(parameter.low),
         "high": str(parameter.high),
+        "smallest": str(parameter.smallest),
         "about": parameter.about,
     }
 

@@ -18,6 +18,7 @@ from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
+from judge.run.audit import Audit
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
 from judge.sandbox import Boxes
@@ -40,8 +41,13 @@ def command(
     ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
     made. Without a name: all problems of the folders that --problems gives, or of all there are.
 
+    That there are cases of every kind: numbers in ints, in floats and mixed, and whatever the topic says that
+    the answers turn on, from either side and at the edges of the bands. A wrong program that fewer than five
+    cases reject is a warning.
+
     With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
-    groups that are the only ones to reject no program; and a small set of cases that rejects all programs.
+    groups that are the only ones to reject no program; a small set of cases that rejects all programs;
+    and how many cases there are of every kind.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
@@ -93,7 +99,29 @@ def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, A
         "faults": [
             {"what": fault.what, "where": fault.where, "remedy": fault.remedy} for fault in report.faults
         ],
+        "audit": _audit(report.audit) if report.audit else None,
         **matrix,
+    }
+
+
+def _audit(audit: Audit) -> dict[str, Any]:
+    return {
+        "numbers": [
+            {"group": name, **dict(zip(("int", "float", "mixed"), counts, strict=True))}
+            for name, counts in audit.types.items()
+        ],
+        "kinds": [
+            {
+                "kind": bucket.name,
+                "decision": bucket.decision,
+                "side": bucket.side,
+                "range": bucket.range,
+                "cases": bucket.cases,
+                "reason": bucket.reason or None,
+            }
+            for bucket in audit.buckets
+        ],
+        "few": [{"file": each.file, "cases": each.cases} for each in audit.few],
     }
 
 

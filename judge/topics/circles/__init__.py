@@ -8,6 +8,7 @@ signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
+decisions.py   how far a case is from where its answer turns
 simpler.py     simpler cases like a failing one
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
@@ -28,19 +29,33 @@ from judge.topics.circles.simpler import simpler, special
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
+    from judge.problem import Problem
+    from judge.problem.topic import Decision
 
 __all__ = ["LINE", "RAY", "SEGMENT", "Bands", "CircleLine", "Part", "builders", "mirror_images", "topic_of"]
 
 
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
-    return Topic(images=mirror_images, simpler=simpler, special=special, picture=partial(_picture, part))
+    return Topic(
+        images=mirror_images,
+        simpler=simpler,
+        special=special,
+        picture=partial(_picture, part),
+        decisions=partial(_decisions, part),
+    )
 
 
 def _picture(part: Part, shown: Shown) -> Picture | None:
     from judge.topics.circles.picture import compose  # late: most problems are loaded to be judged, not drawn
 
     return compose(part, shown)
+
+
+def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
+    from judge.topics.circles.decisions import decisions  # late: only a setter asks
+
+    return decisions(part, problem)
 
 
 LINE = topic_of(Part.LINE)

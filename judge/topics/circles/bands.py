@@ -25,14 +25,14 @@ class Bands:
 
     snap: Fraction
     clear: Fraction
-    _snap: _Width = field(init=False, repr=False, compare=False)
-    _clear: _Width = field(init=False, repr=False, compare=False)
+    _snap: Width = field(init=False, repr=False, compare=False)
+    _clear: Width = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not 0 <= self.snap <= self.clear:
             raise ValueError("the bands' widths are 0 <= snap <= clear")
-        object.__setattr__(self, "_snap", _Width.of(self.snap))
-        object.__setattr__(self, "_clear", _Width.of(self.clear))
+        object.__setattr__(self, "_snap", Width.of(self.snap))
+        object.__setattr__(self, "_clear", Width.of(self.clear))
 
     @staticmethod
     def of(widths: Mapping[str, Fraction]) -> Bands:
@@ -55,14 +55,14 @@ class Bands:
         """
         if line.a == 0:
             return (0,) if self._snap.starts_on_circle(line) else ()
-        return tuple(which for which in self._meets(line) if self._on_segment(line, which))
+        return tuple(which for which in self.meets(line) if self._on_segment(line, which))
 
     def ray(self, line: CircleLine) -> Surd | None:
         """The least t >= 0 of a common point, exactly 0 at the origin; None for a miss or D = 0."""
-        for which in self._meets(line):
+        for which in self.meets(line):
             if self._snap.within(line, which, 0):
                 return make(0, 0, 0, 1)
-            if _beyond(line, which, 0) > 0:
+            if beyond(line, which, 0) > 0:
                 return line.root(which)
         return None
 
@@ -87,7 +87,7 @@ class Bands:
             return None
         return self.broken_count(line) or self._broken_root(line, ((0, "the ray's origin"),))
 
-    def _meets(self, line: CircleLine) -> tuple[int, ...]:
+    def meets(self, line: CircleLine) -> tuple[int, ...]:
         """The common points of the circle and the infinite line, in order of t."""
         if line.a == 0:
             return ()
@@ -96,8 +96,8 @@ class Bands:
         return (-1, 1) if line.delta > 0 else ()
 
     def _on_segment(self, line: CircleLine, which: int) -> bool:
-        before = _beyond(line, which, 0) < 0
-        after = not before and _beyond(line, which, 1) > 0
+        before = beyond(line, which, 0) < 0
+        after = not before and beyond(line, which, 1) > 0
         if not before and not after:
             return True
         return self._snap.within(line, which, 1 if after else 0)
@@ -109,7 +109,7 @@ class Bands:
         return _inside_band("the point's distance to the circle", Surd(-line.r, 1, square, 1), line.extent)
 
     def _broken_root(self, line: CircleLine, ends: tuple[tuple[int, str], ...]) -> str | None:
-        for which in self._meets(line):
+        for which in self.meets(line):
             for t, name in ends:
                 if not self._snap.within(line, which, t) and self._clear.within(
                     line, which, t, strictly=True
@@ -133,7 +133,7 @@ def _inside_band(what: str, distance: Surd, extent: int) -> str:
     return f"{what} is {float(abs(distance) / extent):.2g} {_FORBIDDEN}"
 
 
-def _beyond(line: CircleLine, which: int, t: int) -> int:
+def beyond(line: CircleLine, which: int, t: int) -> int:
     """The sign of (the root's parameter − t), t being 0 or 1."""
     p = -line.b - t * line.a
     if which == 0:
@@ -150,7 +150,7 @@ _MOST_BITS = 4096  # a band of width 0: only Δ = 0 or a tiny one is worth the e
 
 
 @dataclass(frozen=True, slots=True)
-class _Width:
+class Width:
     """A band's half-width n/m in units of the extent, and a power of two above what it does to Δ."""
 
     n: int
@@ -158,7 +158,8 @@ class _Width:
     bits: int
 
     @classmethod
-    def of(cls, width: Fraction) -> _Width:
+    def of(cls, width: Fraction) -> Width:
+        """The width of that share."""
         # |d − r| <= w·e with r <= e puts |Δ| at or below (2w + w²)·e²·a, and so below e²·a·2**-bits.
         spread = 2 * width + width * width
         if spread == 0:

@@ -28,9 +28,9 @@ def flat(figure: Figure) -> Case:
     return (*figure.centre, figure.radius, *figure.points, *figure.vectors)
 
 
-def builders(recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
-    """A problem's BUILDERS: each recipe's figure as a case."""
-    return {name: _adapted(recipe, adapter) for name, recipe in recipes.items()}
+def builders(*recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
+    """A problem's BUILDERS: each recipe's figure as a case; of two of a name the latter."""
+    return {name: _adapted(recipe, adapter) for each in recipes for name, recipe in each.items()}
 
 
 def _adapted(recipe: Recipe, adapter: Adapter) -> Callable[..., Case]:

@@ -269,6 +269,10 @@ class ArrayType(Type):
         """The first item that is outside."""
         return next(((each, low, high) for each in value if not low <= each <= high), None)
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """Its items, if they are doubles."""
+        return iter(value if self._real is not None else ())
+
     def tokens(self, value: Any) -> Iterator[str]:
         """The length and the items."""
         yield str(len(value))

@@ -147,6 +147,10 @@ class RealType(Type):
             low = self._least
         return None if low <= value <= high else (value, low, high)
 
+    def reals(self, value: Any) -> Iterator[Number]:
+        """Itself."""
+        yield value
+
     def tokens(self, value: Any) -> Iterator[str]:
         """As `repr` writes it."""
         yield repr(value)

@@ -9,8 +9,9 @@ cosine, so the data come out the same on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from itertools import chain
 
 from msgspec import Struct
@@ -21,7 +22,7 @@ from judge.exact.dyadic import integers
 from judge.problem.model import Number, Point
 from judge.topics.circles.figures.numbers import pythagorean
 
-NUMBER_TYPES = ("int", "float", "mixed")
+NUMBER_TYPES = ("int", "float", "mixed", "any")
 
 
 class Figure(Struct, frozen=True):
@@ -146,20 +147,33 @@ def as_floats(figure: Figure) -> Figure:
     return _each_number(figure, exact_float)
 
 
+def as_ints(figure: Figure) -> Figure:
+    """The figure with every number an int that is integral."""
+    return _each_number(figure, _whole)
+
+
 def mixed(draw: Draw, figure: Figure) -> Figure:
-    """The figure with some of its integral numbers as ints and the others as floats."""
+    """The figure with some of its integral numbers as ints and the others as floats.
 
-    def either(value: Number) -> Number:
-        if isinstance(value, float):
-            return int(value) if value.is_integer() and draw.boolean() else value
-        return exact_float(value) if draw.boolean() else value
-
-    return _each_number(figure, either)
+    There is one of either type, unless no number of the figure is integral.
+    """
+    flips = iter([draw.boolean() for _ in range(_how_many(figure))])
+    changed = _each_number(figure, lambda value: exact_float(value) if next(flips) else _whole(value))
+    kinds = {type(value) for value in _numbers(changed)}
+    if kinds == {int}:
+        return replace(changed, radius=exact_float(changed.radius))
+    if kinds == {float}:
+        return replace(changed, radius=_whole(changed.radius), centre=_whole_pair(changed.centre))
+    return changed
 
 
 def typed(draw: Draw, figure: Figure, numbers: str) -> Figure:
-    """The figure with its numbers as they are ("int"), all floats ("float") or a mixture ("mixed")."""
+    """The figure with its numbers as they are ("int"), all floats ("float"), of both types ("mixed"), or
+    ("any") a third of the figures in ints as far as they are integral, a third in floats, a third mixed.
+    """
     require(numbers in NUMBER_TYPES, f"numbers is one of {', '.join(NUMBER_TYPES)}")
+    if numbers == "any":
+        return (as_ints, as_floats, partial(mixed, draw))[draw.integer(0, 2)](figure)
     if numbers == "int":
         return figure
     return as_floats(figure) if numbers == "float" else mixed(draw, figure)
@@ -200,6 +214,24 @@ def integer(value: Number) -> int:
         require(False, f"{value!r} is an int")
         return int(value)
     return value
+
+
+def _whole(value: Number) -> Number:
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def _whole_pair(point: Point) -> Point:
+    return _whole(point[0]), _whole(point[1])
+
+
+def _numbers(figure: Figure) -> Iterator[Number]:
+    yield from figure.centre
+    yield figure.radius
+    yield from chain(*figure.points, *figure.vectors)
+
+
+def _how_many(figure: Figure) -> int:
+    return 3 + 2 * len(figure.points) + 2 * len(figure.vectors)
 
 
 def _each_number(figure: Figure, change: Callable[[Number], Number]) -> Figure:

@@ -264,6 +264,24 @@ def least_gap_at_any_size(draw: Draw, size: int, kind: str) -> Figure:
     return figure
 
 
+def nearly_tangent(draw: Draw, size: int, kind: str) -> Figure:
+    """A hit or a miss by 1e-13 to 0.9 of the radius, all magnitudes alike; so are the slope and |AB|.
+
+    `size` bounds the radius, and should be 1e20 or more: then all that is found in integers.
+    """
+    direction = primitive(draw.integer(1, 9), draw.integer(1, 9) * 10 ** draw.integer(0, 10) + 1)
+    a = direction[0] ** 2 + direction[1] ** 2
+    radius = draw.integer(size // 10, size)
+    touch = isqrt(radius * radius * a)
+    gap = max(1, draw.integer(1, 9) * touch // 10 ** draw.integer(1, 13))
+    cross = touch - gap if kind == HIT else touch + gap
+    multiple = max(1, draw.integer(1, 9) * radius // (isqrt(a) * 10 ** draw.integer(1, 13)))
+    f = with_cross(direction, cross * draw.sign(), draw.integer(-multiple, multiple))
+    figure = placed(draw_point(draw, size), radius, f, (multiple * direction[0], multiple * direction[1]))
+    require_kind(figure, kind)
+    return figure
+
+
 def scattered(draw: Draw, size: int) -> Figure:
     """Everything anywhere within `size`; about as many lines cross the circle as miss it."""
     return line(draw_point(draw, size), draw.integer(0, size), draw_point(draw, size), draw_point(draw, size))

@@ -7,12 +7,16 @@ then takes the figure to any direction, place, size and number type:
     axis    one of the 8 symmetries of the square: the line stays level or becomes upright; exact
     exact   turned by a Pythagorean triple and enlarged by its hypotenuse: integers stay integers; exact
     any     turned by an angle no double holds and divided; every number is rounded once
+    steep   turned by 1 down to 1e-14 off level or upright, all magnitudes alike; rounded and divided as well
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import ldexp
+
+from msgspec.structs import replace
 
 from judge.data.draw import Draw, require
 from judge.problem.model import Number, Point
@@ -29,11 +33,15 @@ from judge.topics.circles.figures.figure import (
 )
 from judge.topics.circles.figures.numbers import pythagorean
 
-POSES = ("axis", "exact", "any")
+POSES = ("axis", "exact", "any", "steep")
 CLEAR = 10**7  # units to a level one, for a gap that is to be just wider than 1e-7 of the extent
 WITHIN = 10**15  # and for one that is to be within 1e-12 of it
 
 
+_ROUNDED = ("any", "steep")
+_STEEPEST = 46  # octaves of the slope of a line that is nearly upright or level
+_TELLING = (30, 33)  # those between the usual thresholds for a slope and for a tangency
+_DIRECTIONS = 1 << 12  # bounds the hypotenuse of the direction to a point that is close
 _SMALL_TRIPLES = 30  # bounds the hypotenuse, by which an exact turn enlarges a figure
 
 
@@ -42,7 +50,7 @@ def posed(
     figure: Figure,
     *,
     poses: Sequence[str],
-    numbers: str = "mixed",
+    numbers: str = "any",
     divisor: int = 1,
     centre: int = 2,
     scale: int = 0,
@@ -55,14 +63,14 @@ def posed(
     """
     pose = draw.choice(poses)
     require(pose in POSES, f"a pose is one of {', '.join(POSES)}")
-    require(divisor == 1 or pose == "any", "only a figure in any pose is divided")
+    require(divisor == 1 or pose in _ROUNDED, "only a figure that is rounded is divided")
     figure = draw_mirrored(draw, figure)
     if pose == "exact":
-        figure = spun(figure, _turn(draw))
+        figure = spun(figure, small_turn(draw))
     reach = centre * int(figure.extent)
     figure = moved(figure, draw.integer(-reach, reach), draw.integer(-reach, reach))
-    if pose == "any":
-        figure = turned(figure, draw_turn(draw), divisor)
+    if pose in _ROUNDED:
+        figure = turned(figure, draw_turn(draw) if pose == "any" else slight_turn(draw), divisor)
     figure = scaled(figure, scale)
     if far:
         half = 1 << (far - 1)
@@ -86,6 +94,38 @@ def spun(figure: Figure, turn: Turn) -> Figure:
         tuple(rotate(point) for point in figure.points),
         tuple(rotate(vector) for vector in figure.vectors),
     )
+
+
+def slight_turn(draw: Draw) -> Turn:
+    """A rotation by an angle of 1 to 1e-14, all octaves equally likely, those of 1e-9 to 1e-10 more so."""
+    octave = draw.integer(*draw.choice(((1, _STEEPEST), (1, _STEEPEST), _TELLING)))
+    m = draw.integer(1 << octave, 2 << octave)
+    return Turn(m * m - 1, 2 * m * draw.sign(), m * m + 1)
+
+
+def closed_up(draw: Draw, figure: Figure, bits: Sequence[int]) -> Figure:
+    """The figure with its second point 2**-bits (bounds) of the extent from the first."""
+    p, q, h = pythagorean(draw, _DIRECTIONS)
+    first, _ = figure.points
+    extent = float(replace(figure, points=(first, first)).extent)
+    length = ldexp(extent * draw.integer(1 << 10, 2 << 10), -10 - draw.integer(*bits))
+    x, y = first
+    near = x + draw.sign() * length * (p / h), y + draw.sign() * length * (q / h)
+    if near == (x, y):
+        draw.reject()
+    return replace(figure, points=(first, near))
+
+
+def stretched(figure: Figure, exponent: int) -> Figure:
+    """The figure with its vectors times 2**exponent, exactly; ints stay ints where they can."""
+
+    def stretch(value: Number) -> Number:
+        if isinstance(value, int) and exponent >= 0:
+            return value << exponent
+        return ldexp(float(value), exponent)
+
+    vectors = tuple((stretch(x), stretch(y)) for x, y in figure.vectors)
+    return replace(figure, vectors=vectors) if exponent else figure
 
 
 def hair(draw: Draw, span: int, *, within: bool, bits: int) -> tuple[int, int]:
@@ -127,6 +167,7 @@ def rational_chord(draw: Draw, size: int) -> tuple[int, int, int]:
     return radius * factor, offset * factor * draw.sign(), half * factor
 
 
-def _turn(draw: Draw) -> Turn:
+def small_turn(draw: Draw) -> Turn:
+    """A rotation by a Pythagorean triple of few digits."""
     cosine, sine, norm = pythagorean(draw, _SMALL_TRIPLES)
     return Turn(cosine * draw.sign(), sine * draw.sign(), norm)

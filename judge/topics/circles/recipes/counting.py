@@ -4,9 +4,9 @@ Each draws a figure of two points, A and B.
 
 Parameters they share, each one value or a list of which one is drawn: `size` bounds the integers a figure is
 made of; `exponent` scales it by 2**exponent; `turn` rotates it by an angle that no double holds, which makes
-every number a rounded float; `numbers` is the type the numbers arrive in, "int", "float" or "mixed" (Python
-multiplies ints exactly, so a program that goes wrong in doubles shows it on floats only; this one is a single
-word).
+every number a rounded float; `numbers` is the type the numbers arrive in, "int", "float", "mixed" or "any",
+a third of the cases each (Python multiplies ints exactly, so a program that goes wrong in doubles shows it on
+floats only, and one that divides with // on ints only; this one is a single word).
 """
 
 from __future__ import annotations
@@ -103,13 +103,13 @@ def near(
     figure = scaled(with_radius(figure, radius), _exponent(draw, exponent))
     if away > 1:
         figure = moved(figure, away - draw.integer(0, away // 2), draw.integer(0, away // 2) - away)
-    return figure
+    return typed(draw, figure, "any")
 
 
 def band(draw: Draw, *, size: Sizes, high: int, turn: Turns = False, exponent: Exponents = 0) -> Figure:
     """Tangents within the band: r is off by up to `high` hundredths of a trillionth of the extent."""
     figure = _loosened(draw, lines.tangent(draw, _size(draw, size)), turn)
-    return scaled(_off_by_a_hair(draw, figure, high), _exponent(draw, exponent))
+    return typed(draw, scaled(_off_by_a_hair(draw, figure, high), _exponent(draw, exponent)), "any")
 
 
 def far(draw: Draw, *, ratio: int, high: int = 0, turn: Turns = False) -> Figure:
@@ -135,7 +135,7 @@ def far(draw: Draw, *, ratio: int, high: int = 0, turn: Turns = False) -> Figure
     figure = lines.laid(centre, units * h, (p, q), height, i, j)
     lines.require_kind(figure, kind)
     figure = _loosened(draw, swapped(figure) if draw.boolean() else figure, turn)
-    return _off_by_a_hair(draw, figure, high) if kind == TANGENT else figure
+    return typed(draw, _off_by_a_hair(draw, figure, high) if kind == TANGENT else figure, "any")
 
 
 def lopsided(draw: Draw, *, ratio: int, high: int) -> Figure:
@@ -146,10 +146,10 @@ def lopsided(draw: Draw, *, ratio: int, high: int) -> Figure:
     figure = lines.laid(centre, radius, (1, 0), radius * draw.sign(), away, draw.integer(-radius, radius))
     lines.require_kind(figure, TANGENT)
     figure = _loosened(draw, swapped(figure) if draw.boolean() else figure, False)
-    return _off_by_a_hair(draw, figure, high)
+    return typed(draw, _off_by_a_hair(draw, figure, high), "any")
 
 
-def close(draw: Draw, *, size: Sizes, bits: int, numbers: str = "float", exponent: Exponents = 0) -> Figure:
+def close(draw: Draw, *, size: Sizes, bits: int, numbers: str = "any", exponent: Exponents = 0) -> Figure:
     """A and B differ, but only by a few times 2**-bits: a line all the same, and an exact one."""
     kind = draw.choice(KINDS)
     figure = lines.plain(draw, _size(draw, size), kind)
@@ -162,7 +162,7 @@ def close(draw: Draw, *, size: Sizes, bits: int, numbers: str = "float", exponen
     return typed(draw, scaled(draw_mirrored(draw, near_start), _exponent(draw, exponent) - bits), numbers)
 
 
-def offset(draw: Draw, *, size: Sizes, distance: Sizes, numbers: str = "float", halves: int = 0) -> Figure:
+def offset(draw: Draw, *, size: Sizes, distance: Sizes, numbers: str = "any", halves: int = 0) -> Figure:
     """A small figure, moved exactly by half to all of `distance` in x and in y; in steps of 2**-halves."""
     figure = draw_mirrored(draw, lines.plain(draw, _size(draw, size), draw.choice(KINDS)))
     away = _size(draw, distance)
@@ -208,6 +208,12 @@ def least_gap(draw: Draw, *, size: Sizes) -> Figure:
     return _finished(
         draw, lines.least_gap_at_any_size(draw, _size(draw, size), draw.choice((HIT, MISS))), "int", False, 0
     )
+
+
+def nearly(draw: Draw, *, size: Sizes) -> Figure:
+    """Lines of every slope that hit or miss by any part of the radius; |AB| may be any part of it too."""
+    figure = lines.nearly_tangent(draw, _size(draw, size), draw.choice((HIT, MISS)))
+    return _finished(draw, figure, "int", False, 0)
 
 
 def _finished(draw: Draw, figure: Figure, numbers: str, turn: Turns, exponent: Exponents) -> Figure:
@@ -266,4 +272,5 @@ RECIPES: Mapping[str, Recipe] = {
     "small_gap": small_gap,
     "slid": slid,
     "least_gap": least_gap,
+    "nearly": nearly,
 }

@@ -4,16 +4,14 @@ Each draws a figure of a point O and a vector D. A level ray stands at x = `star
 towards +x, the foot of the perpendicular being x = 0. What goes to `posed` is explained in posing.py.
 
 The parameter is judged by its relative error, so a recipe also keeps it well conditioned
-(`_well_conditioned`): a program that works carefully in doubles must be able to meet the tolerance.
+(`well_conditioned`): a program that works carefully in doubles must be able to meet the tolerance.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isqrt, ldexp, sqrt
+from math import isqrt, sqrt
 from typing import Any
-
-from msgspec.structs import replace
 
 from judge.data.draw import Draw, require
 from judge.problem.model import Number, Point
@@ -29,7 +27,7 @@ from judge.topics.circles.figures.figure import (
     scaled,
     typed,
 )
-from judge.topics.circles.figures.posing import hair, lopsided_tangent, posed, rational_chord
+from judge.topics.circles.figures.posing import hair, lopsided_tangent, posed, rational_chord, stretched
 
 _CONDITION = 1e5  # how much larger than a rounding error, relatively, the error of a root may come out
 _STEPS = 6  # bounds the level direction (length, 0) before it is stretched
@@ -45,7 +43,7 @@ def uniform(draw: Draw, *, size: int, numbers: str) -> Figure:
     """Centre and origin anywhere in ±size, the direction too, the radius up to size."""
     centre, origin, direction = (draw_point(draw, size) for _ in range(3))
     radius = draw.integer(1, size)
-    if direction == (0, 0) or not _well_conditioned(*_as_level(centre, radius, origin, direction)):
+    if direction == (0, 0) or not well_conditioned(*_as_level(centre, radius, origin, direction)):
         draw.reject()
     return typed(draw, ray(centre, radius, origin, direction), numbers)
 
@@ -73,7 +71,7 @@ def across(draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str],
     else:
         require(kind == "from-foot", f"{kind!r} is a place for a ray's origin")
         start = 0
-    if not _well_conditioned(radius, offset, start):
+    if not well_conditioned(radius, offset, start):
         draw.reject()
     return _posed(draw, radius, offset, start, poses=poses, **pose)
 
@@ -116,7 +114,7 @@ def near_tangent(
     require(kind in ("hit", "miss"), f"{kind!r} is a side of a tangent")
     gap, divisor = hair(draw, radius - start, within=within, bits=bits)
     offset = (radius * divisor + (gap if kind == "miss" else -gap)) * draw.sign()
-    honest = within or _well_conditioned(radius * divisor, offset, start * divisor)
+    honest = within or well_conditioned(radius * divisor, offset, start * divisor)
     require(honest, "a near tangent is met far from the origin")
     return _posed(draw, radius * divisor, offset, start * divisor, divisor=divisor, poses=("any",), **pose)
 
@@ -266,26 +264,16 @@ def _posed(
     poses: Sequence[str],
     divisor: int = 1,
     stretch: Sequence[int] = (0, 0),
-    numbers: str = "mixed",
+    numbers: str = "any",
     **pose: Any,
 ) -> Figure:
     """A level ray posed; `stretch` bounds the power of two that D is finally multiplied by, exactly."""
     figure = ray((0, 0), radius, (start, offset), (draw.integer(1, _STEPS) * divisor, 0))
     figure = posed(draw, figure, poses=poses, divisor=divisor, numbers=numbers, **pose)
-    exponent = draw.integer(*stretch)
-    if exponent == 0:
-        return figure
-    ((x, y),) = figure.vectors
-    return replace(figure, vectors=((_stretched(x, exponent), _stretched(y, exponent)),))
+    return stretched(figure, draw.integer(*stretch))
 
 
-def _stretched(value: Number, exponent: int) -> Number:
-    if isinstance(value, int) and exponent >= 0:
-        return value << exponent
-    return ldexp(float(value), exponent)
-
-
-def _well_conditioned(radius: float, offset: float, start: float) -> bool:
+def well_conditioned(radius: float, offset: float, start: float) -> bool:
     """Whether doubles can know the first root ahead of the origin to a relative 1e-10 or so.
 
     An error of u·e in the line's distance is one of u·e·r/h in the half-chord h, to be held against the

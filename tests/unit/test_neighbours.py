@@ -1,0 +1,86 @@
+"""Groups of neighbours: each case differs from the one before in one parameter, in its turn."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from judge.data.build import build_cases, choices_of
+from judge.data.fresh import Fresh
+from judge.data.module import load_module
+from judge.errors import ProblemError
+from judge.problem.load import load_problem
+
+PROBLEMS = Path(__file__).parents[2] / "problems"
+FIXTURE = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
+
+
+@pytest.fixture(params=["count", "exact-count", "segment", "ray-nearest"])
+def problem(request):
+    return load_problem(PROBLEMS / request.param)
+
+
+def changed(one, other):
+    return [place for place, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
+
+
+def assert_neighbours(cases, answers):
+    turns = dict.fromkeys(range(5), 0)
+    others = 0
+    for number in range(1, len(cases)):
+        if number % 11 == 0:
+            continue  # it stands for itself
+        assert changed(cases[number - 1], cases[number]) == [(number % 11 - 1) % 5]
+        turns[(number % 11 - 1) % 5] += 1
+        others += answers[number] != answers[number - 1]
+    assert min(turns.values()) >= 5
+    return others
+
+
+def test_pinned_neighbours_differ_in_every_parameter_and_in_the_answer(problem):
+    group = problem.group("neighbours")
+    solved = build_cases(problem, load_module(problem), group)
+    cases, answers = [case for case, _ in solved], [answer for _, answer in solved]
+    assert assert_neighbours(cases, answers) >= len(cases) / 2
+
+
+def test_fresh_neighbours_are_such_too_with_nothing_between_them(problem):
+    fresh = Fresh(problem, load_module(problem), [problem.group("neighbours")], 7)
+    module = load_module(problem)
+    series = next(fresh.series())
+    cases = series.data.cases
+    assert series.starts == list(range(len(cases)))
+    assert_neighbours(cases, [module.solve(*case).answer for case in cases])
+    assert fresh.choices_of(series, 3) is None
+
+
+def test_a_neighbour_is_built_from_no_choices_of_its_own(problem):
+    group = problem.group("neighbours")
+    assert choices_of(group, lambda draw: None, 3, (0,)) is None
+
+
+def test_examples_are_no_neighbours(tmp_path):
+    folder = tmp_path / "root-count"
+    shutil.copytree(FIXTURE, folder)
+    text = (folder / "problem.toml").read_text()
+    (folder / "problem.toml").write_text(
+        text.replace('builder = "examples"', 'builder = "examples"\nneighbours = true')
+    )
+    with pytest.raises(ProblemError, match="are no neighbours of one another"):
+        load_problem(folder)
+
+
+def test_where_nothing_changes_the_answer_neighbours_are_found_all_the_same(tmp_path):
+    folder = tmp_path / "root-count"
+    shutil.copytree(FIXTURE, folder)
+    text = (
+        (folder / "problem.toml")
+        .read_text()
+        .replace("parameters = { reach = 9 }", "parameters = { reach = 9 }\nneighbours = true")
+    )
+    (folder / "problem.toml").write_text(text)
+    problem = load_problem(folder)
+    group = next(each for each in problem.groups if each.neighbours)
+    assert len(build_cases(problem, load_module(problem), group)) == group.count
