@@ -22,8 +22,13 @@ _PROMISE = EDGES["clear"].window
 
 
 def whole_line(draw: Draw, *, kinds: Sequence[str]) -> Figure:
-    """A line that is a tangent, a hit or a miss, or (near-hit, near-miss) nearly a tangent."""
+    """A line that is a tangent, a hit or a miss, or (near-hit, near-miss) nearly a tangent.
+
+    corners: its points are opposite corners of the bounds, so that |B - A|² alone leaves 64 bits.
+    """
     kind = draw.choice(kinds)
+    if kind == "corners":
+        return _corners(draw)
     radius = _radius(draw)
     start, end = _place(draw, radius), _place(draw, radius)
     if start == end:
@@ -35,9 +40,12 @@ def whole_segment(draw: Draw, *, kinds: Sequence[str]) -> Figure:
     """A segment that is a tangent, enters or passes the circle, or (near-hit, near-miss) nearly touches it.
 
     on: an end is exactly on the circle; stop, pass: an end is nearly on it, the root beyond it or not;
-    short: a segment of some millionths of the radius crosses the circle; point: A == B, nearly on it.
+    short: a segment of some millionths of the radius crosses the circle; point: A == B, nearly on it;
+    corners: its ends are opposite corners of the bounds, so that |B - A|² alone leaves 64 bits.
     """
     kind = draw.choice(kinds)
+    if kind == "corners":
+        return _corners(draw)
     if kind in (TANGENT, HIT, MISS, "near-hit", "near-miss"):
         radius = _radius(draw)
         start, end = -draw.integer(1, 3 * radius), draw.integer(1, 3 * radius)
@@ -104,6 +112,17 @@ def whole_ray(draw: Draw, *, kinds: Sequence[str]) -> Figure:
     if kind != "on":
         require(_PROMISE.has_root(seen(figure), 0, -sign), "the origin is nearly on the circle")
     return figure
+
+
+def _corners(draw: Draw) -> Figure:
+    """The diagonal from a corner of the bounds to the opposite one, and a circle, missed or cut well."""
+    x, y = BOUND * draw.sign(), BOUND * draw.sign()
+    half = BOUND // 2
+    radius, cx, cy = draw.integer(1 << 20, half), draw.integer(-half, half), draw.integer(-half, half)
+    across = abs(cx * y - cy * x) // BOUND  # the distance times the root of 2
+    if 9 * radius < 7 * across < 11 * radius:
+        draw.reject()  # nearly a tangent, perhaps
+    return line((cx, cy), radius, (x, y), (-x, -y))
 
 
 def _line(draw: Draw, kind: str, radius: int, build: Callable[[int], Figure]) -> Figure:
