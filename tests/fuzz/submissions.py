@@ -147,7 +147,8 @@ def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
     if run.words[:2] != ("run", "--json"):
         return ["the judge is at fault"] if ended.status == 3 and run.words[0] != "stress" else []
     results = [json.loads(line) for line in ended.out.split("\n")[:-1]]
-    given = len(list((folder / "work" / "batch").iterdir()))
+    batch = (folder / "work" / "batch").iterdir()
+    given = sum(not path.name.startswith(".") for path in batch)  # what is hidden is not part of a folder
     found = [] if len(results) == given else [f"it has {len(results)} results of {given} submissions"]
     known = {result["submission"].rpartition("/")[2]: result for result in results}
     for name, result in known.items():
