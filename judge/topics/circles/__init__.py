@@ -8,6 +8,7 @@ signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
+borders.py   figures in which a submission's own threshold can be measured
 simpler.py     simpler cases like a failing one
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
@@ -20,6 +21,7 @@ from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
+from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
@@ -34,7 +36,13 @@ __all__ = ["LINE", "RAY", "SEGMENT", "Bands", "CircleLine", "Part", "builders", 
 
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
-    return Topic(images=mirror_images, simpler=simpler, special=special, picture=partial(_picture, part))
+    return Topic(
+        images=mirror_images,
+        simpler=simpler,
+        special=special,
+        picture=partial(_picture, part),
+        borders=partial(borders, part),
+    )
 
 
 def _picture(part: Part, shown: Shown) -> Picture | None:
