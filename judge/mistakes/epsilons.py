@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from judge.run.thresholds import Law
 
-NONE, ABSOLUTE, LOOSE, TIGHT = "no-epsilon", "absolute-epsilon", "loose-epsilon", "tight-epsilon"
+NONE, ABSOLUTE, MIXED = "no-epsilon", "absolute-epsilon", "mixed-epsilon"
+LOOSE, TIGHT = "loose-epsilon", "tight-epsilon"
 _CLOSE = 1.3  # how exactly a factor is known
 _NAMED = "{}-epsilon"  # one that follows a size of another name
 
@@ -17,14 +18,18 @@ def epsilon_mistake(law: Law, size: str, within: float, beyond: float) -> str | 
 
         no-epsilon        there is none, though within a band the decision must not turn
         absolute-epsilon  it does not grow as the figure does: a constant has part in it
+        mixed-epsilon     a length is compared with what is none, such as a square
         loose-epsilon     it follows the size, but is wider than `beyond`
         tight-epsilon     it follows the size, but is narrower than `within`
         <size>-epsilon    it follows another length
     """
     if not law.factor and not law.constant:
         return NONE if within else None
-    if law.constant or sum(law.powers.values()) != 1:
+    powers = law.powers.values()
+    if law.constant or max(powers, default=0) <= 0:
         return ABSOLUTE
+    if sum(powers) != 1:
+        return MIXED
     if law.powers == {size: 1}:
         if law.factor > beyond * _CLOSE:
             return LOOSE

@@ -2,13 +2,15 @@
 
 Most of the gaps lie where no case may lie, and what is answered there judges nothing. All figures of all
 borders are asked side by side, in two series of calls: one gap in each decade, then eight within the decade
-in which the answer turned. A figure in which it turns more than once, fails, or is neither of the two right
-answers is left out. A border of which many are, or whose thresholds follow no clear law, has none.
+in which the answer turned. A figure is left out if its answer turns more than once, changes when it is asked
+for again, fails, or is neither of the two right ones. A border that loses many figures, or whose thresholds
+follow no clear law, has none.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import zip_longest
 from math import ceil, floor, log10
 
 from judge.mistakes.epsilons import epsilon_mistake
@@ -41,10 +43,12 @@ def measured(
     searches = [
         [_Search(probe, _decades(border, first_only)) for probe in border.probes] for border in chosen
     ]
-    every = [search for searched in searches for search in searched]
-    for gaps in (_Search.coarse, _Search.fine):
-        if not _ask([(search, gaps(search)) for search in every], runner, box):
-            return ()
+    every = [search for figure in zip_longest(*searches) for search in figure if search is not None]
+    if not _ask([(search, search.coarse()) for search in every], runner, box):
+        return ()
+    # Backwards: whatever is kept from figure to figure is another thing then.
+    if not _ask([(search, search.fine()) for search in reversed(every)], runner, box):
+        return ()
     found = [
         _threshold(border, searched, near=first_only)
         for border, searched in zip(chosen, searches, strict=True)
@@ -73,21 +77,27 @@ class _Search:
         return [0.0, *self._within(STEPS[0] * 10.0**decade for decade in self._decades)]
 
     def fine(self) -> list[float]:
-        """The others of the decade in which the answer turned."""
+        """The decade in which the answer turned, from its wide end back to the other one.
+
+        Both ends are asked again, and in the other order: what is kept between calls answers otherwise then.
+        """
         low, high = self.turn
-        if self.unclear or not low or high is None:
+        if self.unclear or high is None:
             return []
+        if not low:
+            return [high, low]
         decade = round(log10(low / self.probe.size / STEPS[0]))
-        return self._within(step * 10.0**decade for step in STEPS[1:])
+        return [high, *reversed(self._within(step * 10.0**decade for step in STEPS[1:])), low]
 
     def _within(self, shares: Iterable[float]) -> list[float]:
         return [share * self.probe.size for share in shares if share <= self.probe.widest]
 
     def hear(self, gap: float, form: str) -> None:
         """What was answered at a true gap."""
-        if form not in (self.probe.near, self.probe.far):
+        none = form == self.probe.near
+        if form not in (self.probe.near, self.probe.far) or self._said.get(gap, none) is not none:
             self.unclear = True
-        self._said[gap] = form == self.probe.near
+        self._said[gap] = none
 
     @property
     def touched(self) -> bool:

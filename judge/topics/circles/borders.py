@@ -20,12 +20,15 @@ _Triple = tuple[int, int, int]
 _Pair = tuple[float, float]
 
 _WIDEST = 0.03  # of the extent: a wider gap is not a near miss
-_OBLIQUE, _STEEP, _AXIS = (3, 4, 5), (-7, 24, 25), (1, 0, 1)
+_OBLIQUE, _STEEP, _AXIS, _BACK = (3, 4, 5), (-7, 24, 25), (1, 0, 1), (-1, 0, 1)
 # Sizes and radii that are in the middle of what `round` makes one number of, or far below it.
 _SMALL, _LARGE, _MEDIUM = 2.0**-22, 2.0**20, 2.0**-7
 _FAR = 2.0**20  # the offset, in units of the figure
 _NARROW, _NARROWEST = 2.0**-6, 2.0**-22  # of the extent: a radius, a length
 
+_NEAR = 2.0**-4  # an end on the other side of the place than the far one
+
+# The far end is A or B, on the negative side or the positive one: whoever forgets one follows no size at all.
 # (direction, scale, along, before, after, offset): circle and line touch, or meet, `along` steps of h from C;
 # the line goes `before` steps of (p, q) behind that place and `after` steps beyond it.
 _Layout = tuple[_Triple, float, float, float, float, float]
@@ -33,8 +36,8 @@ _LINES: Sequence[_Layout] = (
     (_OBLIQUE, 1.0, 0.125, 0.125, 0.15625, 0),
     (_OBLIQUE, _SMALL, 0.125, 0.125, 0.15625, 0),
     (_OBLIQUE, _LARGE, 0.125, 0.125, 0.15625, 0),
-    (_AXIS, 1.0, _NARROW, 0.75, 1, 0),
-    (_AXIS, 1.0, _NARROWEST, 0.75, 1, 0),
+    (_AXIS, 1.0, _NARROW, 1, _NEAR, 0),
+    (_BACK, 1.0, _NARROWEST, _NEAR, 1, 0),
     (_OBLIQUE, 1.0, 0.125, _NARROW / 8, _NARROW / 8, 0),
     (_AXIS, 1.0, 0.5, 0.75, 1, 0),
     (_STEEP, _MEDIUM, 0.015625, 0.03125, 0.046875, 0),
@@ -47,7 +50,7 @@ _ENDS: Sequence[_Layout] = (  # radial lines that end `along` steps from C
     (_OBLIQUE, _SMALL, 0.125, 0.375, 0, 0),
     (_OBLIQUE, _LARGE, 0.125, 0.375, 0, 0),
     (_AXIS, 1.0, _NARROW, 1, 0, 0),
-    (_AXIS, 1.0, _NARROWEST, 1, 0, 0),
+    (_BACK, 1.0, _NARROWEST, 1, 0, 0),
     (_OBLIQUE, 1.0, 0.125, _NARROW / 8, 0, 0),
     (_AXIS, 1.0, 0.5, 1.25, 0, 0),
     (_STEEP, _MEDIUM, 0.015625, 0.0546875, 0, 0),
