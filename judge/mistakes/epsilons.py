@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from judge.run.thresholds import Law
+from collections.abc import Sequence
+
+from judge.run.thresholds import Law, Threshold
 
 NONE, ABSOLUTE, MIXED = "no-epsilon", "absolute-epsilon", "mixed-epsilon"
 LOOSE, TIGHT = "loose-epsilon", "tight-epsilon"
@@ -36,3 +38,9 @@ def epsilon_mistake(law: Law, size: str, within: float, beyond: float) -> str | 
         return TIGHT if law.factor * _CLOSE < within else None
     (name, *others) = law.powers
     return None if others else _NAMED.format(name.split()[0])
+
+
+def epsilon_family(thresholds: Sequence[Threshold]) -> str | None:
+    """The one mistake that a submission's thresholds make, at whichever borders; None for none or several."""
+    made = {each.mistake for each in thresholds if each.mistake is not None}
+    return made.pop() if len(made) == 1 else None

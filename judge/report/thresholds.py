@@ -18,7 +18,7 @@ def threshold_lines(result: Result, width: int | None) -> Iterator[Line]:
     told = worth_telling(result.thresholds, accepted=result.verdict is Verdict.AC)
     if told is not None:
         label = Span("threshold", Style.FAINT)
-        yield from hanging(label, Span(threshold_text(told)), width, indent=2, column=12)
+        yield from hanging(label, Span(threshold_text(told)), width, indent=2, column=13)
 
 
 def worth_telling(thresholds: Sequence[Threshold], *, accepted: bool) -> Threshold | None:

@@ -94,8 +94,8 @@ def test_the_screen_keeps_to_its_width():
     result = replace(outcome(), thresholds=(ABSOLUTE,))
     lines = ["".join(span.text for span in line) for line in threshold_lines(result, 80)]
     assert lines == [
-        "  threshold for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not",
-        "            grow with the figure",
+        "  threshold  for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not",
+        "             grow with the figure",
     ]
     assert list(threshold_lines(outcome(), 80)) == []
 

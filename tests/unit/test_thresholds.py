@@ -14,6 +14,7 @@ from thresholds import Here, borders, thresholds
 from judge.data.borders import as_plain, borders_of, from_plain
 from judge.data.module import load_module
 from judge.errors import ProblemError
+from judge.mistakes.epsilons import epsilon_family
 from judge.mistakes.thresholds import measured
 from judge.problem.border import Border, Probe, form_of
 from judge.problem.find import find_problem
@@ -195,6 +196,30 @@ def test_an_extent_that_only_grows_has_no_threshold():
 
     found = thresholds("count", None, box=Growing(None))
     assert {OUTSIDE, INSIDE} & found.keys() == set()
+
+
+@pytest.mark.parametrize(
+    ("touches", "family"),
+    [
+        (lambda d, r, *_: abs(d - r) <= 1e-9, "absolute-epsilon"),
+        (lambda d, r, *_: abs(d - r) <= 1e-9 * r, "radius-epsilon"),
+        (lambda d, r, _l, e, _c: abs(d - r) <= 1e-10 * e, None),
+        (lambda d, r, *_: r <= d <= r + 1e-9, None),  # two of them
+    ],
+)
+def test_the_family_of_all_the_borders_together(touches, family):
+    assert epsilon_family(tuple(thresholds("count", counting(touches)).values())) == family
+
+
+@pytest.mark.parametrize("program", ["forgotten end", "largest without its sign"])
+def test_half_an_extent_is_taken_for_no_other_length(program):
+    def line_count(cx, cy, r, start, end):
+        near, far = ((x - cx, y - cy) for x, y in (start, end))
+        known = near if program == "forgotten end" else (*near, *far)
+        half = max(r, *(map(abs, known) if program == "forgotten end" else known))
+        return counting(lambda d, r, *_: abs(d - r) <= 1e-10 * half)(cx, cy, r, start, end)
+
+    assert epsilon_family(tuple(thresholds("count", line_count).values())) is None
 
 
 def test_a_threshold_on_one_side_is_told_of_that_side():
