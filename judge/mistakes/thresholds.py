@@ -132,9 +132,13 @@ def _ask(asked: Sequence[tuple[_Search, list[float]]], runner: Runner, box: Box)
     replies = runner.answers(box, cases, _limits(runner.problem))
     if replies.breakdown is not None or len(replies.replies) != len(cases):
         return False
+    forms: dict[str, str] = {}  # most answers come again and again, and an outline takes its time
     for (search, true), reply in zip(heard, replies.replies, strict=True):
         if reply.stop is Stop.ANSWERED:
-            search.hear(true, form_of(runner.outline(reply.answer)))
+            key = repr(reply.answer)
+            if key not in forms:
+                forms[key] = form_of(runner.outline(reply.answer))
+            search.hear(true, forms[key])
         elif reply.stop is Stop.EXCEPTION:
             search.unclear = True
         else:
