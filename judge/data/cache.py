@@ -1,6 +1,7 @@
 """The cache of built data: one file a problem, read whole on a warm start.
 
-    <cache folder>/data/<id>-<place>-<seed>-<key>.json      {"<group>": [[case, …], [target, …]], …}
+    <cache folder>/data/<id>-<place>-<seed>-<key>.json
+        {"<group>": [[case, …], [target, …]], …, "#borders": [border, …]}
 
 `place` stands for the problem's folder, `key` for the content of everything the data are made from. The cache
 folder is the user's, or $JUDGE_CACHE.
@@ -18,7 +19,7 @@ from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.reading import read_ordinary
 
-FORMAT = 2  # raise it when the form of the file changes
+FORMAT = 3  # raise it when the form of the file changes
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _CODE = ("exact", "values", "data", "problem", "topics")  # the packages that the data depend on

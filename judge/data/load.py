@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from judge.data.borders import KEY, as_plain, borders_of, from_plain
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
 from judge.errors import ProblemError
 from judge.problem import Group, Problem
+from judge.problem.border import Border
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule
@@ -32,19 +34,23 @@ def load_data(
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
-    note = store.write(_as_plain(groups, problem, module)) if store is not None else None
-    return ProblemData(problem, groups, (note,) if note else (), module)
+    borders = borders_of(problem, module)
+    note = store.write(_as_plain(groups, problem, module, borders)) if store is not None else None
+    return ProblemData(problem, groups, (note,) if note else (), module, borders)
 
 
-def _as_plain(groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule) -> dict[str, Any]:
+def _as_plain(
+    groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule, borders: tuple[Border, ...]
+) -> dict[str, Any]:
     from judge.data.rebuilt import as_seeds
 
-    return {
+    plain: dict[str, Any] = {
         data.group.name: [data.cases, data.targets]
         if data.group.size is None
         else as_seeds(data, problem, module)
         for data in groups
     }
+    return plain | ({KEY: as_plain(borders)} if borders else {})
 
 
 def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
@@ -58,9 +64,17 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
 
                 module = load_module(problem)
             groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
-    except (KeyError, TypeError, ValueError, IndexError, ProblemError):  # whatever a foreign file can hold
+        borders = from_plain(plain.get(KEY, []))
+    except (
+        KeyError,
+        TypeError,
+        ValueError,
+        IndexError,
+        AttributeError,
+        ProblemError,
+    ):  # whatever a foreign file can hold
         return None
-    return ProblemData(problem, tuple(groups), module=module)
+    return ProblemData(problem, tuple(groups), module=module, borders=borders)
 
 
 def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | None) -> GroupData:

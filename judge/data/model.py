@@ -14,6 +14,7 @@ from judge.problem.model import EXAMPLES
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule
+    from judge.problem.border import Border
     from judge.values import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
@@ -28,9 +29,12 @@ class GroupData(Struct, frozen=True):
 
 
 class ProblemData:
-    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    __slots__ = ("_module", "groups", "notes", "problem")
+    `borders` are those whose thresholds can be measured.
+    """
+
+    __slots__ = ("_module", "borders", "groups", "notes", "problem")
 
     def __init__(
         self,
@@ -38,8 +42,10 @@ class ProblemData:
         groups: tuple[GroupData, ...],
         notes: tuple[str, ...] = (),
         module: ProblemModule | None = None,
+        borders: tuple[Border, ...] = (),
     ) -> None:
         self.problem = problem
+        self.borders = borders
         self.groups = groups
         self.notes = notes
         self._module = module

@@ -18,7 +18,7 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
-from judge.judging.diagnosis import diagnosed
+from judge.judging.diagnosis import diagnosed, with_thresholds
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
@@ -160,6 +160,7 @@ class Session:
             result = judged.result
             if terms.diagnosed and judged.runner is not None:
                 result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
+                result = with_thresholds(result, data, judged.runner, box)
         return self.naming.named(result) if terms.named else result
 
     @contextmanager

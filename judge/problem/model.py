@@ -24,11 +24,12 @@ EXAMPLES = "examples"  # the builder whose cases are the statement's worked exam
 
 def case_of(arguments: Mapping[str, Any]) -> Case:
     """The case of arguments by parameter name, also where JSON has made lists of tuples."""
-    return tuple(map(_tupled, arguments.values()))
+    return tuple(map(tupled, arguments.values()))
 
 
-def _tupled(value: Any) -> Any:
-    return tuple(map(_tupled, value)) if isinstance(value, tuple | list) else value
+def tupled(value: Any) -> Any:
+    """The value with a tuple in place of every list, at every level."""
+    return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
 class Tier(Enum):

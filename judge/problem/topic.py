@@ -7,7 +7,7 @@ images of its cases.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec import Struct
@@ -16,6 +16,7 @@ from judge.problem.model import Case, Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
+    from judge.problem.border import Border
 
 Image = tuple[Case, Any]  # a case and its target
 
@@ -78,6 +79,7 @@ class Topic(Struct, frozen=True):
             cases the one without them is the simpler.
         picture: a case drawn, or None where it cannot be.
         decisions: what the answers of a problem turn on, for the audit of its data.
+        borders: where answers turn, and a submission's own threshold can be measured; the most usual first.
     """
 
     images: Callable[[Problem, Case, Any, Chance, int], list[Image]] | None = None
@@ -85,3 +87,4 @@ class Topic(Struct, frozen=True):
     special: Callable[[Case], int] | None = None
     picture: Callable[[Shown], Picture | None] | None = None
     decisions: Callable[[Problem], Iterable[Decision]] | None = None
+    borders: Callable[[Problem], Sequence[Border]] | None = None

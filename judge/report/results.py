@@ -23,6 +23,7 @@ from judge.report.layout import (
 )
 from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
+from judge.report.thresholds import threshold_lines
 from judge.report.values import arguments, counted, seconds, size, times
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result
 
@@ -74,6 +75,8 @@ def result_lines(
     if result.pitfall:
         yield from pitfall_lines(result.pitfall, width)
         yield line()
+    if told := list(threshold_lines(result, width)):
+        yield from (*told, line())
     yield from verdict_lines(result, width)
 
 
@@ -89,7 +92,8 @@ def lines_beside(result: Result, width: int | None) -> int:
         parts.append([*failure_lines(result.failure, width), *place_lines(result, width)])
     if result.pitfall:
         parts.append(list(pitfall_lines(result.pitfall, width)))
-    return sum(_rows(laid, width) for part in parts for laid in part) + len(parts) + 1
+    parts.append(list(threshold_lines(result, width)))
+    return sum(_rows(laid, width) for part in parts for laid in part) + sum(map(bool, parts)) + 1
 
 
 def _rows(laid: Line, width: int | None) -> int:

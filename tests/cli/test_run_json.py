@@ -16,6 +16,7 @@ KEYS = [
     "failure",
     "counterexample",
     "pitfall",
+    "thresholds",
     "time",
     "memory_bytes",
     "isolation",

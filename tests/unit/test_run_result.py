@@ -55,6 +55,7 @@ def test_the_published_object():
         },
         "counterexample": None,
         "pitfall": None,
+        "thresholds": [],
         "time": {"cpu_seconds": 0.75, "wall_seconds": 1.0, "ratio": None, "borderline": False},
         "memory_bytes": 2**24,
         "isolation": "full",

@@ -6,6 +6,7 @@
     checklist.py  the skills
     cases.py      the failing cases worth showing, with their pictures
     plot.py       the time ratio over the attempts
+    thresholds.py the submission's own thresholds beside the band and the promise
     kills.py      the kill matrix as a table
     render.py     from a page to its bytes, by the templates beside it
 

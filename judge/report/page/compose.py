@@ -27,6 +27,7 @@ from judge.report.page.parts import (
 )
 from judge.report.page.plot import ratio_plot
 from judge.report.page.record import GroupRecord, read_record
+from judge.report.page.thresholds import threshold_plot
 from judge.report.values import counted, times
 
 MOST_RUNS = 300  # of one problem in its tables
@@ -147,6 +148,7 @@ def _part(anchor: str, runs: Sequence[Run], known: KnownProblem | None, source: 
         earlier=tuple(lines[_FIRST_RUNS:]),
         more=len(runs) - len(lines),
         plot=ratio_plot(anchor, counting, problem.time.limit if problem and problem.time else None),
+        thresholds=threshold_plot(anchor, counting),
         cases=tuple(failing_cases(problem, runs, places, known.advice if known else {})),
         cases_left_out=left_out(runs, places),
         kills=kill_table(matrix, made) if matrix else None,

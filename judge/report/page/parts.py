@@ -82,6 +82,32 @@ class Plot(Struct, frozen=True):
     left_out: int  # earlier runs that are not shown
 
 
+class ThresholdDot(Struct, frozen=True):
+    """A figure's threshold: `x` in percent of the width, `y` in pixels; `open` where it is only a bound."""
+
+    x: str
+    y: float
+    open: bool
+
+
+class ThresholdPlot(Struct, frozen=True):
+    """A submission's thresholds as shares of the figures' sizes, both on logarithmic scales.
+
+    `free` is from where to where, in pixels, no case may lie and a threshold should; `columns` are places and
+    labels of the horizontal axis, which `size` names; `text` says what the threshold is.
+    """
+
+    name: str  # begins the ids
+    height: float
+    run: int
+    dots: tuple[ThresholdDot, ...]
+    levels: tuple[GridLine, ...]
+    columns: tuple[tuple[str, str], ...]
+    free: tuple[float, float] | None
+    size: str
+    text: str
+
+
 class Drawing(Struct, frozen=True):
     """One panel of a picture, as an SVG element, with its heading and its note."""
 
@@ -167,6 +193,7 @@ class ProblemPart(Struct, frozen=True):
     earlier: tuple[RunLine, ...]
     more: int
     plot: Plot | None
+    thresholds: ThresholdPlot | None
     cases: tuple[FailingCase, ...]
     cases_left_out: int
     kills: KillTable | None

@@ -9,6 +9,7 @@ recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
+borders.py     figures in which a submission's own threshold can be measured
 simpler.py     simpler cases like a failing one
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
@@ -21,6 +22,7 @@ from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
+from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
@@ -43,6 +45,7 @@ def topic_of(part: Part) -> Topic:
         special=special,
         picture=partial(_picture, part),
         decisions=partial(_decisions, part),
+        borders=partial(borders, part),
     )
 
 

@@ -1,0 +1,204 @@
+"""Where answers about a circle and a line turn: nine figures each, to measure a threshold in.
+
+The figures differ in size, in the radius, in the length of A→B or of D, in direction and in their offset from
+the origin, one of them at a time, so that nine thresholds tell what a threshold follows. All their lengths
+are small multiples of a power of two along a direction of Pythagorean numbers (p, q, h): the distance at
+which the answer turns is a double, and so is every coordinate. The radius is what moves (of
+`no line` the end B, or D): the gap is then the difference of two doubles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import hypot
+
+from judge.problem import Problem
+from judge.problem.border import Border, Probe
+from judge.topics.circles.part import Part
+
+_Triple = tuple[int, int, int]
+_Pair = tuple[float, float]
+
+_WIDEST = 0.03  # of the extent: a wider gap is not a near miss
+_OBLIQUE, _STEEP, _AXIS, _BACK = (3, 4, 5), (-7, 24, 25), (1, 0, 1), (-1, 0, 1)
+# Sizes and radii that are in the middle of what `round` makes one number of, or far below it.
+_SMALL, _LARGE, _MEDIUM = 2.0**-22, 2.0**20, 2.0**-7
+_FAR = 2.0**20  # the offset, in units of the figure
+_NARROW, _NARROWEST = 2.0**-6, 2.0**-22  # of the extent: a radius, a length
+
+_NEAR = 2.0**-4  # an end on the other side of the place than the far one
+
+# The far end is A or B, on the negative side or the positive one: whoever forgets one follows no size at all.
+# (direction, scale, along, before, after, offset): circle and line touch, or meet, `along` steps of h from C;
+# the line goes `before` steps of (p, q) behind that place and `after` steps beyond it.
+_Layout = tuple[_Triple, float, float, float, float, float]
+_LINES: Sequence[_Layout] = (
+    (_OBLIQUE, 1.0, 0.125, 0.125, 0.15625, 0),
+    (_OBLIQUE, _SMALL, 0.125, 0.125, 0.15625, 0),
+    (_OBLIQUE, _LARGE, 0.125, 0.125, 0.15625, 0),
+    (_AXIS, 1.0, _NARROW, 1, _NEAR, 0),
+    (_BACK, 1.0, _NARROWEST, _NEAR, 1, 0),
+    (_OBLIQUE, 1.0, 0.125, _NARROW / 8, _NARROW / 8, 0),
+    (_AXIS, 1.0, 0.5, 0.75, 1, 0),
+    (_STEEP, _MEDIUM, 0.015625, 0.03125, 0.046875, 0),
+    (_OBLIQUE, 1.0, 0.125, 0.125, 0.15625, _FAR),
+)
+_SHORT_AT = 5  # of _LINES: the segment is short there; a line or a ray may also be far from the place
+_SHORT_AND_FAR: _Layout = (_AXIS, 1.0, _NARROW, 1, _NARROW - 1, 0)
+_ENDS: Sequence[_Layout] = (  # radial lines that end `along` steps from C
+    (_OBLIQUE, 1.0, 0.125, 0.375, 0, 0),
+    (_OBLIQUE, _SMALL, 0.125, 0.375, 0, 0),
+    (_OBLIQUE, _LARGE, 0.125, 0.375, 0, 0),
+    (_AXIS, 1.0, _NARROW, 1, 0, 0),
+    (_BACK, 1.0, _NARROWEST, 1, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, _NARROW / 8, 0, 0),
+    (_AXIS, 1.0, 0.5, 1.25, 0, 0),
+    (_STEEP, _MEDIUM, 0.015625, 0.0546875, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, 0.375, 0, _FAR),
+)
+_ORIGINS: Sequence[_Layout] = (  # `before` is how long D is
+    (_OBLIQUE, 1.0, 0.125, 0.25, 0, 0),
+    (_OBLIQUE, _SMALL, 0.125, 0.25, 0, 0),
+    (_OBLIQUE, _LARGE, 0.125, 0.25, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, _NARROW / 4, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, 1 / _NARROW, 0, 0),
+    (_OBLIQUE, _MEDIUM, 0.125, 1 / _NARROW, 0, 0),
+    (_AXIS, 1.0, 0.5, 1, 0, 0),
+    (_STEEP, _MEDIUM, 0.03125, 0.0625, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, 0.25, 0, _FAR),
+)
+_POINTS: Sequence[_Layout] = (
+    (_OBLIQUE, 1.0, 0.125, 0, 0, 0),
+    (_OBLIQUE, _SMALL, 0.125, 0, 0, 0),
+    (_OBLIQUE, _LARGE, 0.125, 0, 0, 0),
+    (_OBLIQUE, _MEDIUM, 0.125, 0, 0, 0),
+    (_OBLIQUE, 1 / _MEDIUM, 0.125, 0, 0, 0),
+    (_AXIS, 1.0, 0.75, 0, 0, 0),
+    (_STEEP, _MEDIUM, 0.03125, 0, 0, 0),
+    (_OBLIQUE, 1.0, 0.125, 0, 0, _FAR),
+    (_AXIS, _SMALL, 0.75, 0, 0, _FAR),
+)
+# (scale, radius, how far C is beside A, offset) of lines through C that nearly are a point
+_SHORT: Sequence[tuple[float, float, float, float]] = (
+    (1.0, 0.75, 0.5, 0),
+    (_SMALL, 0.75, 0.5, 0),
+    (_LARGE, 0.75, 0.5, 0),
+    (1.0, _NARROW, 1, 0),
+    (1.0, _NARROWEST, 1, 0),
+    (1.0, 1, 0.25, 0),
+    (_MEDIUM, 0.5, 1, 0),
+    (1 / _MEDIUM, 0.75, 0.5, 0),
+    (1.0, 0.75, 0.5, _FAR),
+)
+
+
+def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
+    """Those of a problem with the bands `snap` and `clear`; a problem that is exact throughout has none."""
+    if not {"snap", "clear"} <= problem.bands.keys():
+        return ()
+    snap, clear = float(problem.bands["snap"]), float(problem.bands["clear"])
+    ray = part is Part.RAY
+    found = [Border("a tangency", snap, clear, _touches(part, -1))]
+    if not ray:  # whose first point moves so little that its number alone would have to tell
+        found.append(Border("a tangency from inside", snap, clear, _touches(part, 1)))
+    if part is Part.SEGMENT:
+        found += [
+            Border("the end B", snap, clear, tuple(_end(each, last=True) for each in _ENDS)),
+            Border("the end A", snap, clear, tuple(_end(each, last=False) for each in _ENDS)),
+            Border("a single point", snap, clear, tuple(_point(each) for each in _POINTS)),
+        ]
+        return tuple(found)
+    if ray:
+        found.append(Border("the origin", snap, clear, tuple(_origin(each) for each in _ORIGINS)))
+    found.append(
+        Border("no direction" if ray else "no line", 0, 0, tuple(_short(each, ray=ray) for each in _SHORT))
+    )
+    return tuple(found)
+
+
+def _touches(part: Part, side: int) -> tuple[Probe, ...]:
+    layouts = list(_LINES)
+    if part is not Part.SEGMENT:
+        layouts[_SHORT_AT] = _SHORT_AND_FAR
+    return tuple(_touch(each, side, part) for each in layouts)
+
+
+def _touch(each: _Layout, side: int, part: Part) -> Probe:
+    """A line that touches the circle with the radius at its edge; -1 draws the circle in, off the line."""
+    (p, q, h), scale, along, before, after, far = each
+    foot = -q * along, p * along
+    start, end = _step(foot, (p, q), -before), _step(foot, (p, q), after)
+    radius = h * along
+    widest = radius / 2
+    if side > 0 and part is Part.SEGMENT:  # half the chord, about √(2·r·gap), stays within the segment
+        widest = min(widest, (h * min(before, after)) ** 2 / (4 * radius))
+    return _probe((start, end), radius, side, widest, scale, far, ray=part is Part.RAY)
+
+
+def _end(each: _Layout, *, last: bool) -> Probe:
+    """A radial segment whose one end is on the circle, and just inside it when the radius grows."""
+    (p, q, h), scale, along, before, _, far = each
+    end = _step((0, 0), (p, q), along)
+    start = _step(end, (p, q), -before)
+    return _probe((start, end) if last else (end, start), h * along, 1, _WIDEST, scale, far)
+
+
+def _origin(each: _Layout) -> Probe:
+    """A ray straight away from the circle that it begins on; the circle shrinks away behind it."""
+    (p, q, h), scale, along, length, _, far = each
+    origin = _step((0, 0), (p, q), along)
+    ends = origin, _step(origin, (p, q), length)
+    return _probe(ends, h * along, -1, _WIDEST, scale, far, ray=True, alike=True)
+
+
+def _point(each: _Layout) -> Probe:
+    """A segment that is a point on the circle, and inside it when the radius grows."""
+    (p, q, h), scale, along, _, _, far = each
+    place = _step((0, 0), (p, q), along)
+    return _probe((place, place), h * along, 1, _WIDEST, scale, far, alike=True)
+
+
+def _probe(
+    ends: tuple[_Pair, _Pair],
+    radius: float,
+    side: int,
+    widest: float,
+    scale: float,
+    far: float,
+    *,
+    ray: bool = False,
+    alike: bool = False,
+) -> Probe:
+    """A circle about C = (far, −far) whose radius moves, and a line by its two ends as seen from C.
+
+    `alike` says that radius and extent are the same length in all the figures, but for the direction.
+    """
+    (ax, ay), (bx, by) = ends
+    extent = max(radius, abs(ax), abs(ay), *(() if ray else (abs(bx), abs(by))))
+    length = hypot(bx - ax, by - ay)
+    x, y = far * scale, 0.0 - far * scale  # a zero has no sign
+    start = x + ax * scale, y + ay * scale
+    second = ((bx - ax) * scale, (by - ay) * scale) if ray else (x + bx * scale, y + by * scale)
+    sizes = {
+        "extent": extent * scale,
+        **({} if alike else {"radius": radius * scale}),
+        **({"length of D" if ray else "length of AB": length * scale} if length else {}),
+        "coordinate": max(map(abs, (x, y, *start, *(() if ray else second)))),
+    }
+    case = (x, y, radius * scale, start, second)
+    return Probe(case, (2,), radius * scale, side, sizes, min(_WIDEST, widest / extent))
+
+
+def _short(each: tuple[float, float, float, float], *, ray: bool) -> Probe:
+    """A line through C from a place beside it, which is no line where B reaches A, or D is null."""
+    scale, *lengths = each
+    radius, beside, far = (length * scale for length in lengths)
+    extent = max(radius, beside)
+    sizes = {"extent": extent, "radius": radius, "coordinate": max(extent, far)}
+    case = (beside, far, radius, (0.0, far), (0.0, 0.0 if ray else far))
+    return Probe(case, (4, 0), 0.0, 1, sizes, _WIDEST)
+
+
+def _step(place: _Pair, direction: tuple[int, int], steps: float) -> _Pair:
+    """The place so many `direction`s further."""
+    return place[0] + direction[0] * steps, place[1] + direction[1] * steps

@@ -1,0 +1,157 @@
+"""What a person is told of a submission's own threshold: the line on screen, and the plot in the report."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from jsonschema import Draft202012Validator
+from msgspec.structs import replace
+from page_support import check_html, html_of, kept, outcome, page_of
+
+from judge.problem import Verdict
+from judge.report.thresholds import number, threshold_lines, threshold_text, worth_telling
+from judge.run.thresholds import Flip, Law, Threshold
+from judge.schema import schema_of
+
+SIZES = [(1.0, 0.6), (2e-7, 1e-7), (1e6, 6e5), (1.0, 1e-3)]  # extent and radius
+
+
+def threshold(powers, factor, mistake=None, *, constant=0.0, within=1e-12, beyond=1e-7, decision="a touch"):
+    """What is measured of a submission whose threshold follows that law."""
+    law = Law(powers, factor, constant)
+    figures = []
+    for extent, radius in SIZES:
+        sizes = {"extent": extent, "radius": radius}
+        gap = law.of(sizes)
+        figures.append(Flip(sizes, 0.9 * gap, 1.1 * gap if gap else 1e-16 * extent))
+    return Threshold(decision, within, beyond, tuple(figures), law, mistake)
+
+
+ABSOLUTE = threshold({}, 1e-9, "absolute-epsilon")
+RIGHT = threshold({"extent": 1}, 1e-10)
+SENTENCES = {
+    "for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not grow with the figure": ABSOLUTE,
+    "for a touch: 1e-10 of the extent; that is between 1e-12 and 1e-7, as it should be": RIGHT,
+    "for a touch: 1e-5 of the extent; it must be 1e-7 at most": threshold(
+        {"extent": 1}, 1e-5, "loose-epsilon"
+    ),
+    "for a touch: 2e-14 of the extent; it must be 1e-12 at least": threshold(
+        {"extent": 1}, 2e-14, "tight-epsilon"
+    ),
+    "for a touch: 1e-9 of the radius; it must follow the extent": threshold(
+        {"radius": 1}, 1e-9, "radius-epsilon"
+    ),
+    "for a touch: 1e-8 + 1e-5 of the radius; its first part does not grow with the figure": threshold(
+        {"radius": 1}, 1e-5, "absolute-epsilon", constant=1e-8
+    ),
+    "for a touch: 8e-10 at size 1; it does not grow as the figure does": threshold(
+        {"radius": -1}, 5e-16 / 1e-6, "absolute-epsilon"
+    ),
+    "for a touch: none, or none that rounding leaves; 1e-12 of the extent is no gap yet": threshold(
+        {}, 0.0, "no-epsilon"
+    ),
+    "for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; there should be none": threshold(
+        {}, 1e-9, "absolute-epsilon", within=0, beyond=0
+    ),
+    "for a touch: 1e-9 of the extent; there should be none": threshold(
+        {"extent": 1}, 1e-9, "loose-epsilon", within=0, beyond=0
+    ),
+}
+
+
+@pytest.mark.parametrize("sentence", SENTENCES)
+def test_a_threshold_in_words(sentence):
+    assert threshold_text(SENTENCES[sentence]) == sentence
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0, "0"),
+        (9.6e-10, "1e-9"),
+        (4.2e-3, "4e-3"),
+        (0.021, "0.02"),
+        (1.05e6, "1e6"),
+        (1.0, "1"),
+        (640, "600"),
+    ],
+)
+def test_a_number_as_a_person_writes_it(value, text):
+    assert number(value) == text
+
+
+def test_after_a_wrong_answer_only_what_is_wrong_is_told():
+    other = threshold({}, 1e-6, "absolute-epsilon", decision="an end")
+    none = threshold({}, 0.0, within=0, beyond=0)
+    assert worth_telling((RIGHT, other, ABSOLUTE), accepted=False) == other
+    assert worth_telling((RIGHT, other, ABSOLUTE), accepted=True) == other
+    assert worth_telling((none, RIGHT), accepted=True) == RIGHT
+    assert worth_telling((none, RIGHT), accepted=False) is None
+
+
+def test_the_screen_keeps_to_its_width():
+    result = replace(outcome(), thresholds=(ABSOLUTE,))
+    lines = ["".join(span.text for span in line) for line in threshold_lines(result, 80)]
+    assert lines == [
+        "  threshold  for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not",
+        "             grow with the figure",
+    ]
+    assert list(threshold_lines(outcome(), 80)) == []
+
+
+def test_the_result_with_thresholds_follows_the_schema():
+    result = replace(outcome(), thresholds=(ABSOLUTE, RIGHT, threshold({}, 0.0, "no-epsilon")))
+    written = json.loads(json.dumps(result.as_json()))
+    Draft202012Validator(schema_of("run")).validate(written)
+    assert [each["mistake"] for each in written["thresholds"]] == ["absolute-epsilon", None, "no-epsilon"]
+
+
+# -- the report --------------------------------------------------------------------------------------------
+
+
+def plot_of(tmp_path, *thresholds, verdict=Verdict.WA):
+    """The plot of the page of a run with each of these."""
+    runs = kept(
+        tmp_path / "h.db", [replace(outcome(verdict=verdict), thresholds=each) for each in thresholds]
+    )
+    (part,) = page_of(runs).problems
+    return part.thresholds
+
+
+def test_the_plot_shows_figures_bands_and_sizes(tmp_path):
+    plot = plot_of(tmp_path, (ABSOLUTE,))
+    assert (plot.run, plot.size, plot.text) == (1, "extent", threshold_text(ABSOLUTE))
+    high, low = plot.free
+    assert high < low  # the promise is above the band
+    at = {dot.x: dot.y for dot in plot.dots}
+    assert len(at) == 3
+    small, usual, large = (at[x] for x in sorted(at, key=lambda x: float(x.removesuffix("%"))))
+    assert small < high < usual < low < large  # a fixed number falls from left to right
+    assert [label for _, label in plot.columns] == ["1e-6", "1e-3", "1", "1000", "1e6"]
+
+
+def test_what_follows_the_size_is_level(tmp_path):
+    plot = plot_of(tmp_path, (RIGHT,), verdict=Verdict.AC)
+    assert len({dot.y for dot in plot.dots}) == 1
+    assert not any(dot.open for dot in plot.dots)
+
+
+def test_what_lies_below_rounding_is_a_bound(tmp_path):
+    none = threshold({}, 0.0, "no-epsilon")
+    plot = plot_of(tmp_path, (none,))
+    assert all(dot.open for dot in plot.dots)
+
+
+def test_the_latest_run_with_thresholds_is_shown(tmp_path):
+    assert plot_of(tmp_path, (ABSOLUTE,), ()).run == 1
+    assert plot_of(tmp_path / "b", (ABSOLUTE,), (RIGHT,)) is None  # the mistake is mended, another one is not
+    assert plot_of(tmp_path / "c", ()) is None
+
+
+def test_the_page_with_a_plot_is_sound(tmp_path):
+    html = html_of(kept(tmp_path / "h.db", [replace(outcome(), thresholds=(ABSOLUTE,))]))
+    check_html(html)
+    text = html if isinstance(html, str) else html.decode()
+    assert "Your threshold" in text
+    assert "it does not grow with the figure" in text
