@@ -33,7 +33,7 @@ def load_data(
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
     note = store.write(_as_plain(groups, problem, module)) if store is not None else None
-    return ProblemData(problem, groups, (note,) if note else (), module)
+    return ProblemData(problem, groups, (note,) if note else (), module, built=True)
 
 
 def _as_plain(groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule) -> dict[str, Any]:

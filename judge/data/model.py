@@ -28,9 +28,12 @@ class GroupData(Struct, frozen=True):
 
 
 class ProblemData:
-    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    __slots__ = ("_module", "groups", "notes", "problem")
+    `built` says that they were built just now, and not read from the cache.
+    """
+
+    __slots__ = ("_module", "built", "groups", "notes", "problem")
 
     def __init__(
         self,
@@ -38,7 +41,10 @@ class ProblemData:
         groups: tuple[GroupData, ...],
         notes: tuple[str, ...] = (),
         module: ProblemModule | None = None,
+        *,
+        built: bool = False,
     ) -> None:
+        self.built = built
         self.problem = problem
         self.groups = groups
         self.notes = notes

@@ -26,8 +26,15 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
     elif report.solutions:
         yield line()
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
-    if report.faults:
+    if report.choices:
         yield line()
+        told = f"{counted(report.choices, 'mistake')} of mistakes.py judged"
+        weak = f", {len(report.warnings)} of them weakly caught" if report.warnings else ""
+        yield line(f"  {told}{weak}")
+    if report.faults or report.warnings:
+        yield line()
+    for warning in report.warnings:
+        yield from hanging(Span("weak", Style.FAINT), Span(str(warning)), width, indent=2, column=9)
     for fault in report.faults:
         yield from hanging(Span("fault", Style.BAD), Span(str(fault)), width, indent=2, column=9)
 

@@ -9,9 +9,9 @@ from collections import Counter
 import pytest
 
 from judge.data import load_data
-from judge.diagnose.agreement import Alike, WrongAnswer
-from judge.diagnose.known import Answers, known_behaviours
-from judge.diagnose.naming import LEAST, Known, best_match
+from judge.mistakes.agreement import Alike, WrongAnswer
+from judge.mistakes.known import Answers, known_behaviours
+from judge.mistakes.naming import LEAST, Known, best_match
 from judge.problem.find import find_problem
 from judge.problem.solutions import known_mistakes
 from judge.run import Settings

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from judge.diagnose.answers import Answers
-from judge.diagnose.naming import ENOUGH, Known, as_match, twins
+from judge.mistakes.answers import Answers
+from judge.mistakes.naming import ENOUGH, Known, as_match, twins
 from judge.judging import Session, Terms
 from judge.problem.find import find_problem
 

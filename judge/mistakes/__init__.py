@@ -1,0 +1,1 @@
+"""The mistakes that people make in a problem: read, rendered as programs, recognised in a submission."""
