@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from judge.data.model import ProblemData
 from judge.mistakes.answers import right_outlines
-from judge.run.result import Mode, Pitfall, Result
+from judge.run.result import Pitfall, Result
 from judge.values import Outline
 from judge.values.likeness import only_digits
 
@@ -71,14 +71,15 @@ def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
 
 
 def _prints(result: Result, forms: Counter[str], has: frozenset[str]) -> bool:
-    """Whether a function prints, and answers None to all that it is asked."""
-    return result.mode is Mode.FUNCTION and "print" in has and forms["none"] == forms.total()
+    """Whether a function prints, and answers None to all that it is asked; a program would print `none`."""
+    returned = result.failure is not None and result.failure.got == "None"
+    return returned and "print" in has and forms["none"] == forms.total()
 
 
 def _bare(result: Result, data: ProblemData) -> int:
     """How many wrong answers are the one item that is wanted, without the list around it."""
     answer = data.problem.answer
-    if answer.lengths <= 1 or result.mode is not Mode.FUNCTION:
+    if answer.lengths <= 1:
         return 0
     targets = {each.group.name: each.targets for each in data.groups}
     return sum(

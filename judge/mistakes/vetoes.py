@@ -9,11 +9,14 @@ form          most wrong answers have a form that no answer has: then only mista
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from judge.mistakes.makers import Maker
-from judge.mistakes.naming import Known
 from judge.problem import Problem, Verdict
 from judge.run.result import Result
+
+if TYPE_CHECKING:
+    from judge.mistakes.makers import Maker
+    from judge.mistakes.naming import Known
 
 _SHARE = 0.2  # of its own group, that a mistake must fail for the group to say that it is not made
 
