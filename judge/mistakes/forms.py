@@ -59,7 +59,7 @@ def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
         if forms[form] >= _ALL * len(given):
             return Form(Pitfall((name,), 1.0, (advice,)))
     if _bare(result, data) >= _ALL * len(given):
-        item = problem.answer.element[0]
+        item = getattr(problem.answer, "one", "item")
         advice = f"A single {item} is returned as it is. Return a list, also where it has one {item} only."
         return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
     constant = _constant(result, data, forms)

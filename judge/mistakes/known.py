@@ -30,7 +30,7 @@ from judge.problem import Problem
 from judge.run.parallel import in_order
 from judge.run.settings import Settings
 from judge.sandbox.encode import encode
-from judge.values import Accepted, Outline, Usual
+from judge.values import Outline, Usual
 
 FORMAT = 3  # raise it when the form of the file changes
 
@@ -130,7 +130,7 @@ def computed(data: ProblemData, program: Program) -> Behaviour:
     Groups of big cases are left out: they ask for time.
     """
     function = _entry(data.problem, program)
-    check, outline, call = data.problem.answer.check, data.problem.answer.outline, data.problem.calls
+    right, outline, call = data.problem.answer.right_or_not, data.problem.answer.outline, data.problem.calls
     found: Behaviour = {}
     for group in data.groups:
         if group.group.size is not None:
@@ -143,7 +143,7 @@ def computed(data: ProblemData, program: Program) -> Behaviour:
                 wrong[index] = (f"raised {type(fault).__name__}", ())
                 continue
             exact = partial(data.exact, group.cases[index], group.group)
-            if not isinstance(check(raw, group.targets[index], exact), Accepted):
+            if not right(raw, group.targets[index], exact):
                 wrong[index] = outline(raw)
         found = {**found, group.group.name: Answers(len(group.cases), wrong)}
     return found

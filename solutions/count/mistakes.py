@@ -121,11 +121,6 @@ def distance(cx, cy, r, A, B):
     # ? global-frame: k = (B[1] - A[1]) * cx - (B[0] - A[0]) * cy + B[0] * A[1] - B[1] * A[0]
     d = abs(k) / length
     # ? forgotten-abs: d = k / length
-    # ? rounded-distance: d = round(abs(k) / length, 6)
-    # ? rounded-distance: d = round(abs(k) / length, 9)
-    # ? rounded-distance: d = round(abs(k) / length, 3)
-    # ? rounded-distance: return (lambda d: 1 if d == round(r, 6) else 2 if d < r else 0)(round(abs(k) / length, 6))
-    # ? rounded-distance: return (lambda d: 1 if d == round(r, 9) else 2 if d < r else 0)(round(abs(k) / length, 9))
     # ? equality-tangency@f: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(-(ax * dx + ay * dy) / length ** 2)
     # : The foot of the perpendicular is computed, and its distance from the centre compared with the radius
     # : by ==. After so many roundings it is hardly ever the same double. Compare within a small fraction of
@@ -183,6 +178,12 @@ def distance(cx, cy, r, A, B):
     # + segment-for-line: if not 0 <= -(ax * dx + ay * dy) <= length ** 2: return 0
     # : If the foot of the perpendicular is not between A and B, the line is said to miss. The question is
     # : about the infinite line: the foot may be anywhere on it.
+    # + rounded-distance: d = round(d, 9)
+    # + rounded-distance: d = round(d, 6)
+    # + rounded-distance: d = round(d, 3)
+    # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 9))
+    # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 6))
+    # + rounded-distance: return (lambda d, r: 1 if d == r else 2 if d < r else 0)(round(d, 6), round(r, 6))
     if d > r + near:
         return 0
         # ? swapped-answers@s: return 2
@@ -250,6 +251,7 @@ def quadratic(cx, cy, r, A, B):
     if a == 0:
         return None
     # ? no-degenerate: pass
+    # ? absolute-epsilon@t: if a < {1e-12..1e-6/3}: return None
     b, c = fx * dx + fy * dy, fx * fx + fy * fy - r * r
     # ? global-frame@g: b, c = fx * dx + fy * dy, A[0] ** 2 + A[1] ** 2 + cx * cx + cy * cy - 2 * (A[0] * cx + A[1] * cy) - r * r
     # : x² and y² of the points and of the centre are expanded and added up: far from the origin they are
@@ -257,6 +259,7 @@ def quadratic(cx, cy, r, A, B):
     k = dx * fy - dy * fx
     disc = r * r * a - k * k
     # ? wrong-sign: disc = b * b - a * (fx * fx + fy * fy + r * r)
+    # ? absolute-epsilon@t: disc = 4 * (b * b - a * c)
     # ? cancellation@e: disc = b * b - a * c
     # ? global-frame@g: disc = b * b - a * c
     # ? equality-tangency@q: disc = b * b - a * c
@@ -270,6 +273,9 @@ def quadratic(cx, cy, r, A, B):
     # : same double. Compare within a small fraction of the extent.
     # ? equality-tangency@q: limit = 0
     # ? absolute-epsilon: limit = {1e-15..1e-2/3}
+    # ? absolute-epsilon@t: limit = {1e-12..1e-6/3}
+    # : Everything is compared with one fixed number, whatever the size of the figure: lengths, and the
+    # : discriminant, a fourth power of one. Compare lengths, within a small part of the extent.
     # ? absolute-epsilon@b: limit = {1e-15..1e-2/3}
     # ? loose-epsilon: limit = {1e-5..1e-2/2} * r * r * a
     if disc < -limit:

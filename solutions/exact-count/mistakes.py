@@ -138,6 +138,8 @@ def exact(cx, cy, r, A, B):
     # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
     # ? overflow-64: disc = top(top(r * r, 64) * top(a, 64), 64) - top(top(k, 64) ** 2, 64)
+    # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32: disc = wrap(r * r * a, 32) - wrap(k * k, 32)
     # ? overflow-128: disc = wrap(r * r * a - k * k, 128)
     # ? overflow-128: disc = wrap(r * r * a, 128) - wrap(k * k, 128)
     # ? floor-division: disc = r * r - k * k // a

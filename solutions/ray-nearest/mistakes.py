@@ -93,6 +93,7 @@ def quadratic(cx, cy, r, O, D):
     # ? global-frame: c = O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
     # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it, nor of
     # : the root that is c/q. Subtract C from O first, and compute with the difference.
+    # ? wrong-sign: c = fx * fx + fy * fy + r * r
     # ? wrong-sign@w: c = fx * fx + fy * fy + r * r
     # ? global-frame@q: c = O[0] ** 2 + O[1] ** 2 - 2 * (O[0] * cx + O[1] * cy) + cx * cx + cy * cy - r * r
     # ? global-frame@d: c = O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r

@@ -289,6 +289,7 @@ def quadratic(cx, cy, r, A, B):
     # ? absolute-epsilon@all2: if a < {1e-13..1e-3/3}: return [A] if abs(hypot(fx, fy) - r) <= {1e-13..1e-3/3} else []
     b = fx * dx + fy * dy
     c = fx * fx + fy * fy - r * r
+    # ? wrong-sign: c = fx * fx + fy * fy + r * r
     # ? wrong-sign@w: c = fx * fx + fy * fy + r * r
     # ? global-frame: c = A[0] ** 2 + A[1] ** 2 + cx * cx + cy * cy - 2 * (A[0] * cx + A[1] * cy) - r * r
     # ? global-frame@all: c = A[0] ** 2 + A[1] ** 2 + cx * cx + cy * cy - 2 * (A[0] * cx + A[1] * cy) - r * r
