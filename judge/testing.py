@@ -24,10 +24,10 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, held
+from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
-from judge.problem.solutions import known_mistakes
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines
 from judge.report.values import counted
@@ -146,15 +146,14 @@ def _lines(
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:
     """The known mistakes that the failing group should catch."""
-    sentences: dict[str, str] = {}
-    for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
-        sentences.setdefault(mistake.name, mistake.sentence)
+    mistakes = told_mistakes(problem)
+    (group,) = aimed_groups(problem, (group,))
     if not group.kills:
         return
     yield line()
     yield line(f"  {group.name} should catch")
     for name in group.kills:
-        text = f"{name}: {sentences[name]}" if name in sentences else name
+        text = f"{name}: {mistakes[name].sentence}" if name in mistakes else name
         yield from hanging(Span(""), Span(text), _WIDTH, indent=4, column=4)
 
 

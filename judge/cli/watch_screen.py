@@ -19,8 +19,8 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
+from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.problem import Verdict
-from judge.problem.solutions import known_mistakes
 from judge.report.hint import hint_text
 from judge.report.layout import Style, line
 from judge.report.picture import has_room
@@ -194,10 +194,9 @@ class _WatchScreen:
             return lambda screen: note_text(
                 f"no test group fails; judge why {problem.id} has them all", screen
             )
-        sentences: dict[str, str] = {}
-        for mistake in known_mistakes(problem):
-            sentences.setdefault(mistake.name, mistake.sentence)
-        return lambda screen: screen.text(why_lines(problem, [group], sentences, screen.width))
+        (group,) = aimed_groups(problem, (group,))
+        mistakes = told_mistakes(problem)
+        return lambda screen: screen.text(why_lines(problem, [group], mistakes, screen.width))
 
     def picture(self) -> View:
         """The failing case, drawn."""

@@ -53,6 +53,13 @@ class KeptFile:
         except (ValueError, RecursionError):
             return None
 
+    def exists(self) -> bool:
+        """Whether there is such a file, sound or not; True where nobody can say."""
+        try:
+            return self._path().exists()
+        except (OSError, RuntimeError):
+            return True
+
     def write(self, value: Any) -> str | None:
         """Keep `value` and drop what was kept for older contents; a note for the person if that fails."""
         import json  # only for who writes

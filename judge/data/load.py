@@ -36,7 +36,7 @@ def load_data(
     groups = tuple(build(problem, module, seed, progress))
     borders = borders_of(problem, module)
     note = store.write(_as_plain(groups, problem, module, borders)) if store is not None else None
-    return ProblemData(problem, groups, (note,) if note else (), module, borders)
+    return ProblemData(problem, groups, (note,) if note else (), module, borders, built=True)
 
 
 def _as_plain(

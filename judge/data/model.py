@@ -31,10 +31,11 @@ class GroupData(Struct, frozen=True):
 class ProblemData:
     """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    `borders` are those whose thresholds can be measured.
+    `borders` are those whose thresholds can be measured; `built` says that they were built just now, and not
+    read from the cache.
     """
 
-    __slots__ = ("_module", "borders", "groups", "notes", "problem")
+    __slots__ = ("_module", "borders", "built", "groups", "notes", "problem")
 
     def __init__(
         self,
@@ -43,7 +44,10 @@ class ProblemData:
         notes: tuple[str, ...] = (),
         module: ProblemModule | None = None,
         borders: tuple[Border, ...] = (),
+        *,
+        built: bool = False,
     ) -> None:
+        self.built = built
         self.problem = problem
         self.borders = borders
         self.groups = groups

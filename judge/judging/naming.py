@@ -1,27 +1,36 @@
-"""Naming the mistake after a wrong answer, with what `judge.diagnose` knows of the problem."""
+"""Naming the mistake after a wrong answer, with what `judge.mistakes` knows of the problem."""
 
 from __future__ import annotations
 
 import os
 import threading
 from collections.abc import Callable
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, suppress
+from functools import partial
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.problem import Verdict
+from judge.problem import Problem, Verdict
+from judge.problem.solutions import MISTAKES
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
 
 if TYPE_CHECKING:
-    from judge.diagnose.namer import Namer
+    from judge.mistakes.namer import Namer
     from judge.run.matrix import Matrix
 
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
 
 NAMED = (Verdict.WA, Verdict.RTE)
 _MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many
+
+
+def has_choices(problem: Problem) -> bool:
+    """Whether a problem's mistakes can be computed together with its data."""
+    return (problem.solutions / MISTAKES).is_file()
 
 
 class Naming:
@@ -38,18 +47,33 @@ class Naming:
         self._lock = threading.Lock()
         self._namer: Namer | None = None
 
-    def named(self, result: Result) -> Result:
+    def learn(self) -> None:
+        """Find what the mistakes answer while the data are new; what goes wrong is told when it is needed."""
+        with suppress(Exception):
+            self._ready().learn()
+
+    def named(self, result: Result, source: bytes) -> Result:
         """The result with its pitfall where there is one; what goes wrong with that is only a note."""
         if result.verdict not in NAMED:
             return result
         namer = self._ready()
         try:
-            result = namer.named(result)
+            result = namer.named(result, source, partial(self._fails_alone, source, result.submission))
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")
         with self._lock:
             notes, namer.notes = namer.notes, []
         return result.noting(*notes)
+
+    def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
+        """Whether the submission fails one case when nothing was called before it."""
+        from judge.run.execute import run_submission
+
+        (data,) = [each for each in self._data.groups if each.group.name == group]
+        one = replace(data, cases=[data.cases[case]], targets=[data.targets[case]])
+        alone = ProblemData(self._data.problem, (one,))
+        settings = replace(self._settings, workers=1, measured=False)
+        return run_submission(alone.problem, alone, source, name, settings=settings).verdict is not Verdict.AC
 
     def matrix(self) -> tuple[Matrix, tuple[str, ...]]:
         """Which group rejects which known-wrong program, and notes. Raises JudgeError."""
@@ -57,7 +81,7 @@ class Naming:
         return namer.matrix(), tuple(namer.notes)
 
     def _ready(self) -> Namer:
-        from judge.diagnose.namer import Namer
+        from judge.mistakes.namer import Namer
 
         with self._lock:
             if self._namer is None:

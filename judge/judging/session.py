@@ -20,7 +20,7 @@ from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
 from judge.judging.diagnosis import diagnosed, with_thresholds
 from judge.judging.job import Job, Terms
-from judge.judging.naming import Bars, Naming
+from judge.judging.naming import Bars, Naming, has_choices
 from judge.problem import Problem, Verdict
 from judge.run.execute import judge_fault, run_in
 from judge.run.parallel import Turnstile
@@ -104,7 +104,13 @@ class Session:
             if self._data is None:
                 with self.bars(f"building {self.problem.id}") as advance:
                     self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
-            return self._data
+                new = self._data.built
+            else:
+                new = False
+            data = self._data
+        if new and self.terms.named and self.terms.seed is None and has_choices(self.problem):
+            self.naming.learn()
+        return data
 
     def judge(self, source: bytes, name: str) -> Result:
         """Judge one submission as the terms say.
@@ -161,7 +167,7 @@ class Session:
             if terms.diagnosed and judged.runner is not None:
                 result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
                 result = with_thresholds(result, data, judged.runner, box)
-        return self.naming.named(result) if terms.named else result
+        return self.naming.named(result, source) if terms.named else result
 
     @contextmanager
     def _quietly(self, label: str) -> Iterator[Progress | None]:

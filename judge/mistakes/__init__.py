@@ -1,4 +1,4 @@
-"""What is known of mistakes: a submission's own thresholds, measured, and the names that follow from them.
+"""The mistakes that people make in a problem: read, rendered as programs, recognised in a submission.
 
 thresholds.py   where its decisions turn, asked in a few series of calls
 laws.py         what such thresholds follow: a size, none, several

@@ -4,6 +4,8 @@
     solutions/<id>/slow/one-by-one.py       right, and too slow
     solutions/<id>/wrong/off-by-one.py      a mistake that people make; off-by-one-….py are variants of it
 
+Beside the folders may stand mistakes.py, from which many more wrong programs are made (judge.mistakes).
+
 A program begins with what the judge says about it: its name (an idea, or a mistake), and below that why it
 works, or what is wrong and what to do instead. In Python that is its docstring. A pack may come without any.
 """
@@ -25,6 +27,8 @@ from judge.problem.model import Problem
 from judge.problem.program import tree_of
 from judge.problem.verdict import Verdict
 from judge.reading import read_ordinary
+
+MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (judge.mistakes.routes)
 
 _SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
 
@@ -151,7 +155,7 @@ def _strays(problem: Problem) -> list[ProblemError]:
     names = [kind.value for kind in Kind]
     faults: list[ProblemError] = []
     for path in _visible(problem.solutions, faults):
-        if path.name not in names and (path.is_dir() or is_program(path)):
+        if path.name not in (*names, MISTAKES) and (path.is_dir() or is_program(path)):
             remedy = f"move it to {', '.join(names[:-1])} or {names[-1]}"
             faults.append(ProblemError("nobody judges this", where=_place(path, 2), remedy=remedy))
     return faults

@@ -179,12 +179,26 @@ def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
     """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead."""
     several = len(pitfall.names) > 1
     what = "two mistakes: " if several else ""
+    perhaps = f", or perhaps {' or '.join(pitfall.perhaps)}" if pitfall.perhaps else ""
     yield from beside(
-        Span(f"  {what}{pitfall.name}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
+        Span(f"  {what}{pitfall.name}{perhaps}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
     )
+    if pitfall.lines:
+        fit = "programs with it fail on just these cases; such a program has"
+        yield from hanging(Span(""), Span(fit, Style.FAINT), width, indent=4, column=4)
+        for wrong, right in pitfall.lines:
+            yield from _spoilt(wrong, right, width)
     for name, advice in zip(pitfall.names, pitfall.advice, strict=True):
         text = f"{name}: {advice}" if several else advice
         yield from hanging(Span(""), Span(text), width, indent=4, column=4)
+
+
+def _spoilt(wrong: str, right: str, width: int | None) -> Iterator[Line]:
+    """A line that a mistake spoils, and the right one."""
+    for row in wrong.splitlines():
+        yield from hanging(Span(""), Span(row), width, indent=6, column=6)
+    for row in right.splitlines():
+        yield from hanging(Span("where"), Span(f"{row} is right"), width, indent=6, column=12)
 
 
 def _says_nothing_new(failure: Failure) -> bool:

@@ -27,15 +27,22 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
     elif report.solutions:
         yield line()
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
+    if report.choices:
+        yield line()
+        told = f"{counted(report.choices, 'mistake')} of mistakes.py judged"
+        weak = f", {len(report.warnings)} of them weakly caught" if report.warnings else ""
+        yield line(f"  {told}{weak}")
     if with_matrix and report.audit and report.audit.buckets:
         yield line()
         yield from audit_lines(report.audit, width)
     few = report.audit.few if report.audit else ()
-    if few or report.faults:
+    if few or report.faults or report.warnings:
         yield line()
     for each in few:
         text = f"{shown_name(each.file)}: only {counted(each.cases, 'case')} of all groups reject it"
         yield from hanging(Span("warning", Style.STRONG), Span(text), width, indent=2, column=11)
+    for warning in report.warnings:
+        yield from hanging(Span("weak", Style.FAINT), Span(str(warning)), width, indent=2, column=9)
     for fault in report.faults:
         yield from hanging(Span("fault", Style.BAD), Span(str(fault)), width, indent=2, column=9)
 

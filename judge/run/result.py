@@ -175,12 +175,16 @@ class Timing(Struct, frozen=True):
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
-    `advice` says of each what is wrong and what to do instead.
+    `advice` says of each what is wrong and what to do instead. `perhaps` is another mistake that explains
+    them nearly as well, if there is one. `lines` are those that programs with the mistake have, each
+    with what a right program has there; either may be empty.
     """
 
     names: tuple[str, ...]
     score: float
     advice: tuple[str, ...]
+    perhaps: tuple[str, ...] = ()
+    lines: tuple[tuple[str, str], ...] = ()
 
     @property
     def name(self) -> str:
@@ -189,7 +193,12 @@ class Pitfall(Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """The pitfall's object in the published form."""
-        return {"name": self.name, "score": self.score}
+        found: dict[str, Any] = {"name": self.name, "score": self.score}
+        if self.perhaps:
+            found["perhaps"] = list(self.perhaps)
+        if self.lines:
+            found["lines"] = [{"wrong": wrong, "right": right} for wrong, right in self.lines]
+        return found
 
 
 class Result(Struct, frozen=True):

@@ -78,6 +78,8 @@ class VerifyReport(Struct, frozen=True):
     faults: tuple[Fault, ...]
     matrix: Matrix | None = None  # of the wrong programs; None where none was judged
     audit: Audit | None = None  # of the data; None where there are none
+    choices: int = 0  # mistakes of mistakes.py
+    warnings: tuple[Fault, ...] = ()  # what is weak, and no broken promise
 
     @property
     def ok(self) -> bool:
@@ -91,10 +93,12 @@ def verify_problem(
     update_pins: bool = False,
     progress: Progress | None = None,
     box_factory: BoxFactory | None = None,
+    made: frozenset[str] = frozenset(),
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    Solutions run in boxes of `box_factory`, where there is one. A problem whose data cannot be built has that
+    Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
+    of wrong/, since mistakes.py makes them. A problem whose data cannot be built has that
     as its one fault. Raises ProblemError only where hashes.json cannot be written.
     """
     tell = progress or (lambda _what, _done, _total: None)
@@ -123,7 +127,7 @@ def verify_problem(
         if not report.ok:
             faults.append(_verdict_fault(report, result, problem))
     tell("judging solutions", len(solutions), len(solutions))
-    faults += _kill_faults(problem, reports)
+    faults += _kill_faults(problem, reports, made)
     matrix = _matrix(problem.groups, reports)
     audited = _audited(problem, data, matrix)
     faults += _audit_faults(problem, audited)
@@ -227,7 +231,7 @@ def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> 
     )
 
 
-def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fault]:
+def _kill_faults(problem: Problem, reports: Iterable[SolutionReport], made: frozenset[str]) -> list[Fault]:
     """Hold the mistakes that the groups name against the programs that make them."""
     wrong = [report for report in reports if report.kind is Kind.WRONG]
     aimed = {
@@ -237,6 +241,8 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport]) -> list[Fa
     }
     faults = [fault for report in wrong for fault in _program_faults(report, aimed, problem)]
     for mistake, groups in aimed.items():
+        if mistake in made:
+            continue
         programs = [report for report in wrong if report.name == mistake]
         if not programs:
             what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from judge.diagnose.agreement import WrongAnswer
 from judge.exact import Surd
+from judge.mistakes.agreement import WrongAnswer
 from judge.sandbox.encode import encode
 from judge.values import Accepted, Enclosure, Real, Rejection, Tolerance, Usual, parse
 

@@ -11,7 +11,7 @@ import judge
 
 PACKAGE = Path(judge.__file__).parent
 ROOMS = [
-    *("cli", "judging", "report", "kata", "topics", "diagnose", "mistakes", "run", "data"),
+    *("cli", "judging", "report", "kata", "topics", "mistakes", "diagnose", "run", "data"),
     *("problem", "drawing", "values", "exact", "language", "reading", "errors"),
 ]
 

@@ -9,29 +9,22 @@ from collections import Counter
 import pytest
 
 from judge.data import load_data
-from judge.diagnose.agreement import Alike, WrongAnswer
-from judge.diagnose.known import Answers, known_behaviours
-from judge.diagnose.naming import LEAST, Known, best_match
+from judge.mistakes.agreement import Alike, WrongAnswer
+from judge.mistakes.answers import Answers
+from judge.mistakes.known import KnownAnswers
+from judge.mistakes.makers import distinct, read_makers
+from judge.mistakes.naming import LEAST, Known, best_match
 from judge.problem.find import find_problem
-from judge.problem.solutions import known_mistakes
 from judge.run import Settings
 from judge.values import Usual, parse
 
 pytestmark = pytest.mark.slow
 
-# Programs of one mistake in two hands; the first is recognised by the second alone.
-TWINS = [
-    "segment/rounded-output-program.py",
-    "segment/loose-epsilon-millionth.py",
-    "segment/equality-tangency-in-fractions.py",
-    "ray-nearest/cancellation-half-chord.py",
-    "ray-nearest/equality-tangency.py",
-]
 MIXTURES = [
-    ("segment", "no-clamp.py", "tangent-twice.py"),
-    ("segment", "none-for-empty.py", "reversed-order.py"),
-    ("count", "no-degenerate.py", "slope-intercept.py"),
-    ("exact-count", "segment-for-line.py", "no-degenerate.py"),
+    ("segment", "no-clamp", "tangent-twice"),
+    ("segment", "none-for-empty", "reversed-order"),
+    ("count", "no-degenerate", "slope-intercept"),
+    ("exact-count", "segment-for-line", "no-degenerate"),
 ]
 
 
@@ -56,19 +49,13 @@ def library(tmp_path_factory):
         patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
         for name in ("count", "segment", "ray-nearest", "exact-count"):
             problem = find_problem(name)
-            data, mistakes = load_data(problem), some(known_mistakes(problem))
-            does, note = known_behaviours(data, None, mistakes, settings=Settings(measured=False), workers=2)
-            assert note is None
-            known = [Known(each.name, behaviour) for each, behaviour in zip(mistakes, does, strict=True)]
-            found[name] = Groups(data.groups, problem.answer), known, [each.path.name for each in mistakes]
+            data, read = load_data(problem), read_makers(problem)
+            makers = [each for each in read.all if each.choice is not None]
+            does, note = KnownAnswers(data, None, Settings(measured=False)).of([m.program for m in makers])
+            assert (note, read.faults) == (None, ())
+            known = [Known(makers[i].name, does[i], makers[i].chance) for i in distinct(makers, does)]
+            found[name] = Groups(data.groups, problem.answer), known, [each.name for each in known]
     return found
-
-
-def some(mistakes):
-    """Every mistake's usual program and some of the others: to judge all of them takes too long here."""
-    variants = [each for each in mistakes if not each.usual]
-    listed = {file for path in TWINS for file in path.split("/")}
-    return [each for each in mistakes if each.usual or each.path.name in listed or each in variants[::6]]
 
 
 def named(match, known):
@@ -76,23 +63,15 @@ def named(match, known):
 
 
 def test_a_known_program_is_recognised(library):
+    """What fails in a few cases of one group may be too little to say; another name is said next to never."""
+    outcomes = Counter()
     for groups, known, _ in library.values():
-        for each in known[::2]:
+        for each in known[::4]:
             match = matched(each.behaviour, known, groups)
-            assert match is not None
-            assert 0.7 <= match.score <= 1.0
-            assert len(match.places) == 1
-            exact = known[match.places[0]]
-            assert exact.name == each.name or exact.behaviour == each.behaviour or match.score > 0.95
-
-
-@pytest.mark.parametrize("path", TWINS)
-def test_a_mistake_is_recognised_by_another_program_that_makes_it(library, path):
-    problem, file = path.split("/")
-    groups, known, files = library[problem]
-    left_out = known[files.index(file)]
-    others = [each for each in known if each is not left_out]
-    assert named(matched(left_out.behaviour, others, groups), others) == {left_out.name}
+            outcomes["silent" if match is None else each.name in named(match, known)] += 1
+            assert match is None or 0.7 <= match.score <= 1.0
+    assert outcomes[True] > 0.85 * outcomes.total()
+    assert outcomes[False] < 0.05 * outcomes.total()
 
 
 @pytest.mark.parametrize(("problem", "one", "other"), MIXTURES)
@@ -153,7 +132,7 @@ def test_silence_without_evidence(library):
 
 def test_unfinished_groups_are_compared_as_far_as_they_went(library):
     groups, known, files = library["count"]
-    whole = known[files.index("tangent-twice.py")].behaviour
+    whole = known[files.index("tangent-twice")].behaviour
     half = {
         name: Answers(
             answers.reached // 2, {i: w for i, w in answers.wrong.items() if i < answers.reached // 2}
@@ -166,14 +145,17 @@ def test_unfinished_groups_are_compared_as_far_as_they_went(library):
 
 
 def test_most_unknown_mistakes_are_met_with_silence(library):
-    """With all programs of a mistake gone, what is named in its place is one that looks nearly the same."""
+    """With all programs of a mistake gone, what is named in its place is one that looks nearly the same.
+
+    Vetoes, which keep many of these names back in a run, are left out here.
+    """
     outcomes = Counter()
     for groups, known, files in library.values():
         for each, file in zip(known[::2], files[::2], strict=True):
-            if file == f"{each.name}.py":
+            if known[files.index(file)] is each:
                 others = [other for other in known if other.name != each.name]
                 outcomes[matched(each.behaviour, others, groups) is None] += 1
-    assert outcomes[True] > 0.6 * outcomes.total()
+    assert outcomes[True] > 0.45 * outcomes.total()
 
 
 def test_a_mistake_is_recognised_by_its_other_programs(library):

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from judge.diagnose.answers import Answers
-from judge.diagnose.naming import ENOUGH, Known, as_match, twins
 from judge.judging import Session, Terms
+from judge.mistakes.answers import Answers
+from judge.mistakes.naming import ENOUGH, Known, as_match, twins
 from judge.problem.find import find_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"

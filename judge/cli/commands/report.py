@@ -89,7 +89,7 @@ def command(
 
 def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[KnownProblem]:
     """Every sound problem, with the mistakes of those that were tried."""
-    from judge.problem.solutions import known_mistakes
+    from judge.mistakes.told import told_mistakes
     from judge.report.page.known import KnownProblem
 
     found = []
@@ -100,9 +100,7 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
         if problem.id not in tried:
             found.append(KnownProblem(problem))
             continue
-        advice: dict[str, str] = {}
-        for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
-            advice.setdefault(mistake.name, mistake.advice)
+        advice = {name: told.advice for name, told in told_mistakes(problem).items()}
         found.append(KnownProblem(problem, advice, _matrix(problem) if matrix else None))
     return found
 

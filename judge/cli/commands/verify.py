@@ -13,6 +13,8 @@ from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError
 from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
+from judge.mistakes.verified import ChoicesReport, verify_choices
+from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.report.layout import line
 from judge.report.progress import stages
@@ -20,7 +22,7 @@ from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
 from judge.run.audit import Audit
 from judge.run.matrix import Matrix
-from judge.run.verify import Fault, SolutionReport, VerifyReport, verify_problem
+from judge.run.verify import Fault, Progress, SolutionReport, VerifyReport, verify_problem
 from judge.sandbox import Boxes
 
 SCHEMA = 1
@@ -81,8 +83,28 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     boxes = Boxes(least=kept_level())
     with stages(name) as progress:
-        report = verify_problem(problem, update_pins=pin, progress=progress, box_factory=boxes)
-    return replace(report, faults=(*report.faults, *kata_faults(problem, folders)))
+        found = _choices(problem, boxes, progress)
+        problem = found.problem or problem
+        report = verify_problem(
+            problem, update_pins=pin, progress=progress, box_factory=boxes, made=found.made
+        )
+    return replace(
+        report,
+        choices=found.count,
+        faults=(*report.faults, *found.faults, *kata_faults(problem, folders)),
+        warnings=(*report.warnings, *found.warnings),
+    )
+
+
+def _choices(problem: Problem, boxes: Boxes, progress: Progress | None) -> ChoicesReport:
+    """What came of mistakes.py; nothing where the data cannot be built, which verify_problem tells."""
+    from judge.data.load import load_data
+
+    try:
+        data = load_data(problem)
+    except ProblemError:
+        return ChoicesReport()
+    return verify_choices(problem, data, boxes, progress)
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:
@@ -96,9 +118,9 @@ def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, A
         "cases": report.cases,
         "pins": report.pins,
         "solutions": [_solution(solution) for solution in report.solutions],
-        "faults": [
-            {"what": fault.what, "where": fault.where, "remedy": fault.remedy} for fault in report.faults
-        ],
+        "choices": report.choices,
+        "faults": [_fault(fault) for fault in report.faults],
+        "warnings": [_fault(fault) for fault in report.warnings],
         "audit": _audit(report.audit) if report.audit else None,
         **matrix,
     }
@@ -123,6 +145,10 @@ def _audit(audit: Audit) -> dict[str, Any]:
         ],
         "few": [{"file": each.file, "cases": each.cases} for each in audit.few],
     }
+
+
+def _fault(fault: Fault) -> dict[str, str]:
+    return {"what": fault.what, "where": fault.where, "remedy": fault.remedy}
 
 
 def _matrix(matrix: Matrix) -> dict[str, Any]:

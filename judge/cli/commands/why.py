@@ -10,10 +10,10 @@ import click
 
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
+from judge.mistakes.told import Told, aimed_groups, told_mistakes
 from judge.problem import Group
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
-from judge.problem.solutions import known_mistakes
 from judge.report.screen import out
 from judge.report.why import why_lines
 
@@ -31,20 +31,22 @@ def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ..
     With a GROUP, only that one.
     """
     problem = find_problem(name, folders)
-    groups = chosen_groups(problem, (group,) if group else ())
-    sentences: dict[str, str] = {}
-    for mistake in known_mistakes(problem):  # the usual program of a mistake comes before its variants
-        sentences.setdefault(mistake.name, mistake.sentence)
+    groups = aimed_groups(problem, tuple(chosen_groups(problem, (group,) if group else ())))
+    mistakes = told_mistakes(problem)
     if as_json:
-        described = [_as_object(each, sentences) for each in groups]
+        described = [_as_object(each, mistakes) for each in groups]
         write_json({"schema": SCHEMA, "problem": problem.id, "groups": described})
         return ExitCode.ACCEPTED
     screen = out()
-    screen.show(why_lines(problem, groups, sentences, screen.width))
+    screen.show(why_lines(problem, groups, mistakes, screen.width))
     return ExitCode.ACCEPTED
 
 
-def _as_object(group: Group, sentences: Mapping[str, str]) -> dict[str, Any]:
-    """The published object of one group; a mistake without a program has no explanation."""
-    mistakes = [{"name": name, "explanation": sentences.get(name)} for name in group.kills]
+def _as_object(group: Group, known: Mapping[str, Told]) -> dict[str, Any]:
+    """The published object of one group; a mistake that nobody has described has no explanation."""
+    mistakes = []
+    for name in group.kills:
+        told = known.get(name)
+        line = {"right": told.line.right, "wrong": told.line.wrong} if told and told.line else None
+        mistakes.append({"name": name, "explanation": told.sentence if told else None, "line": line})
     return {"name": group.name, "about": group.about, "mistakes": mistakes}

@@ -1,0 +1,112 @@
+"""What is said of each mistake: solutions/mistakes.toml, one file for all problems of a pack.
+
+[floor-division]
+why = "The quotient is taken with //, which drops everything behind the point."
+advice = "Divide with /."
+rounding = true            # chance decides which cases fail: how many do is all that can be compared
+state = true               # it is one only if a case passes when it is called alone
+form = true                # the answer's form is wrong, and that is the mistake itself
+needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.mistakes.features)
+kills = ["halves"]         # groups that should catch it, beside those whose own `kills` name it
+
+[floor-division.in.middle] # in one problem other words, or other of the keys above
+why = "…"
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.errors import ProblemError
+from judge.mistakes.features import FEATURES
+from judge.problem import Problem
+from judge.problem.text import read_text
+from judge.problem.tomlfile import meant, toml_of
+
+FILE = "mistakes.toml"
+
+
+class Words(Struct, frozen=True):
+    """One mistake: what is wrong, what to do instead, and how it shows."""
+
+    why: str = ""
+    advice: str = ""
+    rounding: bool = False
+    state: bool = False
+    form: bool = False
+    needs: tuple[str, ...] = ()
+    kills: tuple[str, ...] = ()
+
+    @property
+    def told(self) -> str:
+        """Both texts in one."""
+        return f"{self.why} {self.advice}".strip()
+
+
+Catalogue = Mapping[str, Words]
+
+
+def read_catalogue(problem: Problem) -> Catalogue:
+    """Every mistake's words in this problem; none where the pack has no such file. Raises ProblemError."""
+    path = problem.solutions.parent / FILE
+    if not path.is_file():
+        return {}
+    where = f"{path.parent.name}/{FILE}"
+    tables = toml_of(read_text(path), where)
+    return {name: _words(name, table, problem.id, where) for name, table in tables.items()}
+
+
+def with_kills(problem: Problem, catalogue: Catalogue) -> Problem:
+    """The problem with every group's kills: those of problem.toml, and then those of mistakes.toml.
+
+    Raises ProblemError where mistakes.toml names a group that the problem does not have.
+    """
+    more: dict[str, list[str]] = {group.name: [] for group in problem.groups}
+    for name, words in catalogue.items():
+        for group in words.kills:
+            if group not in more:
+                remedy = meant(group, list(more), "its groups are")
+                where = f"{problem.solutions.parent.name}/{FILE}"
+                raise ProblemError(
+                    f"[{name}] is to be caught by {group!r}, which {problem.id} lacks",
+                    where=where,
+                    remedy=remedy,
+                )
+            more[group].append(name)
+    groups = [
+        replace(group, kills=tuple(dict.fromkeys((*group.kills, *more[group.name]))))
+        for group in problem.groups
+    ]
+    return replace(problem, groups=tuple(groups))
+
+
+def _words(name: str, table: Any, problem: str, where: str) -> Words:
+    if not isinstance(table, dict):
+        remedy = f"begin a table: [{name}]"
+        raise ProblemError(f"{name} is no table", where=where, remedy=remedy)
+    own = table.pop("in", {})
+    special = own.get(problem, {}) if isinstance(own, dict) else None
+    if not isinstance(special, dict):
+        remedy = f"write [{name}.in.{problem}]"
+        raise ProblemError(f"{name}.in is no table of problems", where=where, remedy=remedy)
+    merged = {**table, **special}
+    unknown = set(merged) - set(Words.__struct_fields__)
+    if unknown:
+        key = min(unknown)
+        remedy = meant(key, Words.__struct_fields__, "the keys are")
+        raise ProblemError(f"unknown key {key!r} in [{name}]", where=where, remedy=remedy)
+    try:
+        words = msgspec.convert(merged, Words)
+    except msgspec.ValidationError as why:
+        remedy = "why and advice are texts, needs a list of them, the others true or false"
+        raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
+    for feature in words.needs:
+        if feature not in FEATURES:
+            remedy = meant(feature, sorted(FEATURES), "it is one of")
+            raise ProblemError(f"[{name}] needs {feature!r}, which nobody finds", where=where, remedy=remedy)
+    return words

@@ -1,0 +1,182 @@
+"""A problem's mistakes as choices: changes of a right route, and of its input and answer; each is a program.
+
+Every single mistake, and every two that do not touch the same lines, exist without having been written. A
+choice is rendered as the text of a program, and what it answers is what that program answers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from msgspec import Struct
+
+from judge.mistakes.catalogue import Catalogue, Words, read_catalogue, with_kills
+from judge.mistakes.routes import Change, Route, Routes, read_routes
+from judge.mistakes.transforms import HELPERS, Transform, transforms
+from judge.problem import Problem
+from judge.problem.solutions import MISTAKES
+from judge.problem.text import read_text
+
+_INNER = "right_way"  # what a route is called below a transform
+
+
+class Choice(Struct, frozen=True):
+    """What is done otherwise: changes of one route and transforms, by their places; -1 is no transform."""
+
+    route: int
+    changes: tuple[int, ...] = ()
+    before: int = -1
+    after: int = -1
+
+
+class Line(Struct, frozen=True):
+    """A line that a mistake spoils: what stands in a right program, and instead; one of them may be empty."""
+
+    right: str
+    wrong: str
+
+
+class Family:
+    """All choices of one problem. Raises ProblemError where its files cannot be read."""
+
+    def __init__(self, problem: Problem, catalogue: Catalogue | None = None) -> None:
+        self.problem = problem
+        self.catalogue = read_catalogue(problem) if catalogue is None else catalogue
+        path = problem.solutions / MISTAKES
+        self.where = f"{path.parent.name}/{MISTAKES}"
+        self._routes: Routes = read_routes(read_text(path), self.where)
+        aimed = {name for group in with_kills(problem, self.catalogue).groups for name in group.kills}
+        self._transforms: tuple[Transform, ...] = tuple(
+            each for each in transforms(problem) if each.name in aimed
+        )
+
+    @staticmethod
+    def of(problem: Problem, catalogue: Catalogue | None = None) -> Family | None:
+        """The family of a problem; None where it has no mistakes.py."""
+        return Family(problem, catalogue) if (problem.solutions / MISTAKES).is_file() else None
+
+    @property
+    def routes(self) -> Sequence[Route]:
+        """The right ways, and those that are a mistake in themselves."""
+        return self._routes.routes
+
+    def right_ways(self) -> Iterator[Choice]:
+        """What must be accepted: every right route, plain and with each of its styles."""
+        for place, route in enumerate(self.routes):
+            if not route.mistake:
+                yield Choice(place)
+                yield from (Choice(place, (i,)) for i, each in enumerate(route.changes) if not each.name)
+
+    def singles(self) -> Iterator[Choice]:
+        """Every mistake alone: on the plain route, and on routes that are one, in each of their styles."""
+        for place, route in enumerate(self.routes):
+            if route.mistake:
+                yield Choice(place)
+            for i, change in enumerate(route.changes):
+                if change.name or route.mistake:
+                    yield Choice(place, (i,))
+        for i, each in enumerate(self._transforms):
+            yield Choice(0, after=i) if each.after else Choice(0, before=i)
+
+    def together(self, one: Choice, other: Choice) -> Choice | None:
+        """Both at once, or None where they exclude each other."""
+        if one.route != other.route:
+            if not other.changes and not self.routes[other.route].mistake:
+                return self._merged(one, other)
+            if not one.changes and not self.routes[one.route].mistake:
+                return self._merged(other, one)
+            return None
+        return self._merged(one, other)
+
+    def _merged(self, one: Choice, other: Choice) -> Choice | None:
+        if (one.before >= 0 and other.before >= 0) or (one.after >= 0 and other.after >= 0):
+            return None
+        mine, theirs = self.changes(one), self.changes(other)
+        if any(each.clashes(change) for each in mine for change in theirs):
+            return None
+        both = tuple(sorted({*one.changes, *other.changes}))
+        return Choice(one.route, both, max(one.before, other.before), max(one.after, other.after))
+
+    def names(self, choice: Choice) -> tuple[str, ...]:
+        """The mistakes it makes, in the order of the program."""
+        found = [self._transforms[choice.before].name] if choice.before >= 0 else []
+        found += [self.routes[choice.route].mistake] if self.routes[choice.route].mistake else []
+        found += [change.name for change in self.changes(choice) if change.name]
+        found += [self._transforms[choice.after].name] if choice.after >= 0 else []
+        return tuple(dict.fromkeys(found))
+
+    def changes(self, choice: Choice) -> list[Change]:
+        """What it changes in its route."""
+        return [self.routes[choice.route].changes[place] for place in choice.changes]
+
+    def words(self, name: str) -> Words:
+        """What mistakes.toml says of a mistake; nothing where it does not know it."""
+        return self.catalogue.get(name, Words())
+
+    def told(self, choice: Choice) -> str:
+        """What is wrong and what to do instead, as it fits this very change."""
+        texts = [change.text for change in self.changes(choice) if change.text]
+        return texts[0] if texts else self.routes[choice.route].text or self.words(self.names(choice)[0]).told
+
+    def place(self, choice: Choice) -> str:
+        """Where it stands, as `count/mistakes.py:12`, or what it does to input and answer."""
+        for change in self.changes(choice):
+            if change.name:
+                return f"{self.where}:{change.line}"
+        for i in (choice.before, choice.after):
+            if i >= 0:
+                return self._transforms[i].line
+        return f"{self.where}, {self.routes[choice.route].name}"
+
+    def style_place(self, choice: Choice) -> str:
+        """Where a right way stands: the line of its style, or its route."""
+        changes = self.changes(choice)
+        return (
+            f"{self.where}:{changes[0].line}"
+            if changes
+            else f"{self.where}, {self.routes[choice.route].name}"
+        )
+
+    def equal(self, choice: Choice) -> str:
+        """The reason why no case can tell it from a right program; empty where one must."""
+        return next((change.equal for change in self.changes(choice) if change.equal), "")
+
+    def lines(self, choice: Choice) -> tuple[Line, ...]:
+        """The lines it spoils, if they are few enough to say something by themselves."""
+        route = self.routes[choice.route]
+        found = []
+        for change in self.changes(choice):
+            for piece in change.pieces:
+                old = [
+                    line for line in route.lines[piece.start : piece.end] if not line.lstrip().startswith("#")
+                ]
+                if change.name and len(old) <= 1 >= len(piece.lines) - 1:
+                    found.append(Line("".join(old).strip(), "\n".join(piece.lines).strip()))
+        return tuple(found) if len(found) == 1 else ()
+
+    def program(self, choice: Choice) -> str:
+        """The text of a whole program that makes the choice."""
+        route = self.routes[choice.route]
+        source = route.source(self.changes(choice))
+        inner = _INNER if choice.before >= 0 or choice.after >= 0 else self.problem.entry
+        source = re.sub(rf"^def {route.name}\(", f"def {inner}(", source, count=1, flags=re.MULTILINE)
+        parts = [self._routes.prelude, source.rstrip()]
+        if inner == _INNER:
+            parts += [HELPERS, self._outer(choice)]
+        return "\n\n\n".join(part for part in parts if part) + "\n"
+
+    def _outer(self, choice: Choice) -> str:
+        rows = [f"def {self.problem.entry}(*given):"]
+        if choice.before >= 0:
+            rows.append(f"    {self._transforms[choice.before].line}")
+        rows.append(f"    answer = {_INNER}(*given)")
+        if choice.after >= 0:
+            rows.append(f"    {self._transforms[choice.after].line}")
+        return "\n".join([*rows, "    return answer"])
+
+    @cached_property
+    def named(self) -> tuple[tuple[Choice, str], ...]:
+        """Every single choice with its mistake's name."""
+        return tuple((choice, self.names(choice)[0]) for choice in self.singles())

@@ -1,0 +1,120 @@
+"""Faults of an answer's form, told exactly: they come before every mistake of the problem's own.
+
+A function that prints instead of returning, a text, a complex number, a single item where a list of them is
+meant, a crash that is no matter of numbers.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+
+from judge.data.model import ProblemData
+from judge.mistakes.answers import right_outlines
+from judge.run.result import Pitfall, Result
+from judge.values import Outline
+from judge.values.likeness import only_digits
+
+_MOST = 0.5  # of the wrong answers, from which on a fault of form is what is wrong
+_ALL = 0.9
+_ENOUGH = 20  # cases that all get one answer
+_CRASHES = frozenset(
+    f"raised {name}"
+    for name in (
+        "NameError", "UnboundLocalError", "AttributeError", "ImportError", "ModuleNotFoundError", "TypeError",
+        "KeyError", "IndexError", "RecursionError", "AssertionError", "NotImplementedError",
+    )
+)  # fmt: skip
+
+_OF_TYPE: Mapping[str, tuple[str, str]] = {
+    "type complex": (
+        "complex-answer",
+        "The answer is a complex number: the root of a negative one. Decide on the sign first.",
+    ),
+    "type str": (
+        "text-for-a-value",
+        "The answer is a text. Return the value itself, not what it looks like printed.",
+    ),
+}
+
+
+class Form(Struct, frozen=True):
+    """What the answers' form says: a pitfall of its own, or that most of them have no right form."""
+
+    pitfall: Pitfall | None = None
+    faulty: bool = False
+
+
+def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
+    """Look at the forms of a result's wrong answers; `has` are the features of its syntax tree."""
+    problem = data.problem
+    given = [outline for group in result.groups for outline in group.wrong.values()]
+    forms = Counter(outline[0] for outline in given)
+    if _prints(result, forms, has):
+        advice = "The function prints its answer and returns None. Return it; printing is for programs."
+        return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
+    for form, (name, advice) in _OF_TYPE.items():
+        if forms[form] >= _ALL * len(given):
+            return Form(Pitfall((name,), 1.0, (advice,)))
+    if _bare(result, data) >= _ALL * len(given):
+        item = getattr(problem.answer, "one", "item")
+        advice = f"A single {item} is returned as it is. Return a list, also where it has one {item} only."
+        return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
+    constant = _constant(result, data, forms)
+    if constant:
+        advice = f"{constant} is the answer to every case. Nothing of the input decides it."
+        return Form(Pitfall(("one-answer",), 1.0, (advice,)))
+    odd = sum(count for form, count in forms.items() if _is_odd(form))
+    return Form(faulty=odd >= _MOST * len(given))
+
+
+def _prints(result: Result, forms: Counter[str], has: frozenset[str]) -> bool:
+    """Whether a function prints, and answers None to all that it is asked; a program would print `none`."""
+    returned = result.failure is not None and result.failure.got == "None"
+    return returned and "print" in has and forms["none"] == forms.total()
+
+
+def _bare(result: Result, data: ProblemData) -> int:
+    """How many wrong answers are the one item that is wanted, without the list around it."""
+    answer = data.problem.answer
+    if answer.lengths <= 1:
+        return 0
+    targets = {each.group.name: each.targets for each in data.groups}
+    return sum(
+        form.startswith("shape ") and _same(numbers, answer.right(targets[group.name][case])[1])
+        for group in result.groups
+        for case, (form, numbers) in group.wrong.items()
+    )
+
+
+def _constant(result: Result, data: ProblemData, forms: Counter[str]) -> str:
+    """The one answer that all cases get, as far as they show; empty where there are several."""
+    given = {outline for group in result.groups for outline in group.wrong.values()}
+    if len(given) != 1 or any(form.startswith(("raised ", "stopped ")) for form in forms):
+        return ""
+    (answer,) = given
+    rights = right_outlines(data)
+    passed = [
+        rights[group.name][case] == answer
+        for group in result.groups
+        for case in range(group.reached)
+        if case not in group.wrong
+    ]
+    if len(passed) + forms.total() < _ENOUGH or not all(passed):
+        return ""
+    return "None" if answer[0] == "none" else _in_words(answer)
+
+
+def _in_words(answer: Outline) -> str:
+    numbers = ", ".join(f"{number:g}" for number in answer[1])
+    return numbers or "The empty list"
+
+
+def _same(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
+    return len(numbers) == len(wanted) > 0 and only_digits(numbers, wanted)
+
+
+def _is_odd(form: str) -> bool:
+    return form.startswith(("type ", "shape ", "text", "word")) or form in _CRASHES

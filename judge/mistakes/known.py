@@ -1,0 +1,190 @@
+"""What the known mistakes answer on a problem's data: found once and kept.
+
+<cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
+    {hash of a program: {group: its answers as judge.mistakes.packed has them, …}, …}; instead of what another
+    program answers as well, that one's hash
+
+A mistake that is a choice (`judge.mistakes.family`) is computed here: it is the setter's own code, trusted as
+problem.py is. A file of `wrong/` may keep state, loop or read standard input; it is judged in containment.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from itertools import chain
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data.cache import cache_folder, code_files, content_key, data_key, kept_stem
+from judge.data.kept import KeptFile
+from judge.data.model import ProblemData
+from judge.errors import ProblemError
+from judge.mistakes.agreement import kind_of
+from judge.mistakes.answers import Answers, Behaviour, behaviour, right_outlines
+from judge.mistakes.packed import packed, unpacked
+from judge.problem import Problem
+from judge.run.parallel import in_order
+from judge.run.settings import Settings
+from judge.sandbox.encode import encode
+from judge.values import Outline, Usual
+
+FORMAT = 3  # raise it when the form of the file changes
+
+Progress = Callable[[int, int], None]  # programs done, programs in all
+_CODE = ("run", "sandbox")  # beside the packages that the data depend on
+_WHAT = "the known mistakes' answers"
+
+
+class Program(Struct, frozen=True):
+    """A program whose answers are wanted; a trusted one is run here and now."""
+
+    source: bytes
+    file: str
+    trusted: bool = False
+
+    @property
+    def key(self) -> str:
+        """What its answers are kept under."""
+        return hashlib.sha256(self.source).hexdigest()[:24]
+
+
+class KnownAnswers:
+    """The answers of known programs on one problem's data, read from the cache and added to it."""
+
+    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, workers: int = 1) -> None:
+        self._data = data
+        self._settings = settings
+        self._workers = workers
+        key = _key(data.problem, seed)
+        self._file = KeptFile(cache_folder, "mistakes", kept_stem(data.problem, seed), key, _WHAT)
+
+    @property
+    def kept(self) -> bool:
+        """Whether anything is kept of these data, or cannot be."""
+        return self._file.exists()
+
+    def of(
+        self, programs: Sequence[Program], progress: Progress | None = None
+    ) -> tuple[list[Behaviour], str | None]:
+        """The behaviour of each program, and a note for the person where they cannot be kept.
+
+        Raises ProblemError for a choice that cannot be run, JudgeError where nothing can be.
+        """
+        plain = self._file.read()
+        kept = {each.key: plain.get(each.key) for each in programs} if isinstance(plain, dict) else {}
+        found = _from_plain(kept)
+        missing = {each.key: each for each in programs if each.key not in found}
+        note = None
+        if missing:
+            try:
+                for key, each in self._learnt(missing, progress):
+                    kept[key] = self._as_plain(each)
+            finally:
+                kept = _shared({key: each for key, each in kept.items() if each is not None})
+                note = self._file.write(kept)
+            found = _from_plain(kept)
+        return [found[each.key] for each in programs], note
+
+    def _learnt(
+        self, missing: Mapping[str, Program], progress: Progress | None
+    ) -> Iterator[tuple[str, Behaviour]]:
+        """Each program that was asked for, by its key, as soon as its behaviour is known."""
+        data, settings = self._data, self._settings
+
+        def judge(program: Program) -> Behaviour:
+            from judge.run.execute import run_submission
+
+            result = run_submission(data.problem, data, program.source, program.file, settings=settings)
+            return behaviour(result)
+
+        judged = {key: each for key, each in missing.items() if not each.trusted}
+        trusted = ((key, computed(data, each)) for key, each in missing.items() if each.trusted)
+        contained = zip(judged, in_order(list(judged.values()), self._workers, judge), strict=True)
+        for done, found in enumerate(chain(trusted, contained), 1):
+            yield found
+            if progress:
+                progress(done, len(missing))
+
+    def _as_plain(self, known: Behaviour) -> dict[str, Any]:
+        return {name: packed(answers, partial(self._kind, name)) for name, answers in known.items()}
+
+    def _kind(self, group: str, case: int, given: Outline) -> str:
+        return kind_of(given, self._rights[group][case], self._data.problem.answer, self._usual)
+
+    @cached_property
+    def _rights(self) -> Mapping[str, Sequence[Outline]]:
+        return right_outlines(self._data)
+
+    @cached_property
+    def _usual(self) -> Usual:
+        return Usual.of(right for outlines in self._rights.values() for right in outlines)
+
+
+def computed(data: ProblemData, program: Program) -> Behaviour:
+    """What a trusted program answers wrongly, found by calling it. Raises ProblemError.
+
+    Groups of big cases are left out: they ask for time.
+    """
+    function = _entry(data.problem, program)
+    right, outline, call = data.problem.answer.right_or_not, data.problem.answer.outline, data.problem.calls
+    found: Behaviour = {}
+    for group in data.groups:
+        if group.group.size is not None:
+            continue
+        wrong: dict[int, Outline] = {}
+        for index, given in enumerate(call(group.cases)):
+            try:
+                raw = encode(function(*given))
+            except Exception as fault:  # as a submission's would be, a wrong answer
+                wrong[index] = (f"raised {type(fault).__name__}", ())
+                continue
+            exact = partial(data.exact, group.cases[index], group.group)
+            if not right(raw, group.targets[index], exact):
+                wrong[index] = outline(raw)
+        found = {**found, group.group.name: Answers(len(group.cases), wrong)}
+    return found
+
+
+def _entry(problem: Problem, program: Program) -> Callable[..., Any]:
+    space: dict[str, Any] = {"__name__": "mistakes"}
+    try:
+        exec(compile(program.source, program.file, "exec", dont_inherit=True), space)
+        function: Callable[..., Any] = space[problem.entry]
+    except Exception as fault:
+        what = f"the program with this mistake cannot be run: {type(fault).__name__}: {fault}"
+        raise ProblemError(what, where=program.file, remedy="correct the change") from None
+    return function
+
+
+def _key(problem: Problem, seed: int | None) -> str:
+    """The hash of all that the behaviours depend on beside the programs."""
+    start = f"{FORMAT}/{sys.version}/{data_key(problem, seed)}"
+    return content_key(start, code_files(_CODE))
+
+
+def _shared(kept: dict[str, Any]) -> dict[str, Any]:
+    """The same with the first one's hash in place of what was there before."""
+    firsts: dict[str, str] = {}
+    found: dict[str, Any] = {}
+    for key, plain in kept.items():
+        first = firsts.setdefault(repr(plain), key) if isinstance(plain, dict) else key
+        found[key] = plain if first == key else first
+    return found
+
+
+def _from_plain(kept: Mapping[str, Any]) -> dict[str, Behaviour]:
+    """The behaviours that were written; without those that are anything else."""
+    found: dict[str, Behaviour] = {}
+    for key, plain in kept.items():
+        if isinstance(plain, str) and plain in found:
+            found[key] = found[plain]
+        elif isinstance(plain, dict):
+            try:
+                found[key] = {name: unpacked(each) for name, each in plain.items()}
+            except (TypeError, ValueError):  # whatever a foreign file can hold
+                continue
+    return found

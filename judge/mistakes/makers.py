@@ -1,0 +1,84 @@
+"""All that is known to be wrong in a problem: the choices of mistakes.py, and the programs of wrong/."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec import Struct
+
+from judge.errors import ProblemError
+from judge.mistakes.answers import Behaviour
+from judge.mistakes.catalogue import Words, read_catalogue, with_kills
+from judge.mistakes.family import Choice, Family, Line
+from judge.mistakes.known import Program
+from judge.problem import Problem
+from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
+
+
+class Maker(Struct, frozen=True):
+    """A program that makes a known mistake: a choice, or a file.
+
+    `file` is where it stands, `text` what is said of whoever makes it, `words` what mistakes.toml says of the
+    mistake, `lines` are those that it spoils, where they are known.
+    """
+
+    name: str
+    file: str
+    text: str
+    words: Words
+    program: Program
+    lines: tuple[Line, ...] = ()
+    choice: Choice | None = None
+
+    @property
+    def chance(self) -> bool:
+        """Whether chance may decide which cases fail; where nothing is said of a file, it may."""
+        return self.words.rounding or (self.choice is None and self.words == Words())
+
+
+class Makers(Struct, frozen=True):
+    """Every maker, and what is wrong with the files; `family` is None where there is no mistakes.py.
+
+    `problem` is the problem with all of its groups' kills.
+    """
+
+    problem: Problem
+    all: tuple[Maker, ...]
+    faults: tuple[ProblemError, ...]
+    family: Family | None
+
+
+def read_makers(problem: Problem) -> Makers:
+    """What is known of a problem's mistakes. A file that cannot be read is a fault and no maker."""
+    programs, faults = read_solutions(problem, Kind.WRONG)
+    found: list[Maker] = []
+    family = None
+    try:
+        catalogue = read_catalogue(problem)
+        problem = with_kills(problem, catalogue)
+        family = Family.of(problem, catalogue)
+    except ProblemError as fault:
+        catalogue, family, faults = {}, None, (*faults, fault)
+    if family is not None:
+        found += [_of_choice(family, choice, name) for choice, name in family.named]
+    found += [_of_file(each, catalogue.get(each.name, Words())) for each in usual_first(programs)]
+    return Makers(problem, tuple(found), faults, family)
+
+
+def _of_choice(family: Family, choice: Choice, name: str) -> Maker:
+    place = family.place(choice)
+    program = Program(family.program(choice).encode(), place, trusted=True)
+    return Maker(name, place, family.told(choice), family.words(name), program, family.lines(choice), choice)
+
+
+def _of_file(solution: Solution, words: Words) -> Maker:
+    program = Program(solution.source, solution.path.name)
+    return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
+
+
+def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[int]:
+    """The places of those to compare with: of one mistake's that answer alike (the same object) the first."""
+    firsts: dict[tuple[str, int], int] = {}
+    for place, (maker, each) in enumerate(zip(makers, answers, strict=True)):
+        firsts.setdefault((maker.name, id(each)), place)
+    return [place for place in firsts.values() if any(each.wrong for each in answers[place].values())]

@@ -1,0 +1,168 @@
+"""The mistakes of one problem, ready to be recognised in results."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.data.model import ProblemData
+from judge.mistakes.answers import Behaviour, behaviour
+from judge.mistakes.features import features
+from judge.mistakes.forms import of_form
+from judge.mistakes.known import KnownAnswers, Program, Progress, computed
+from judge.mistakes.makers import Maker, Makers, distinct, read_makers
+from judge.mistakes.naming import Joint, Known, Match, as_match, best_match, twins, wrong_answers
+from judge.mistakes.vetoes import Vetoes
+from judge.problem import Verdict
+from judge.run.matrix import Matrix, kill_matrix
+from judge.run.result import GroupResult, Pitfall, Result
+from judge.run.settings import Settings
+
+NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
+
+Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
+
+
+class _Ready(Struct):
+    """What is compared with, and what each of them answers; `makers` and `known` belong together."""
+
+    read: Makers
+    makers: list[Maker]
+    known: list[Known]
+
+
+class Namer:
+    """Says which known mistake explains a result; what the mistakes answer is found once and kept.
+
+    `settings` say how programs are judged, `workers` how many at once; `progress` opens a bar for it. Safe
+    to use from several threads; `notes` are sentences for the person.
+    """
+
+    def __init__(
+        self,
+        data: ProblemData,
+        seed: int | None,
+        settings: Settings,
+        workers: int,
+        progress: Callable[[], AbstractContextManager[Progress | None]],
+    ) -> None:
+        self.notes: list[str] = []
+        self._data = data
+        self._answers = KnownAnswers(data, seed, replace(settings, workers=1, measured=False), workers)
+        self._progress = progress
+        self._lock = threading.Lock()
+        self._made: _Ready | None = None
+
+    def learn(self) -> None:
+        """Find what the mistakes answer while the data are new; later runs have it. Raises JudgeError."""
+        if not self._answers.kept:
+            self._ready()
+
+    def named(self, result: Result, source: bytes, alone: Alone) -> Result:
+        """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
+
+        `source` is the submission's text. Raises JudgeError where the mistakes' programs cannot be judged.
+        """
+        if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
+            return result
+        has = features(source)
+        found = of_form(result, self._data, has)
+        if found.pitfall is not None:
+            return replace(result, pitfall=found.pitfall)
+        ready, does = self._ready(), behaviour(result)
+        vetoes = Vetoes(ready.read.problem, result, has, form=found.faulty, alone=alone)
+        kept = [place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place], each)]
+        makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
+        data = self._data
+        match = best_match(does, known, data.groups, data.problem.answer, self._joint(ready.read, makers))
+        alike: Sequence[int] = ()
+        if match is None:
+            alike = [place for place in twins(does, known) if vetoes.lasting(makers[place])]
+            match = as_match(does, alike, known)
+        if match is None:
+            return result.noting(_why_not(does, [makers[place] for place in alike])) if alike else result
+        if not all(vetoes.lasting(makers[place]) for place in match.places):
+            return result
+        return replace(result, pitfall=_pitfall(match, makers))
+
+    def matrix(self) -> Matrix:
+        """Which group rejects which known mistake. Raises JudgeError where no program can be judged."""
+        ready = self._ready()
+        sizes = {each.group.name: len(each.cases) for each in self._data.groups}
+        return kill_matrix(
+            ready.read.problem.groups,
+            [
+                (maker.file, maker.name, _results(each.behaviour, sizes))
+                for maker, each in zip(ready.makers, ready.known, strict=True)
+            ],
+        )
+
+    def _joint(self, read: Makers, makers: Sequence[Maker]) -> Joint | None:
+        """What the program answers that makes two choices at once."""
+        family = read.family
+        if family is None:
+            return None
+
+        def joint(one: int, other: int) -> Behaviour | None:
+            first, second = makers[one].choice, makers[other].choice
+            both = family.together(first, second) if first and second else None
+            if both is None:
+                return None
+            return computed(self._data, Program(family.program(both).encode(), makers[one].file))
+
+        return joint
+
+    def _ready(self) -> _Ready:
+        with self._lock:
+            if self._made is None:
+                read = read_makers(self._data.problem)
+                self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
+                with self._progress() as advance:
+                    behaviours, note = self._answers.of([each.program for each in read.all], advance)
+                self.notes += [note] if note else []
+                places = distinct(read.all, behaviours)
+                makers = [read.all[place] for place in places]
+                known = [Known(read.all[i].name, behaviours[i], read.all[i].chance) for i in places]
+                self._made = _Ready(read, makers, known)
+            return self._made
+
+
+def _pitfall(match: Match, makers: Sequence[Maker]) -> Pitfall:
+    found = [makers[place] for place in match.places]
+    return Pitfall(
+        tuple(maker.name for maker in found),
+        round(match.score, 3),
+        tuple(maker.text for maker in found),
+        tuple(makers[place].name for place in match.perhaps),
+        tuple((line.wrong, line.right) for maker in found for line in maker.lines),
+    )
+
+
+def _why_not(does: Behaviour, alike: Sequence[Maker]) -> str:
+    """Why a submission that answers exactly as known programs do is given no name."""
+    files = ", ".join(maker.file for maker in alike)
+    if len({maker.name for maker in alike}) > 1:
+        return f"the mistake is not named: {files} all answer as this does, and make different ones"
+    count = wrong_answers(does)
+    told = "1 wrong answer is" if count == 1 else f"{count} wrong answers are"
+    return f"the mistake is not named: it answers as {files} does, but {told} too few to be sure"
+
+
+def _results(does: Behaviour, sizes: Mapping[str, int]) -> list[GroupResult]:
+    """What a behaviour says of the groups: how many cases of them were rejected, and which."""
+    return [
+        GroupResult(
+            name,
+            Verdict.WA if answers.wrong else Verdict.AC,
+            sizes[name],
+            sizes[name] - len(answers.wrong),
+            None,
+            0.0,
+            wrong=answers.wrong,
+        )
+        for name, answers in does.items()
+    ]

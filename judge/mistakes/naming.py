@@ -1,0 +1,271 @@
+"""Naming the mistake: which known one explains a submission's wrong answers best.
+
+Each hypothesis is that the submission does what a known-wrong program does, what lies between two programs of
+a mistake (an epsilon larger than the one's and smaller than the other's), or what two programs do together.
+Its evidence is the sum over the test groups of `judge.mistakes.evidence`. Against all of them stand the
+hypotheses that nothing known explains it, and that it gives one answer to everything.
+
+The score is the probability of the best hypothesis beside those that contradict it, less where it leaves a
+part of the failures unexplained, or fails more than the submission does.
+
+No group counts for more than a hundred to one, so that nothing is ever likely enough where only a few
+groups can fail. Such a problem's own wrong programs, and whatever answers as one of them in every case, are
+`twins`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from msgspec import Struct
+
+from judge.data.model import GroupData
+from judge.mistakes.answers import Answers, Behaviour
+from judge.mistakes.evidence import Evidence, log_sum
+from judge.values import Outline, Type, Usual
+
+LEAST = 0.7  # the score below which nothing is named
+
+_UNKNOWN = 6.0  # the evidence that a mistake must have to be as likely as one that nobody knows
+_SECOND = 6.0  # the evidence that a second mistake must add
+_TWIN = 1.5  # the evidence that a second program of the same mistake must add
+_CLEAR = 2.0  # the evidence with which a group speaks for two mistakes, or against one of them alone
+_EXPLAINED = 0.95  # a hypothesis that explains less of the failures loses in score
+_BY_ITSELF = 2.0  # the evidence that a group is given for being explained, before it is asked
+_NEARLY = 3.0  # the evidence by which a mistake must lead, or another one is told beside it
+_LEADING = 3  # mistakes that are tried together with others
+_PARTNERS = 10  # programs that each of them is tried with
+
+
+Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
+ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
+
+
+Joint = Callable[
+    [int, int], Behaviour | None
+]  # what a program answers that does as two known ones do, at once
+
+_CHECKED = 4  # hypotheses of two mistakes whose program is run
+
+
+class Known(Struct, frozen=True):
+    """A known-wrong program: its mistake's name, its answers, and whether chance decides where it fails."""
+
+    name: str
+    behaviour: Behaviour
+    chance: bool = True
+
+
+class Match(Struct, frozen=True):
+    """A mistake, or two, by the places of the programs that are most like the submission.
+
+    `explained` is how much of the failures they explain, of 1. `perhaps` are those of a mistake that explains
+    them nearly as well, none or one.
+    """
+
+    places: tuple[int, ...]
+    explained: float
+    score: float
+    perhaps: tuple[int, ...] = ()
+
+
+def best_match(
+    submission: Behaviour,
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    answer: Type,
+    joint: Joint | None = None,
+) -> Match | None:
+    """What explains the submission's wrong answers, or None where nothing does well enough.
+
+    Two mistakes at once fail where either does, unless `joint` knows better.
+    """
+    if not known or not any(answers.wrong for answers in submission.values()):
+        return None
+    rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
+    usual = Usual.of(right for outlines in rights.values() for right in outlines)
+    groups = [data for data in groups if data.group.name in submission]
+    evidence = _gather(submission, known, groups, rights, answer, usual)
+    found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
+    if joint is not None:
+        found = _checked(found, evidence, known, groups, joint)
+    against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
+    for best in found:
+        if best.total <= max(against):
+            return None
+        rivals = [each.total for each in found if each is best or not best.names <= each.names]
+        probability = math.exp(best.total - log_sum(rivals + against))
+        explained = _explained(best, evidence)
+        score = probability * min(1.0, explained / _EXPLAINED)
+        if score >= LEAST:
+            return Match(best.named, explained, score, _close(best, found))
+        if len(best.names) == 1:
+            return None  # two mistakes may be too much to say where one of them is not
+    return None
+
+
+def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
+    """The place of another mistake that is nearly as likely as the one that is named."""
+    for each in found:
+        if len(best.names) == len(each.names) == 1 and each is not best:
+            return each.named if best.total - each.total < _NEARLY else ()
+    return ()
+
+
+class _Hypothesis(Struct, frozen=True):
+    """Programs, by their places, with the evidence of each group; `total` is less what they cost."""
+
+    names: frozenset[str]
+    places: tuple[int, ...]
+    ratios: Sequence[float]
+    total: float
+
+    @property
+    def named(self) -> tuple[int, ...]:
+        """One program for each mistake."""
+        return self.places[: len(self.names)]
+
+
+def _gather(
+    submission: Behaviour,
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    rights: Rights,
+    answer: Type,
+    usual: Usual,
+) -> list[Evidence]:
+    programs = Counter(each.name for each in known)
+    weights = [1 / programs[each.name] for each in known]
+    chance = [each.chance for each in known]
+    return [
+        Evidence(
+            submission[data.group.name],
+            [each.behaviour.get(data.group.name) for each in known],
+            weights,
+            rights[data.group.name],
+            answer,
+            usual,
+            chance,
+        )
+        for data in groups
+    ]
+
+
+def _hypotheses(evidence: Sequence[Evidence], known: Sequence[Known]) -> Iterable[_Hypothesis]:
+    """The best one of each mistake, and of each two."""
+    best: dict[frozenset[str], _Hypothesis] = {}
+
+    def consider(places: tuple[int, ...], ratios: Sequence[float], cost: float) -> None:
+        names = frozenset(known[place].name for place in places)
+        total = sum(ratios) - cost
+        if names not in best or total > best[names].total:
+            best[names] = _Hypothesis(names, places, ratios, total)
+
+    for place in range(len(known)):
+        consider((place,), [each.ratios[place] for each in evidence], 0.0)
+    leading = sorted(best.values(), key=lambda each: -each.total)[:_LEADING]
+    for first in (each.places[0] for each in leading):
+        for second in _partners(first, evidence, known):
+            twins = known[first].name == known[second].name
+            joint = [each.union(first, second) for each in evidence]
+            if twins or _both_needed(first, second, joint, evidence):
+                consider((first, second), joint, _TWIN if twins else _SECOND)
+            if twins:
+                consider((first, second), [each.between(first, second) for each in evidence], _TWIN)
+    return best.values()
+
+
+def _checked(
+    found: Sequence[_Hypothesis],
+    evidence: Sequence[Evidence],
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    joint: Joint,
+) -> list[_Hypothesis]:
+    """The same with the likeliest two at once as the program has it that makes both; again in order."""
+    likeliest = [each for each in found if len(each.names) == 2][:_CHECKED]
+    checked = []
+    for each in found:
+        does = joint(*each.places) if each in likeliest and each.total > found[0].total - _SECOND else None
+        if does is not None:
+            chance = any(known[place].chance for place in each.places)
+            ratios = [
+                one.against(does[data.group.name], chance) if data.group.name in does else 0.0
+                for one, data in zip(evidence, groups, strict=True)
+            ]
+            each = _Hypothesis(each.names, each.places, ratios, sum(ratios) - _SECOND)
+        checked.append(each)
+    return sorted(checked, key=lambda each: -each.total)
+
+
+def _partners(place: int, evidence: Sequence[Evidence], known: Sequence[Known]) -> list[int]:
+    """The programs that explain most of what the one at `place` does not."""
+    failing = [each.ratios for each in evidence if each.failed_share]
+    gains = []
+    for other, program in enumerate(known):
+        cost = _TWIN if program.name == known[place].name else _SECOND
+        gain = sum(max(ratios[other] - ratios[place], 0.0) for ratios in failing) - cost
+        if other != place and gain > 0.0:
+            gains.append((gain, other))
+    return [other for _, other in sorted(gains, reverse=True)[:_PARTNERS]]
+
+
+def _both_needed(one: int, other: int, joint: Sequence[float], evidence: Sequence[Evidence]) -> bool:
+    """Whether each of two programs explains a group that speaks against the other one."""
+    return all(
+        any(
+            each.ratios[place] < -_CLEAR and ratio > _CLEAR
+            for each, ratio in zip(evidence, joint, strict=True)
+        )
+        for place in (one, other)
+    )
+
+
+def _explained(best: _Hypothesis, evidence: Sequence[Evidence]) -> float:
+    """How much of the failures of both sides the hypothesis explains, group by group."""
+    explained = total = 0.0
+    for each, ratio in zip(evidence, best.ratios, strict=True):
+        share = max(each.failed_share, *(each.shares[place] for place in best.places))
+        total += math.sqrt(share)
+        explained += math.sqrt(share) / (1 + math.exp(-ratio - _BY_ITSELF))
+    return explained / total if total else 0.0
+
+
+def _of_one_answer(
+    submission: Behaviour, groups: Sequence[GroupData], evidence: Sequence[Evidence], rights: Rights
+) -> float:
+    """The evidence that the submission always gives its most frequent wrong answer."""
+    given = Counter(outline for answers in submission.values() for outline in answers.wrong.values())
+    ((usual, _),) = given.most_common(1)
+    return sum(
+        each.against(Answers(len(data.targets), _wrong_by(usual, rights[data.group.name])))
+        for data, each in zip(groups, evidence, strict=True)
+    )
+
+
+def _wrong_by(answer: Outline, rights: Sequence[Outline]) -> dict[int, Outline]:
+    """What is wrong if `answer` is given to everything."""
+    return {case: answer for case, right in enumerate(rights) if right != answer}
+
+
+def twins(submission: Behaviour, known: Sequence[Known]) -> list[int]:
+    """The places of the programs that answer as the submission does, right or wrong, in all its groups."""
+    return [place for place, each in enumerate(known) if _answers_alike(submission, each.behaviour)]
+
+
+def as_match(submission: Behaviour, places: Sequence[int], known: Sequence[Known]) -> Match | None:
+    """The mistake that the twins make, if all make the same one and enough answers of it are wrong."""
+    if len({known[place].name for place in places}) != 1 or wrong_answers(submission) < ENOUGH:
+        return None
+    return Match((places[0],), 1.0, 1 - 1 / (1 + wrong_answers(submission)))
+
+
+def wrong_answers(submission: Behaviour) -> int:
+    """In how many cases it is wrong."""
+    return sum(len(answers.wrong) for answers in submission.values())
+
+
+def _answers_alike(submission: Behaviour, other: Mapping[str, object]) -> bool:
+    return all(other.get(name) == answers for name, answers in submission.items())

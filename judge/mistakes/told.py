@@ -1,0 +1,61 @@
+"""What is told of a problem's mistakes by name, without running anything of the pack."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from msgspec import Struct
+
+from judge.errors import ProblemError
+from judge.mistakes.catalogue import read_catalogue, with_kills
+from judge.mistakes.family import Family, Line
+from judge.problem import Group, Problem
+from judge.problem.solutions import known_mistakes
+
+
+class Told(Struct, frozen=True):
+    """One mistake: its first sentence, the whole advice, and a line that it spoils, where one says it all."""
+
+    sentence: str
+    advice: str
+    line: Line | None = None
+
+
+def told_mistakes(problem: Problem) -> Mapping[str, Told]:
+    """Every mistake by its name: what mistakes.toml says, or the usual program of wrong/.
+
+    A file that cannot be read is passed over: `judge verify` tells of it.
+    """
+    found: dict[str, Told] = {}
+    for each in known_mistakes(problem):  # the usual program of a mistake comes before its variants
+        found.setdefault(each.name, Told(each.sentence, each.advice))
+    try:
+        catalogue = read_catalogue(problem)
+        aimed = {name for group in with_kills(problem, catalogue).groups for name in group.kills}
+        lines = _lines(problem)
+    except ProblemError:
+        return found
+    for name, words in catalogue.items():
+        if name in aimed and words.told:
+            found[name] = Told(words.why, words.told, lines.get(name))
+    return found
+
+
+def aimed_groups(problem: Problem, groups: tuple[Group, ...]) -> tuple[Group, ...]:
+    """The same groups with all that they should catch, in problem.toml and mistakes.toml."""
+    try:
+        whole = with_kills(problem, read_catalogue(problem))
+    except ProblemError:
+        return groups
+    kills = {group.name: group for group in whole.groups}
+    return tuple(kills[group.name] for group in groups)
+
+
+def _lines(problem: Problem) -> Mapping[str, Line]:
+    """The first line that is known of each mistake."""
+    family = Family.of(problem)
+    found: dict[str, Line] = {}
+    for choice, name in family.named if family else ():
+        for line in family.lines(choice) if family else ():
+            found.setdefault(name, line)
+    return found

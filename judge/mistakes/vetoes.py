@@ -1,0 +1,77 @@
+"""What keeps a name from being said, however well it seems to fit.
+
+own group     the submission passes a group whole that the mistake fails most: it does not make it
+words         the name speaks of `//`, a slope, a global, a root, and the program has none
+state         the name says that something is kept between calls, but the case fails called alone as well
+form          most wrong answers have a form that no answer has: then only mistakes of form are told
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from judge.problem import Problem, Verdict
+from judge.run.result import Result
+
+if TYPE_CHECKING:
+    from judge.mistakes.makers import Maker
+    from judge.mistakes.naming import Known
+
+_SHARE = 0.2  # of its own group, that a mistake must fail for the group to say that it is not made
+
+
+class Vetoes:
+    """The vetoes against names for one result.
+
+    `has` are the features of the submission's syntax tree, `form` says that its answers have no right form,
+    `alone(group, case)` calls one case in a process of its own and says whether it fails.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        result: Result,
+        has: frozenset[str],
+        *,
+        form: bool,
+        alone: Callable[[str, int], bool],
+    ) -> None:
+        self._result = result
+        self._has = has
+        self._form = form
+        self._alone = alone
+        self._passed = {group.name for group in result.groups if group.verdict is Verdict.AC}
+        self._own: dict[str, list[str]] = {}
+        for group in problem.groups:
+            for name in group.kills:
+                self._own.setdefault(name, []).append(group.name)
+        self._steady: bool | None = None
+
+    def allow(self, maker: Maker, known: Known) -> bool:
+        """Whether a mistake may be compared with the submission at all."""
+        words = maker.words
+        if words.needs and not self._has.intersection(words.needs):
+            return False
+        if self._form and not words.form:
+            return False
+        return not self._passes_its_own(known)
+
+    def lasting(self, maker: Maker) -> bool:
+        """Whether the name stands: that something is kept between calls is looked at only now."""
+        if not maker.words.state:
+            return True
+        if self._steady is None:
+            failing = next((group for group in self._result.groups if group.wrong), None)
+            self._steady = failing is None or self._alone(failing.name, max(failing.wrong))
+        return not self._steady
+
+    def _passes_its_own(self, known: Known) -> bool:
+        """Whether it passes that of the groups naming the mistake which this program fails most."""
+        failed = {
+            name: len(answers.wrong) / max(1, answers.reached)
+            for name in self._own.get(known.name, ())
+            if (answers := known.behaviour.get(name)) is not None and answers.wrong
+        }
+        own = max(failed, key=lambda name: failed[name], default=None)
+        return own is not None and failed[own] >= _SHARE and own in self._passed

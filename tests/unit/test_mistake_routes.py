@@ -1,0 +1,244 @@
+"""Reading right ways with mistakes beside their lines, and rendering each as a program."""
+
+from __future__ import annotations
+
+import pytest
+
+from judge.data.load import load_data
+from judge.errors import ProblemError
+from judge.mistakes.catalogue import read_catalogue, with_kills
+from judge.mistakes.family import Choice, Family, Line
+from judge.mistakes.features import features
+from judge.mistakes.known import Program, computed
+from judge.mistakes.routes import read_routes
+from judge.problem.find import find_problem
+
+TEXT = '''"""How the middle goes wrong."""
+
+from math import floor
+
+HALF = 2
+
+
+def middle(a, b):
+    "right"
+    # + one-for-both: a = b
+    total = a + b
+    # ? sign@s: total = a - b
+    # = total = b + a
+    found = total / HALF
+    # ? floor-division: found = floor(total / HALF)
+    # : The half is
+    # : dropped.
+    # ? sign@s: found = (a - b) / 2
+    # ? near: found = total / 2 + {1e-3..1e-1}
+    # ? far: found = total / 2 + {1e-4..1e-0/2}
+    # ? twice: if total:
+    # |     found = total / 2
+    # ! it halves all the same
+    return found
+
+
+def other(a, b):
+    """last-one
+
+    The last of both is taken.
+    """
+    return b
+'''
+
+
+def changes(name):
+    (route, _) = read_routes(TEXT, "here").routes
+    return [change for change in route.changes if change.name == name]
+
+
+def function(choices):
+    read = read_routes(TEXT, "here")
+    space = {}
+    exec(read.prelude + "\n" + read.routes[0].source(choices), space)
+    return space["middle"]
+
+
+def test_the_right_way_is_read_without_its_marks():
+    read = read_routes(TEXT, "here")
+    assert [(route.name, route.mistake) for route in read.routes] == [("middle", ""), ("other", "last-one")]
+    assert read.prelude == "from math import floor\n\nHALF = 2"
+    assert "#" not in read.routes[0].source()
+    assert read.routes[1].text == "The last of both is taken."
+    assert function([])(1, 4) == 2.5
+
+
+@pytest.mark.parametrize(
+    ("name", "answers"),
+    [
+        ("one-for-both", [4.0]),
+        ("floor-division", [2]),
+        ("sign", [-1.5]),
+        ("near", [2.501, 2.51, 2.6]),
+        ("far", [2.5001, 2.51, 3.5]),
+        ("", [2.5]),
+    ],
+)
+def test_a_change_is_made(name, answers):
+    assert [function([change])(1, 4) for change in changes(name)] == answers
+
+
+def test_what_a_change_says_of_itself():
+    (floor,), (twice,) = changes("floor-division"), changes("twice")
+    assert (floor.text, floor.line) == ("The half is dropped.", 15)
+    assert (twice.equal, twice.pieces[0].lines[1:]) == (
+        "it halves all the same",
+        ("        found = total / 2",),
+    )
+
+
+def test_two_changes_of_one_line_exclude_each_other():
+    (sign,), (floor,), (one,) = changes("sign"), changes("floor-division"), changes("one-for-both")
+    assert sign.clashes(floor)
+    assert not one.clashes(floor)
+    assert function([one, floor])(1, 5) == 5
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "what"),
+    [
+        ("def f(:\n", 1, "no Python"),
+        ('def f(a):\n    """wrong-way"""\n    return a\n', None, "no right way"),
+        ('def f(a):\n    "right"\n    # : alone\n    return a\n', 3, "belongs to no change"),
+        ('def f(a):\n    "right"\n    return a\n    # ? return -a\n', 4, "without its name"),
+        ('def f(a):\n    "right"\n    return a\n        # ? x: return -a\n', 4, "no statement"),
+    ],
+)
+def test_a_fault_is_told_with_its_line(text, line, what):
+    with pytest.raises(ProblemError) as caught:
+        read_routes(text, "pack/mistakes.py")
+    assert what in str(caught.value)
+    assert caught.value.where == ("pack/mistakes.py" if line is None else f"pack/mistakes.py:{line}")
+
+
+@pytest.fixture(scope="module")
+def count():
+    return Family(find_problem("count"))
+
+
+def single(family, name, code=""):
+    return next(
+        choice
+        for choice, each in family.named
+        if each == name and (not code or code in family.program(choice))
+    )
+
+
+def test_every_program_of_the_four_problems_compiles():
+    for name in ("count", "segment", "ray-nearest", "exact-count"):
+        family = Family(find_problem(name))
+        programs = [family.program(choice) for choice in (*family.right_ways(), *family.singles())]
+        assert len(programs) > 90
+        for program in programs:
+            compile(program, name, "exec")
+            assert f"def {family.problem.entry}(" in program
+
+
+def test_a_mistake_and_a_transform_make_one_program(count):
+    one, other = single(count, "tangent-twice"), single(count, "rounded-input", "round(x, 2)")
+    both = count.together(one, other)
+    assert both is not None
+    assert set(count.names(both)) == {"tangent-twice", "rounded-input"}
+    space = {}
+    exec(count.program(both), space)
+    assert space["line_count"](0, 0, 1, (-5, 1), (5, 1)) == 2
+    assert space["line_count"](0, 0, 1.004, (-5, 1.001), (5, 1.001)) == 2
+
+
+def test_what_excludes_each_other_is_not_made_together(count):
+    absolute, tight = single(count, "absolute-epsilon"), single(count, "tight-epsilon")
+    assert count.together(absolute, tight) is None
+    slope = next(choice for choice, name in count.named if name == "slope-intercept")
+    assert count.together(absolute, slope) is None
+
+
+def test_the_spoilt_line_is_shown(count):
+    choice = single(count, "forgotten-abs")
+    assert count.lines(choice) == (Line("d = abs(k) / length", "d = k / length"),)
+    assert count.told(choice).startswith("The distance is a cross product with its sign")
+
+
+def test_a_right_way_answers_rightly_and_a_mistake_does_not(count):
+    data = load_data(count.problem)
+    for choice in count.right_ways():
+        does = computed(data, Program(count.program(choice).encode(), "here"))
+        assert not any(answers.wrong for answers in does.values())
+    wrong = computed(data, Program(count.program(single(count, "forgotten-abs")).encode(), "here"))
+    assert len(wrong["grid"].wrong) > 5
+    assert Choice(0) in list(count.right_ways())
+
+
+def test_a_program_that_cannot_be_run_is_told_of(count):
+    with pytest.raises(ProblemError, match="cannot be run: NameError"):
+        computed(load_data(count.problem), Program(b"x = y\n", "count/mistakes.py:7"))
+
+
+@pytest.fixture
+def catalogue(tmp_path):
+    """Reads a mistakes.toml of that text for a problem of the fixtures."""
+    from pathlib import Path
+    from shutil import copytree
+
+    copytree(Path(__file__).parents[1] / "fixtures" / "pack", tmp_path / "pack")
+
+    def read(text):
+        (tmp_path / "pack" / "solutions" / "mistakes.toml").write_text(text)
+        problem = find_problem("middle", [tmp_path / "pack" / "problems"])
+        return with_kills(problem, read_catalogue(problem)), read_catalogue(problem)
+
+    return read
+
+
+def test_words_of_one_problem_come_before_those_of_all(catalogue):
+    text = '[a]\nwhy = "W."\nadvice = "A."\nrounding = true\n[a.in.middle]\nwhy = "M."\nkills = ["half"]\n'
+    problem, words = catalogue(text)
+    assert (words["a"].told, words["a"].rounding, words["a"].state) == ("M. A.", True, False)
+    assert [group.name for group in problem.groups if "a" in group.kills] == ["half"]
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("[a]\nwhy = 3\n", "in [a]"),
+        ("a = 3\n", "a is no table"),
+        ("[a]\nwhi = 'x'\n", "unknown key 'whi'"),
+        ("[a]\nin = 3\n", "a.in is no table of problems"),
+        ("[a]\nneeds = ['slope']\n", "[a] needs 'slope'"),
+        ("[a]\nkills = ['none']\n", "to be caught by 'none'"),
+        ("[a\n", "no TOML"),
+    ],
+)
+def test_a_fault_of_the_words_is_told(catalogue, text, what):
+    with pytest.raises(ProblemError) as caught:
+        catalogue(text)
+    assert what in caught.value.what
+    assert caught.value.where.startswith("solutions/mistakes.toml")
+
+
+@pytest.mark.parametrize(
+    ("source", "has", "lacks"),
+    [
+        ("def f(a):\n    return a // 2\n", {"//", "whole"}, {"/", "root", "state"}),
+        ("def f(a):\n    return a / 2\n", {"/", "float"}, {"//", "whole", "state"}),
+        ("def f(a):\n    return a ** 2\n", set(), {"root", "/"}),
+        ("def f(a):\n    return a ** 0.5\n", {"root", "float"}, {"/"}),
+        ("import math\ndef f(a):\n    return math.isqrt(a)\n", {"root"}, {"decimal"}),
+        ("seen = {}\ndef f(a):\n    seen[a] = 1\n    return a\n", {"state"}, {"root"}),
+        ("def f(a, seen=[]):\n    return a\n", {"state"}, {"root"}),
+        ("def f(a):\n    f.last = a\n    return a\n", {"state"}, {"root"}),
+        ("def f(a):\n    seen = {}\n    seen[a] = 1\n    return a\n", set(), {"state"}),
+        ("def f(a):\n    return float('%.3f' % a)\n", {"round", "float"}, {"float32"}),
+        ("import numpy as np\ndef f(a):\n    return np.float32(a)\n", {"float32"}, {"decimal"}),
+        ("def f(:\n", {"//", "root", "state"}, set()),
+    ],
+)
+def test_features_of_a_program(source, has, lacks):
+    found = features(source)
+    assert has <= found
+    assert not lacks & found
