@@ -1,6 +1,7 @@
 """What keeps a name from being said, however well it seems to fit.
 
 own group     the submission passes a group whole that the mistake fails most: it does not make it
+several       it passes groups whole of which the mistake fails half
 words         the name speaks of `//`, a slope, a global, a root, and the program has none
 state         the name says that something is kept between calls, but the case fails called alone as well
 form          most wrong answers have a form that no answer has: then only mistakes of form are told
