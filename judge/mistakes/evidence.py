@@ -149,6 +149,10 @@ class Evidence:
         """How much of the group the submission fails."""
         return self._failed / self._size
 
+    def overlap(self, place: int) -> Overlap | None:
+        """The cases by what the submission and one known program answered."""
+        return self._overlaps[place]
+
     def union(self, one: int, other: int) -> float:
         """The ratio for a program that fails wherever either of two known ones fails."""
         first, second = self._overlaps[one], self._overlaps[other]

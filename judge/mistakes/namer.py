@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import threading
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -69,6 +70,10 @@ class Namer:
         """
         if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
             return result
+        with _collecting_later():
+            return self._named(result, source, alone)
+
+    def _named(self, result: Result, source: bytes, alone: Alone) -> Result:
         has = features(source)
         found = of_form(result, self._data, has)
         if found.pitfall is not None:
@@ -129,6 +134,20 @@ class Namer:
                 known = [Known(read.all[i].name, behaviours[i], read.all[i].chance) for i in places]
                 self._made = _Ready(read, makers, known)
             return self._made
+
+
+@contextmanager
+def _collecting_later() -> Iterator[None]:
+    """Without the collector of cycles, which looks at hundreds of thousands of tuples again and again: naming
+    makes no cycles. It costs as much time as naming itself."""
+    if not gc.isenabled():
+        yield
+        return
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 def _pitfall(match: Match, makers: Sequence[Maker]) -> Pitfall:

@@ -34,6 +34,8 @@ _TWIN = 1.5  # the evidence that a second program of the same mistake must add
 _CLEAR = 2.0  # the evidence with which a group speaks for two mistakes, or against one of them alone
 _EXPLAINED = 0.95  # a hypothesis that explains less of the failures loses in score
 _BY_ITSELF = 2.0  # the evidence that a group is given for being explained, before it is asked
+_ALIKE = 0.9  # of its and the submission's wrong answers are the same, for a mistake to be told from others
+_APART = 0.1  # and by how much more than with any of those
 _NEARLY = 3.0  # the evidence by which a mistake must lead, or another one is told beside it
 _LEADING = 3  # mistakes that are tried together with others
 _PARTNERS = 10  # programs that each of them is tried with
@@ -47,7 +49,7 @@ Joint = Callable[
     [int, int], Behaviour | None
 ]  # what a program answers that does as two known ones do, at once
 
-_CHECKED = 4  # hypotheses of two mistakes whose program is run
+_CHECKED = 2  # hypotheses of two mistakes whose program is run
 
 
 class Known(Struct, frozen=True):
@@ -91,6 +93,7 @@ def best_match(
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
     if joint is not None:
         found = _checked(found, evidence, known, groups, joint)
+    found = _told_apart(found, evidence)
     against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
     for best in found:
         if best.total <= max(against):
@@ -104,6 +107,29 @@ def best_match(
         if len(best.names) == 1:
             return None  # two mistakes may be too much to say where one of them is not
     return None
+
+
+def _told_apart(found: list[_Hypothesis], evidence: Sequence[Evidence]) -> list[_Hypothesis]:
+    """Without single mistakes that are as likely as another one which alone answers as the submission does.
+
+    A group speaks for no mistake with more than a hundred to one, so that several reach that bound together.
+    """
+    close = [each for each in found if found[0].total - each.total < _NEARLY]
+    if len(close) < 2 or any(len(each.names) > 1 for each in close):
+        return found
+    alike = {each.places: _likeness(each.places[0], evidence) for each in close}
+    first, second, *_ = sorted(close, key=lambda each: -alike[each.places])
+    if alike[first.places] < _ALIKE or alike[first.places] - alike[second.places] < _APART:
+        return found
+    return [first, *(each for each in found if each not in close)]
+
+
+def _likeness(place: int, evidence: Sequence[Evidence]) -> float:
+    """Of the cases that either fails, the share in which both give the same wrong answer."""
+    overlaps = [each.overlap(place) for each in evidence]
+    same = sum(len(each.same) for each in overlaps if each)
+    failed = sum(each.failed + len(each.ours) for each in overlaps if each)
+    return same / failed if failed else 0.0
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:

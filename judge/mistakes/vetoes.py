@@ -1,6 +1,7 @@
 """What keeps a name from being said, however well it seems to fit.
 
 own group     the submission passes a group whole that the mistake fails most: it does not make it
+several       it passes groups whole of which the mistake fails half
 words         the name speaks of `//`, a slope, a global, a root, and the program has none
 state         the name says that something is kept between calls, but the case fails called alone as well
 form          most wrong answers have a form that no answer has: then only mistakes of form are told
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from judge.mistakes.makers import Maker
     from judge.mistakes.naming import Known
 
+_SEVERAL = 2  # groups of which a mistake fails half, that nobody passes who makes it
 _SHARE = 0.2  # of its own group, that a mistake must fail for the group to say that it is not made
 
 
@@ -55,7 +57,7 @@ class Vetoes:
             return False
         if self._form and not words.form:
             return False
-        return not self._passes_its_own(known)
+        return not (self._passes_its_own(known) or self._passes_several(known))
 
     def lasting(self, maker: Maker) -> bool:
         """Whether the name stands: that something is kept between calls is looked at only now."""
@@ -65,6 +67,15 @@ class Vetoes:
             failing = next((group for group in self._result.groups if group.wrong), None)
             self._steady = failing is None or self._alone(failing.name, max(failing.wrong))
         return not self._steady
+
+    def _passes_several(self, known: Known) -> bool:
+        """Whether it passes groups, at least a few, of which this program fails half."""
+        halves = (
+            2 * len(answers.wrong) >= answers.reached
+            for name in self._passed
+            if (answers := known.behaviour.get(name)) is not None and answers.wrong
+        )
+        return sum(halves) >= _SEVERAL
 
     def _passes_its_own(self, known: Known) -> bool:
         """Whether it passes that of the groups naming the mistake which this program fails most."""

@@ -120,6 +120,8 @@ def line_count(cx, cy, r, A, B):
     return kept[key]
 """
 
+WRAPPED = "\n    return 0 if kk > reach else 1 if kk == reach else 2  #"
+
 # what is changed in the right program, and the names that may be said of it
 CHANGED = [
     ("count", "abs(d - r) <= 1e-10 * e", "abs(d - r) <= 1e-8 + 1e-5 * r", {"loose-epsilon"}),
@@ -152,13 +154,13 @@ CHANGED = [
     (
         "exact-count",
         "    return 0",
-        "    kk, reach = ((v + 2**63) % 2**64 - 2**63 for v in (k * k, reach))\n    return 0 if kk > reach else 1 if kk == reach else 2  #",
+        f"    kk, reach = ((v + 2**63) % 2**64 - 2**63 for v in (k * k, reach)){WRAPPED}",
         {"overflow-64"},
     ),
     (
         "exact-count",
         "    return 0",
-        "    kk, reach = ((v + 2**31) % 2**32 - 2**31 for v in (k * k, reach))\n    return 0 if kk > reach else 1 if kk == reach else 2  #",
+        f"    kk, reach = ((v + 2**31) % 2**32 - 2**31 for v in (k * k, reach)){WRAPPED}",
         {"overflow-32"},
     ),
     ("exact-count", "return 0 if", "return 0. if", None),

@@ -1,0 +1,215 @@
+"""A pack with a mistakes.py: verified, learnt with its data, told; and what vetoes and forms keep back."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from judge.data.load import load_data
+from judge.judging import Session, Terms
+from judge.mistakes.answers import Answers
+from judge.mistakes.catalogue import Words
+from judge.mistakes.forms import of_form
+from judge.mistakes.known import Program
+from judge.mistakes.makers import Maker
+from judge.mistakes.naming import Known
+from judge.mistakes.told import aimed_groups, told_mistakes
+from judge.mistakes.verified import verify_choices
+from judge.mistakes.vetoes import Vetoes
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.run.verify import verify_problem
+from judge.sandbox import Boxes
+
+pytestmark = pytest.mark.slow
+
+PACK = Path(__file__).parents[1] / "fixtures" / "pack"
+TERMS = Terms(timed=False, diagnosed=False)
+ROUTES = """
+def mean(a, b):
+    "right"
+    total = a + b
+    # = total = b + a
+    # ? minus-for-plus: total = a - b
+    return total / 2
+    # ? floor-division: return total // 2
+    # : Whole division drops the half; such a program is right for whole middles only.
+"""
+WORDS = """
+[floor-division]
+why = "It rounds the middle down."
+advice = "Divide with /."
+needs = ["//"]
+
+[minus-for-plus]
+why = "The difference is halved."
+advice = "Halve the sum."
+kills = ["whole"]
+"""
+
+
+@pytest.fixture
+def pack(tmp_path, monkeypatch):
+    """Makes the problem with that mistakes.py and mistakes.toml, and no wrong program."""
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    shutil.copytree(PACK, tmp_path / "pack")
+    shutil.rmtree(tmp_path / "pack" / "solutions" / "middle" / "wrong")
+
+    def make(routes=ROUTES, words=WORDS):
+        (tmp_path / "pack" / "solutions" / "middle" / "mistakes.py").write_text(routes)
+        (tmp_path / "pack" / "solutions" / "mistakes.toml").write_text(words)
+        return find_problem("middle", [tmp_path / "pack" / "problems"])
+
+    return make
+
+
+def verified(problem):
+    return verify_choices(problem, load_data(problem), Boxes())
+
+
+def test_a_sound_file(pack):
+    found = verified(pack())
+    assert (found.count, found.faults, found.warnings) == (2, (), ())
+    assert found.made == {"floor-division", "minus-for-plus"}
+    report = verify_problem(found.problem, update_pins=True, made=found.made)
+    assert report.faults == ()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ("total // 2", "total / 2.0", "no case rejects floor-division: return total / 2.0"),
+        ("# = total = b + a", "# = total = b - a", "a right way is rejected by examples, whole, half"),
+        ("minus-for-plus", "plus-for-minus", "no group's kills name 'plus-for-minus'"),
+        ("minus-for-plus", "plus-for-minus", "nothing is said of 'plus-for-minus'"),
+        ("total // 2", "total / 2 if total % 2 else total", "group 'half' names"),
+        ("total // 2", "(1 / 0", "cannot be run: SyntaxError"),
+        ("total // 2", "id(object()) % 7 + total", "floor-division answers otherwise in containment"),
+        ("    return total / 2\n", "    return total / 2\n    # ? x\n", "a mistake without its name"),
+    ],
+)
+def test_a_broken_promise_is_a_fault(pack, old, new, what):
+    faults = [str(fault) for fault in verified(pack(ROUTES.replace(old, new))).faults]
+    assert any(what in fault for fault in faults), faults
+
+
+def test_a_mistake_that_no_case_can_tell_has_its_reason(pack):
+    equal = ROUTES.replace("total // 2\n", "total / 2.0\n    # ! it is the same number\n")
+    faults = [str(fault) for fault in verified(pack(equal)).faults]
+    assert not any("no case rejects" in fault for fault in faults)
+
+
+def test_few_cases_are_a_warning(pack):
+    (half,) = (each for each in load_data(pack()).groups if each.group.name == "half")
+    third = sorted(case[0] for case in half.cases)[-3]
+    weak = ROUTES.replace("return total // 2", f"return total // 2 if a >= {third} else total / 2")
+    (warning,) = verified(pack(weak)).warnings
+    assert "its own groups reject it in few cases (half 3)" in warning.what
+    assert warning.where == "middle/mistakes.py:8"
+
+
+def test_what_is_told_without_running_anything(pack):
+    problem = pack("raise SystemExit\n" + ROUTES)
+    told = told_mistakes(problem)
+    assert told["minus-for-plus"].advice == "The difference is halved. Halve the sum."
+    assert (told["minus-for-plus"].line.wrong, told["minus-for-plus"].line.right) == (
+        "total = a - b",
+        "total = a + b",
+    )
+    (whole,) = (group for group in aimed_groups(problem, problem.groups) if group.name == "whole")
+    assert whole.kills == ("minus-for-plus",)
+
+
+def test_the_line_and_the_variants_own_words_are_shown(pack, tmp_path):
+    with Session(pack(), TERMS) as session:
+        result = session.judge(b"def middle(a, b):\n    c = a + b\n    return c // 2\n", "mine.py")
+    assert result.pitfall.names == ("floor-division",)
+    assert result.pitfall.lines == (("return total // 2", "return total / 2"),)
+    assert result.pitfall.advice == (
+        "Whole division drops the half; such a program is right for whole middles only.",
+    )
+    assert result.pitfall.as_json()["lines"] == [{"wrong": "return total // 2", "right": "return total / 2"}]
+
+
+def test_mistakes_are_learnt_with_the_data(pack, tmp_path):
+    kept = tmp_path / "cache" / "mistakes"
+    with Session(pack(), TERMS) as session:
+        assert session.judge(b"def middle(a, b):\n    return (a + b) / 2\n", "mine.py").verdict is Verdict.AC
+    (file,) = kept.iterdir()
+    before = file.stat().st_mtime_ns
+    with Session(pack(), TERMS) as session:
+        assert session.judge(b"def middle(a, b):\n    return (a + b) // 2\n", "mine.py").pitfall
+    assert file.stat().st_mtime_ns == before
+
+
+def test_no_name_of_what_the_program_lacks(pack):
+    with Session(pack(), TERMS) as session:
+        result = session.judge(
+            b"from math import floor\ndef middle(a, b):\n    return floor((a + b) / 2)\n", "m.py"
+        )
+    assert result.pitfall is None
+
+
+def of(groups, got="0"):
+    """A result of these groups: {name: (cases, wrong)}."""
+    found = tuple(
+        GroupResult(
+            name, Verdict.WA if wrong else Verdict.AC, cases, cases - len(wrong), None, 0.0, 0, cases, wrong
+        )
+        for name, (cases, wrong) in groups.items()
+    )
+    return Result("middle", "mine.py", Mode.FUNCTION, Verdict.WA, found, Failure("wrong", got=got))
+
+
+def maker(**words):
+    return Maker("floor-division", "x", "", Words(**words), Program(b"", "x"))
+
+
+ONE = ("number", (1.0,))
+HALF = Known("floor-division", {"half": Answers(30, dict.fromkeys(range(20), ONE))})
+BOTH = Known("other", {name: Answers(20, dict.fromkeys(range(15), ONE)) for name in ("examples", "whole")})
+
+
+def vetoes(problem, groups, *, form=False, fails=True, has=frozenset()):
+    return Vetoes(problem, of(groups), has, form=form, alone=lambda _group, _case: fails)
+
+
+def test_vetoes(pack):
+    problem = pack()
+    passes = {"whole": (20, {1: ONE}), "half": (30, {})}
+    fails = {"whole": (20, {}), "half": (30, {1: ONE})}
+    assert not vetoes(problem, passes).allow(maker(), HALF)
+    assert vetoes(problem, fails).allow(maker(), HALF)
+    assert not vetoes(problem, {**fails, "examples": (4, {})}).allow(maker(), BOTH)
+    assert not vetoes(problem, fails, form=True).allow(maker(), HALF)
+    assert vetoes(problem, fails, form=True).allow(maker(form=True), HALF)
+    assert not vetoes(problem, fails).allow(maker(needs=("//",)), HALF)
+    assert vetoes(problem, fails, has=frozenset({"//"})).allow(maker(needs=("//",)), HALF)
+
+
+@pytest.mark.parametrize("alone", [True, False])
+def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
+    found = vetoes(pack(), {"half": (30, {1: ONE})}, fails=alone)
+    assert found.lasting(maker(state=True)) is not alone
+    assert found.lasting(maker())
+
+
+@pytest.mark.parametrize(
+    ("given", "got", "has", "name", "faulty"),
+    [
+        (("none", ()), "None", {"print"}, "print-for-return", False),
+        (("type complex", ()), "1j", (), "complex-answer", False),
+        (("type str", ()), "'1'", (), "text-for-a-value", False),
+        (("number", (9.0,)), "9", (), "one-answer", False),
+        (("raised NameError", ()), "", (), None, True),
+        (("raised ZeroDivisionError", ()), "", (), None, False),
+    ],
+)
+def test_forms(pack, given, got, has, name, faulty):
+    data = load_data(pack())
+    found = of_form(of({"half": (30, dict.fromkeys(range(30), given))}, got), data, frozenset(has))
+    assert (found.pitfall and found.pitfall.name) == name
+    assert found.faulty is faulty
