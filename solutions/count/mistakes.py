@@ -37,7 +37,7 @@ def distance(cx, cy, r, A, B):
     # ? forgotten-centre: ax, ay = A[0], A[1] - cy
     # ? swapped-coordinates: ax, ay = A[0] - cy, A[1] - cx
     bx, by = B[0] - cx, B[1] - cy
-    # ? forgotten-centre: bx, by = B
+    # ? forgotten-centre@b: bx, by = B
     # : The centre is subtracted from A but not from B, and the direction is that of another line. Subtract
     # : it from both, or take the direction from B − A.
     # ? forgotten-centre@x: bx, by = B[0], B[1] - cy
@@ -74,7 +74,9 @@ def distance(cx, cy, r, A, B):
     # ? loose-epsilon: near = {1e-6..1e-1/2} * extent
     # ? loose-epsilon: near = {1e-6..1e-1/2} * r
     # ? radius-epsilon: near = {1e-12..1e-7/2} * r
-    dx, dy = bx - ax, by - ay
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    # ? forgotten-centre@b: dx, dy = bx - ax, by - ay
+    # ? shifted-direction: dx, dy = bx - ax, by - ay
     # ? point-for-direction: dx, dy = B
     # ? point-for-direction: dx, dy = bx, by
     length = hypot(dx, dy)
