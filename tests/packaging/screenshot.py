@@ -5,12 +5,12 @@ from __future__ import annotations
 import html
 import io
 import re
-import shutil
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from mistaken import mistaken
 from pseudoterminal import COLUMNS, run
 from walk import ROOT
 
@@ -34,8 +34,7 @@ _PIECE = re.compile(
 def real_run() -> str:
     """What a terminal shows of judging a wrong program, with its colours; the command line first."""
     with tempfile.TemporaryDirectory() as folder:
-        wrong = ROOT / "solutions" / "segment" / "wrong" / "loose-epsilon.py"
-        shutil.copy(wrong, Path(folder) / "segment.py")
+        (Path(folder) / "segment.py").write_bytes(mistaken("segment", "loose-epsilon"))
         settings = {"JUDGE_CACHE": f"{folder}/cache", "JUDGE_DB": f"{folder}/history.sqlite3"}
         settings["PYTHONPATH"] = str(ROOT)
         command = [sys.executable, "-m", *_COMMAND.split()]
