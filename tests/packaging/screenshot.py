@@ -10,9 +10,11 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from mistaken import mistaken
 from pseudoterminal import COLUMNS, run
 from walk import ROOT
+
+from judge.mistakes.family import Family
+from judge.problem.find import find_problem
 
 PICTURE = ROOT / ".github" / "screenshot.svg"
 _COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group far-circle"
@@ -34,7 +36,9 @@ _PIECE = re.compile(
 def real_run() -> str:
     """What a terminal shows of judging a wrong program, with its colours; the command line first."""
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "segment.py").write_bytes(mistaken("segment", "loose-epsilon"))
+        family = Family(find_problem("segment"))
+        wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
+        (Path(folder) / "segment.py").write_text(family.program(wrong), encoding="utf-8")
         settings = {"JUDGE_CACHE": f"{folder}/cache", "JUDGE_DB": f"{folder}/history.sqlite3"}
         settings["PYTHONPATH"] = str(ROOT)
         command = [sys.executable, "-m", *_COMMAND.split()]
