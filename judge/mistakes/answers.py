@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
 from judge.run.result import Result
 from judge.values import Outline
 
@@ -24,9 +23,3 @@ Behaviour = Mapping[str, Answers]  # by the group's name
 def behaviour(result: Result) -> Behaviour:
     """What judging has found out about a program."""
     return {group.name: Answers(group.reached, group.wrong) for group in result.groups}
-
-
-def right_outlines(data: ProblemData) -> dict[str, Sequence[Outline]]:
-    """The outlines of the right answers, by the group's name."""
-    answer = data.problem.answer
-    return {each.group.name: [answer.right(target) for target in each.targets] for each in data.groups}

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 
 from judge.data.model import ProblemData
-from judge.mistakes.answers import right_outlines
+from judge.mistakes.rights import right_outlines
 from judge.run.result import Pitfall, Result
 from judge.values import Outline
 from judge.values.likeness import only_digits

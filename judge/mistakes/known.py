@@ -24,13 +24,15 @@ from judge.data.kept import KeptFile
 from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.mistakes.agreement import kind_of
-from judge.mistakes.answers import Answers, Behaviour, behaviour, right_outlines
+from judge.mistakes.answers import Answers, Behaviour, behaviour
 from judge.mistakes.packed import packed, unpacked
+from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
 from judge.run.parallel import in_order
 from judge.run.settings import Settings
 from judge.sandbox.encode import encode
 from judge.values import Outline, Usual
+from judge.values.rightness import is_right
 
 FORMAT = 3  # raise it when the form of the file changes
 
@@ -130,7 +132,7 @@ def computed(data: ProblemData, program: Program) -> Behaviour:
     Groups of big cases are left out: they ask for time.
     """
     function = _entry(data.problem, program)
-    right, outline, call = data.problem.answer.right_or_not, data.problem.answer.outline, data.problem.calls
+    answer, outline, call = data.problem.answer, data.problem.answer.outline, data.problem.calls
     found: Behaviour = {}
     for group in data.groups:
         if group.group.size is not None:
@@ -143,7 +145,7 @@ def computed(data: ProblemData, program: Program) -> Behaviour:
                 wrong[index] = (f"raised {type(fault).__name__}", ())
                 continue
             exact = partial(data.exact, group.cases[index], group.group)
-            if not right(raw, group.targets[index], exact):
+            if not is_right(answer, raw, group.targets[index], exact):
                 wrong[index] = outline(raw)
         found = {**found, group.group.name: Answers(len(group.cases), wrong)}
     return found

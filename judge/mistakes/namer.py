@@ -80,17 +80,19 @@ class Namer:
             return replace(result, pitfall=found.pitfall)
         ready, does = self._ready(), behaviour(result)
         vetoes = Vetoes(ready.read.problem, result, has, form=found.faulty, alone=alone)
-        kept = [place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place], each)]
+        kept = [
+            place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
+        ]
         makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
         data = self._data
         match = best_match(does, known, data.groups, data.problem.answer, self._joint(ready.read, makers))
         alike: Sequence[int] = ()
         if match is None:
-            alike = [place for place in twins(does, known) if vetoes.lasting(makers[place])]
+            alike = [place for place in twins(does, known) if vetoes.lasting(makers[place].words)]
             match = as_match(does, alike, known)
         if match is None:
             return result.noting(_why_not(does, [makers[place] for place in alike])) if alike else result
-        if not all(vetoes.lasting(makers[place]) for place in match.places):
+        if not all(vetoes.lasting(makers[place].words) for place in match.places):
             return result
         return replace(result, pitfall=_pitfall(match, makers))
 

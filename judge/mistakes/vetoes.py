@@ -10,14 +10,11 @@ form          most wrong answers have a form that no answer has: then only mista
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+from judge.mistakes.catalogue import Words
+from judge.mistakes.naming import Known
 from judge.problem import Problem, Verdict
 from judge.run.result import Result
-
-if TYPE_CHECKING:
-    from judge.mistakes.makers import Maker
-    from judge.mistakes.naming import Known
 
 _SEVERAL = 2  # groups of which a mistake fails half, that nobody passes who makes it
 _SHARE = 0.2  # of its own group, that a mistake must fail for the group to say that it is not made
@@ -50,18 +47,17 @@ class Vetoes:
                 self._own.setdefault(name, []).append(group.name)
         self._steady: bool | None = None
 
-    def allow(self, maker: Maker, known: Known) -> bool:
+    def allow(self, words: Words, known: Known) -> bool:
         """Whether a mistake may be compared with the submission at all."""
-        words = maker.words
         if words.needs and not self._has.intersection(words.needs):
             return False
         if self._form and not words.form:
             return False
         return not (self._passes_its_own(known) or self._passes_several(known))
 
-    def lasting(self, maker: Maker) -> bool:
+    def lasting(self, words: Words) -> bool:
         """Whether the name stands: that something is kept between calls is looked at only now."""
-        if not maker.words.state:
+        if not words.state:
             return True
         if self._steady is None:
             failing = next((group for group in self._result.groups if group.wrong), None)

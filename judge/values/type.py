@@ -187,19 +187,6 @@ class Type(ParameterValues):
         """
         return lambda _raw, _target: None
 
-    def right_or_not(self, raw: Raw, target: Target, exact: ExactOf) -> bool:
-        """Whether `check` accepts it; the reason is never put into words."""
-        try:
-            if self.quick(raw, target) is not None:
-                return True
-        except (TypeError, ValueError):  # as in `check`
-            pass
-        question = Question(exact, self.words, optional=self.optional)
-        try:
-            return self.accepts(self.read(raw, question, ROOT), target, question, ROOT)
-        except Unreadable:
-            return False
-
     def _explained(self, raw: Raw, target: Target, exact: ExactOf) -> Outcome:
         question = Question(exact, self.words, optional=self.optional)
         try:

@@ -7,6 +7,7 @@ import shutil
 
 import pytest
 from cli_support import ROOT
+from mistaken import mistaken
 
 from judge.judging.containment import Containment
 from judge.problem.load import load_problem
@@ -111,9 +112,16 @@ def test_weak_containment_is_warned_of_once(judge, monkeypatch, tmp_path):
     assert ended.err.count("isolation is 'limits'") == 1
 
 
+@pytest.fixture
+def wrong(tmp_path):
+    """A folder with two wrong programs."""
+    for name in ("loose-epsilon", "tangent-twice"):
+        (tmp_path / f"{name}.py").write_bytes(mistaken("count", name))
+    return tmp_path
+
+
 @pytest.mark.parametrize("jobs", ["1", "2", "4"])
-def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs):
-    wrong = ROOT / "solutions" / "count" / "wrong"
+def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs, wrong):
     files = [
         ACCEPTED / "exact.py",
         wrong / "loose-epsilon.py",
@@ -127,8 +135,8 @@ def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs):
     assert results[1]["failure"]["group"] == "near-hit"
 
 
-def test_the_groups_of_one_are_shared_out(judge):
-    file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
+def test_the_groups_of_one_are_shared_out(judge, wrong):
+    file = wrong / "loose-epsilon.py"
     alone, shared = (
         json.loads(judge("run", "count", str(file), "--json", "-j", jobs).out) for jobs in ("1", "3")
     )
@@ -147,8 +155,8 @@ def test_an_accepted_submission_has_a_ratio(judge):
     assert "× the reference (" in shown.splitlines()[-1] + shown.splitlines()[-2]
 
 
-def test_a_rejected_submission_has_none(judge):
-    file = ROOT / "solutions" / "count" / "wrong" / "loose-epsilon.py"
+def test_a_rejected_submission_has_none(judge, wrong):
+    file = wrong / "loose-epsilon.py"
     assert json.loads(judge("run", "count", str(file), "--json").out)["time"]["ratio"] is None
 
 

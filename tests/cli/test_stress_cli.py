@@ -8,6 +8,7 @@ from contextlib import contextmanager
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from mistaken import mistaken
 
 pytestmark = pytest.mark.slow
 
@@ -68,13 +69,13 @@ def test_only_the_groups_that_are_asked_for(judge, submit):
 
 
 def test_the_mistake_is_named_where_the_pinned_cases_show_it(judge, submit):
-    name = submit((ROOT / "solutions" / "count" / "wrong" / "tangent-twice.py").read_text())
+    name = submit(mistaken("count", "tangent-twice").decode())
     found = found_by(judge("stress", "count", name, "--json", "--no-shrink"))
     assert found["pitfall"]["name"] == "tangent-twice"
 
 
 def test_the_case_is_drawn_and_kept_as_a_test(judge, submit, tmp_path):
-    name = submit((ROOT / "solutions" / "count" / "wrong" / "tangent-twice.py").read_text())
+    name = submit(mistaken("count", "tangent-twice").decode())
     ended = judge(
         "stress", "count", name, "--no-name", "--svg", "case.svg", "--save-regression", "test_mine.py"
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import io
 import re
-import shutil
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
@@ -13,6 +12,9 @@ from pathlib import Path
 
 from pseudoterminal import COLUMNS, run
 from walk import ROOT
+
+from judge.mistakes.family import Family
+from judge.problem.find import find_problem
 
 PICTURE = ROOT / ".github" / "screenshot.svg"
 _COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group far-circle"
@@ -34,8 +36,9 @@ _PIECE = re.compile(
 def real_run() -> str:
     """What a terminal shows of judging a wrong program, with its colours; the command line first."""
     with tempfile.TemporaryDirectory() as folder:
-        wrong = ROOT / "solutions" / "segment" / "wrong" / "loose-epsilon.py"
-        shutil.copy(wrong, Path(folder) / "segment.py")
+        family = Family(find_problem("segment"))
+        wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
+        (Path(folder) / "segment.py").write_text(family.program(wrong), encoding="utf-8")
         settings = {"JUDGE_CACHE": f"{folder}/cache", "JUDGE_DB": f"{folder}/history.sqlite3"}
         settings["PYTHONPATH"] = str(ROOT)
         command = [sys.executable, "-m", *_COMMAND.split()]

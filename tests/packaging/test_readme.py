@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from mistaken import mistaken
 from pages import ROOT, claims_hold, prose
 from screenshot import PICTURE, real_run, text_of
 from walk import WALKS, go, missing, plain, steps
@@ -107,7 +108,7 @@ def homework(tmp_path):
     folder.mkdir()
     solutions = ROOT / "solutions" / "segment"
     shutil.copy(solutions / "accepted" / "geometric.py", folder / "alice.py")
-    shutil.copy(solutions / "wrong" / "tangent-twice.py", folder / "bob.py")
+    (folder / "bob.py").write_bytes(mistaken("segment", "tangent-twice"))
     return tmp_path
 
 

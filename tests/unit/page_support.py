@@ -9,9 +9,9 @@ from html.parser import HTMLParser
 from past_runs import StoppedClock
 
 from judge.kata.history import History
+from judge.mistakes.told import told_mistakes
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.problem.solutions import known_mistakes
 from judge.report.page.compose import compose_page
 from judge.report.page.known import KnownProblem
 from judge.report.page.render import render
@@ -58,8 +58,7 @@ def known(*names, matrix=None):
     found = []
     for name in names:
         problem = find_problem(name)
-        # Backwards, so that the usual program of a mistake has the last word over its variants.
-        advice = {mistake.name: mistake.advice for mistake in reversed(known_mistakes(problem))}
+        advice = {name: told.advice for name, told in told_mistakes(problem).items()}
         found.append(KnownProblem(problem, advice, matrix))
     return found
 

@@ -12,8 +12,6 @@ from judge.judging import Session, Terms
 from judge.mistakes.answers import Answers
 from judge.mistakes.catalogue import Words
 from judge.mistakes.forms import of_form
-from judge.mistakes.known import Program
-from judge.mistakes.makers import Maker
 from judge.mistakes.naming import Known
 from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.mistakes.verified import verify_choices
@@ -164,10 +162,6 @@ def of(groups, got="0"):
     return Result("middle", "mine.py", Mode.FUNCTION, Verdict.WA, found, Failure("wrong", got=got))
 
 
-def maker(**words):
-    return Maker("floor-division", "x", "", Words(**words), Program(b"", "x"))
-
-
 ONE = ("number", (1.0,))
 HALF = Known("floor-division", {"half": Answers(30, dict.fromkeys(range(20), ONE))})
 BOTH = Known("other", {name: Answers(20, dict.fromkeys(range(15), ONE)) for name in ("examples", "whole")})
@@ -181,20 +175,20 @@ def test_vetoes(pack):
     problem = pack()
     passes = {"whole": (20, {1: ONE}), "half": (30, {})}
     fails = {"whole": (20, {}), "half": (30, {1: ONE})}
-    assert not vetoes(problem, passes).allow(maker(), HALF)
-    assert vetoes(problem, fails).allow(maker(), HALF)
-    assert not vetoes(problem, {**fails, "examples": (4, {})}).allow(maker(), BOTH)
-    assert not vetoes(problem, fails, form=True).allow(maker(), HALF)
-    assert vetoes(problem, fails, form=True).allow(maker(form=True), HALF)
-    assert not vetoes(problem, fails).allow(maker(needs=("//",)), HALF)
-    assert vetoes(problem, fails, has=frozenset({"//"})).allow(maker(needs=("//",)), HALF)
+    assert not vetoes(problem, passes).allow(Words(), HALF)
+    assert vetoes(problem, fails).allow(Words(), HALF)
+    assert not vetoes(problem, {**fails, "examples": (4, {})}).allow(Words(), BOTH)
+    assert not vetoes(problem, fails, form=True).allow(Words(), HALF)
+    assert vetoes(problem, fails, form=True).allow(Words(form=True), HALF)
+    assert not vetoes(problem, fails).allow(Words(needs=("//",)), HALF)
+    assert vetoes(problem, fails, has=frozenset({"//"})).allow(Words(needs=("//",)), HALF)
 
 
 @pytest.mark.parametrize("alone", [True, False])
 def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
     found = vetoes(pack(), {"half": (30, {1: ONE})}, fails=alone)
-    assert found.lasting(maker(state=True)) is not alone
-    assert found.lasting(maker())
+    assert found.lasting(Words(state=True)) is not alone
+    assert found.lasting(Words())
 
 
 @pytest.mark.parametrize(
