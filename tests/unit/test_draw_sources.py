@@ -59,7 +59,7 @@ def test_every_builder_gives_its_case_back_from_its_choices(name):
     problem = find_problem(name)
     module = load_module(problem)
     for group in problem.groups:
-        if group.builder == "examples":
+        if group.builder == "examples" or group.neighbours:  # these follow from the case before them too
             continue
         builder = bound_builder(problem, module, group)
         built = next(case for case in (drawn(builder, group, n) for n in range(99)) if case)
