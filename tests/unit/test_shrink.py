@@ -141,7 +141,7 @@ LINES = {
     ("segment", "degenerate-epsilon-absolute"): "point = 1e-9",
     ("ray-nearest", "absolute-epsilon"): "near = 1e-8",
     ("ray-nearest", "loose-origin"): "slack = 1e-4 * extent",
-    ("ray-nearest", "parameter-epsilon"): "slack = 1e-9 * hypot(dx, dy)",
+    ("ray-nearest", "parameter-epsilon"): "slack = 1e-7 * hypot(dx, dy)",
     ("exact-count", "float-coordinates"): "given = [each(value, lambda x: int(float(x)))",
     ("exact-count", "float-arithmetic"): "disc = r - abs(k) / sqrt(a)",
 }
