@@ -116,7 +116,7 @@ SAMPLE = {
         "least-magnitude": USUAL,
         "null-on-circle": USUAL,
         "origin-on-circle": USUAL,
-        "parameter-epsilon": EPSILON,
+        "parameter-epsilon": MILLION + 1,
         "point-for-parameter": USUAL,
         "segment-for-ray": USUAL,
         "sentinel-miss": USUAL,
