@@ -66,7 +66,8 @@ def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
     if constant:
         advice = f"{constant} is the answer to every case. Nothing of the input decides it."
         return Form(Pitfall(("one-answer",), 1.0, (advice,)))
-    odd = sum(count for form, count in forms.items() if _is_odd(form))
+    right = {_kind(form) for outlines in right_outlines(data).values() for form, _ in outlines}
+    odd = sum(count for form, count in forms.items() if _is_odd(form) and _kind(form) not in right)
     return Form(faulty=odd >= _MOST * len(given))
 
 
@@ -114,6 +115,10 @@ def _in_words(answer: Outline) -> str:
 
 def _same(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
     return len(numbers) == len(wanted) > 0 and only_digits(numbers, wanted)
+
+
+def _kind(form: str) -> str:
+    return form.partition(" ")[0]
 
 
 def _is_odd(form: str) -> bool:
