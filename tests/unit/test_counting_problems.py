@@ -10,10 +10,12 @@ import pytest
 
 from judge.data import load_data
 from judge.data.module import load_module
+from judge.mistakes.verified import verify_choices
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run import run_submission
 from judge.run.verify import verify_problem
+from judge.sandbox import Boxes
 
 pytestmark = pytest.mark.slow
 
@@ -100,8 +102,9 @@ def test_the_promise_names_a_line_between_the_bands():
 
 
 def test_everything_the_setters_gate_asks(problem):
-    report = verify_problem(problem)
-    assert [str(fault) for fault in report.faults] == []
+    found = verify_choices(problem, load_data(problem), Boxes())
+    report = verify_problem(found.problem, made=found.made)
+    assert [str(fault) for fault in (*report.faults, *found.faults)] == []
     assert report.pins == "matching"
 
 

@@ -13,6 +13,9 @@ from judge import language
 PACKAGE = Path(judge.__file__).parent
 OWN = {  # the judge's own code and the problems' are Python whatever submissions are
     "data/cache.py": {"*.py"},
+    "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
+    "problem/solutions.py": {"mistakes.py"},
+    "report/verified.py": {" of mistakes.py judged"},
     "sandbox/bundle.py": {".py"},
     "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
     "sandbox/probe.py": {"look.py"},

@@ -155,7 +155,7 @@ def test_most_unknown_mistakes_are_met_with_silence(library):
             if known[files.index(file)] is each:
                 others = [other for other in known if other.name != each.name]
                 outcomes[matched(each.behaviour, others, groups) is None] += 1
-    assert outcomes[True] > 0.45 * outcomes.total()
+    assert outcomes[True] > 0.4 * outcomes.total()
 
 
 def test_a_mistake_is_recognised_by_its_other_programs(library):
