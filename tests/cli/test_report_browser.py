@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from chromium import CHROMIUM, dom, measured, without_policy
 from cli_support import ROOT
+from mistaken import mistaken
 
 pytestmark = [
     pytest.mark.slow,
@@ -61,9 +62,9 @@ def full(judge, submit, shown):
     """A report with everything: pictures, a plot, a kill matrix, a source; made once."""
     page = shown / "report.html"
     if not page.exists():
-        solutions = ROOT / "solutions" / "count"
-        for solution in ("wrong/forgotten-centre", "wrong/absolute-epsilon", "accepted/geometric"):
-            name = submit((solutions / f"{solution}.py").read_bytes(), "count.py")
+        wrong = [mistaken("count", name) for name in ("forgotten-centre", "absolute-epsilon")]
+        for source in (*wrong, (ROOT / "solutions" / "count" / "accepted" / "geometric.py").read_bytes()):
+            name = submit(source, "count.py")
             assert judge("run", "count", name, "--no-shrink").status in (0, 1)
         assert judge("report", "--out", page, "--name", "Ada").status == 0
     return page
