@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _DEBUG = "--debug"
 _COMPLETE = "_JUDGE_COMPLETE"  # the variable by which a shell asks what a word may become
+_NARROWEST, _USUAL_WIDTH, _WIDEST = 30, 80, 100  # columns of help
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
@@ -104,6 +105,7 @@ class Commands(click.Group):
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False
+        settings.setdefault("terminal_width", _help_width())
         try:
             status = super().main(words, prog_name or "judge", **settings)
         except (click.Abort, KeyboardInterrupt):
@@ -160,6 +162,16 @@ def _option_names(ctx: click.Context | None) -> list[str]:
     return [name for parameter in ctx.command.get_params(ctx) for name in parameter.opts if name[:1] == "-"]
 
 
+def _help_width() -> int:
+    """The columns for help: those of the terminal, in bounds. click would import a good deal to find them."""
+    columns = os.environ.get("COLUMNS", "")
+    try:
+        found = int(columns) if columns.isdecimal() else os.get_terminal_size(sys.__stdout__.fileno()).columns  # type: ignore[union-attr]
+    except (OSError, ValueError, AttributeError):  # into a pipe, a closed stream
+        found = 0
+    return max(min(found or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
+
+
 def _without_debug(words: list[str]) -> tuple[list[str], bool]:
     """The arguments less `--debug`, which every command takes; what stands after `--` is not ours."""
     end = words.index("--") if "--" in words else len(words)
@@ -194,7 +206,7 @@ def _hush() -> None:
 @click.group(
     cls=Commands,
     invoke_without_command=True,
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    context_settings={"help_option_names": ["-h", "--help"]},
 )
 @click.version_option(__version__, "-V", "--version", message="judge %(version)s")
 @click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")
