@@ -11,7 +11,7 @@ import msgspec
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
-from judge.problem.border import Border, Probe, form_of
+from judge.problem.border import Border, Probe
 from judge.problem.model import tupled
 
 if TYPE_CHECKING:
@@ -58,8 +58,8 @@ def _proved(validator: Validator, border: Border, probe: Probe, problem: Problem
     from judge.data.build import target_of
 
     forms = []
-    for gap in (0.0, probe.widest * probe.size):
-        case, _ = probe.at(gap)
+    for share in (probe.least, probe.widest):
+        case, gap = probe.at(share * probe.size)
         proof = validator.proof(case)
         if proof.fault:
             raise ProblemError(
@@ -68,8 +68,16 @@ def _proved(validator: Validator, border: Border, probe: Probe, problem: Problem
                 remedy="correct the topic's borders",
             )
         target = target_of(problem, proof.answer, problem.groups[0].tolerance)
-        forms.append(form_of(problem.answer.right(target)))
+        forms.append(probe.form(problem.answer.right(target), gap))
     near, far = forms
+    if border.mistaken:
+        if near != far:
+            raise ProblemError(
+                f"a probe of {border.about!r} is answered {near!r} and then {far!r}: {probe.case}",
+                where=f"{problem.id}/problem.py",
+                remedy="correct the topic's borders",
+            )
+        near = border.mistaken
     if near == far:
         raise ProblemError(
             f"a probe of {border.about!r} is answered {near!r} on both sides: {probe.case}",

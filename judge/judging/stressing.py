@@ -7,15 +7,17 @@ from collections.abc import Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data.borders import borders_of
 from judge.data.fresh import Fresh
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import load_module
-from judge.judging.diagnosis import diagnosed
+from judge.data.module import ProblemModule, load_module
+from judge.judging.diagnosis import diagnosed, with_thresholds
 from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
 from judge.problem import Group
 from judge.run.execute import run_submission
+from judge.run.runner import Runner
 from judge.run.stress import Broken, OnCases, Stressed, stress
 from judge.sandbox.boundary import Box
 
@@ -44,8 +46,11 @@ class Stressing(Struct, frozen=True):
                 data, fresh, box, self.source, self.name, seconds=self.seconds, on_cases=on_cases
             )
             try:
-                if stressed.broken and session.terms.diagnosed:
-                    stressed = _shrunk(stressed, stressed.broken, fresh, box, session)
+                runner = stressed.runner if session.terms.diagnosed else None
+                if stressed.broken and runner:
+                    stressed = _shrunk(stressed, stressed.broken, runner, fresh, box, session)
+                if runner and not stressed.interrupted:  # or the box may be in the middle of a call
+                    stressed = _measured(stressed, runner, module, box, session)
                 if stressed.broken and session.terms.named and stressed.result.verdict in NAMED:
                     stressed = self._named(stressed, session)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
@@ -65,13 +70,24 @@ class Stressing(Struct, frozen=True):
         return replace(stressed, result=result)
 
 
-def _shrunk(stressed: Stressed, broken: Broken, fresh: Fresh, box: Box, session: Session) -> Stressed:
+def _measured(
+    stressed: Stressed, runner: Runner, module: ProblemModule, box: Box, session: Session
+) -> Stressed:
+    """With the submission's own thresholds."""
+    problem = session.problem
+    data = ProblemData(problem, (), module=module, borders=borders_of(problem, module))
+    return replace(stressed, result=with_thresholds(stressed.result, data, runner, box))
+
+
+def _shrunk(
+    stressed: Stressed, broken: Broken, runner: Runner, fresh: Fresh, box: Box, session: Session
+) -> Stressed:
     """With its counterexample."""
     series = broken.series
     failed = diagnosed(
         replace(stressed.result, failure=broken.failure),
         ProblemData(session.problem, (series.data,), module=fresh.module),
-        broken.runner,
+        runner,
         box,
         session.containment.open_box,
         lambda _group, _builder, number, _case: fresh.choices_of(series, number),

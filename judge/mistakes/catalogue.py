@@ -11,6 +11,7 @@ kills = ["halves"]         # groups that should catch it, beside those whose own
 
 [floor-division.in.middle] # in one problem other words, or other of the keys above
 why = "…"
+spared.odd = "…"           # why the group `odd`, which names it, need not catch all the lines that make it
 """
 
 from __future__ import annotations
@@ -41,6 +42,7 @@ class Words(Struct, frozen=True):
     form: bool = False
     needs: tuple[str, ...] = ()
     kills: tuple[str, ...] = ()
+    spared: Mapping[str, str] = {}
 
     @property
     def told(self) -> str:
@@ -103,7 +105,9 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     try:
         words = msgspec.convert(merged, Words)
     except msgspec.ValidationError as why:
-        remedy = "why and advice are texts, needs a list of them, the others true or false"
+        remedy = (
+            "why and advice are texts, needs and kills lists, spared is a table, the others true or false"
+        )
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
     for feature in words.needs:
         if feature not in FEATURES:

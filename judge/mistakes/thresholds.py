@@ -16,7 +16,7 @@ from math import ceil, floor, log10
 from judge.mistakes.epsilons import epsilon_mistake
 from judge.mistakes.laws import NOISE, law_of
 from judge.problem import Problem
-from judge.problem.border import Border, Probe, form_of
+from judge.problem.border import Border, Outline, Probe
 from judge.run.runner import Runner
 from judge.run.thresholds import Flip, Threshold
 from judge.sandbox.boundary import Box, Limits, Stop
@@ -24,6 +24,7 @@ from judge.sandbox.boundary import Box, Limits, Stop
 # The gaps of a decade are its power of ten times these, at equal ratios; powers of ten are halfway between.
 STEPS = (1.136, 1.468, 1.896, 2.448, 3.162, 4.084, 5.275, 6.813, 8.799)
 DECADES = range(-16, -1)
+_BELOW = 0.3  # decades by which a gap may be rounded down from its place among them
 _AROUND = 1  # decades outside of band and promise in which an accepted submission is asked
 
 _MOST_UNCLEAR = 3  # figures of a border's nine
@@ -41,7 +42,8 @@ def measured(
     """
     chosen = borders[:1] if first_only else borders
     searches = [
-        [_Search(probe, _decades(border, first_only)) for probe in border.probes] for border in chosen
+        [_Search(probe, _decades(border, first_only), bool(border.mistaken)) for probe in border.probes]
+        for border in chosen
     ]
     every = [search for figure in zip_longest(*searches) for search in figure if search is not None]
     if not _ask([(search, search.coarse()) for search in every], runner, box):
@@ -66,15 +68,17 @@ def _decades(border: Border, near: bool) -> range:
 class _Search:
     """What the submission has said in one figure, by true gap: True for none, False for one."""
 
-    def __init__(self, probe: Probe, decades: range) -> None:
+    def __init__(self, probe: Probe, decades: range, mistaken: bool) -> None:
         self.probe = probe
+        self._mistaken = mistaken
         self.unclear = False  # it has failed, or said something else
         self._decades = decades
         self._said: dict[float, bool] = {}
 
     def coarse(self) -> list[float]:
-        """The gap 0 and one in each decade."""
-        return [0.0, *self._within(STEPS[0] * 10.0**decade for decade in self._decades)]
+        """The least gap, usually 0, and one in each decade."""
+        least = self.probe.least * self.probe.size
+        return [least, *self._within(STEPS[0] * 10.0**decade for decade in self._decades)]
 
     def fine(self) -> list[float]:
         """The decade in which the answer turned, from its wide end back to the other one.
@@ -85,15 +89,17 @@ class _Search:
         if self.unclear or high is None:
             return []
         if not low:
-            return [high, low]
-        decade = round(log10(low / self.probe.size / STEPS[0]))
+            return [high, self.probe.least * self.probe.size]
+        decade = floor(log10(low / self.probe.size / STEPS[0]) + _BELOW)
         return [high, *reversed(self._within(step * 10.0**decade for step in STEPS[1:])), low]
 
     def _within(self, shares: Iterable[float]) -> list[float]:
-        return [share * self.probe.size for share in shares if share <= self.probe.widest]
+        probe = self.probe
+        return [share * probe.size for share in shares if probe.least < share <= probe.widest]
 
-    def hear(self, gap: float, form: str) -> None:
+    def hear(self, gap: float, outline: Outline) -> None:
         """What was answered at a true gap."""
+        form = self.probe.form(outline, gap)
         none = form == self.probe.near
         if form not in (self.probe.near, self.probe.far) or self._said.get(gap, none) is not none:
             self.unclear = True
@@ -101,8 +107,8 @@ class _Search:
 
     @property
     def touched(self) -> bool:
-        """Whether the gap 0 was taken for none."""
-        return self._said.get(0.0, False)
+        """Whether the gap 0 was taken for none; where only a mistake takes it so, whether any gap was."""
+        return any(self._said.values()) if self._mistaken else self._said.get(0.0, False)
 
     @property
     def turn(self) -> tuple[float, float | None]:
@@ -111,9 +117,10 @@ class _Search:
         return low, min((gap for gap, none in self._said.items() if not none and gap > low), default=None)
 
     def flip(self) -> Flip | None:
-        """Where the answer turned, None where it turned more than once: below the noise it may."""
+        """Where the answer turned, None where it turned more than once: below the noise it may, and below
+        a mistake's own threshold."""
         low, high = self.turn
-        noise = NOISE * self.probe.size
+        noise = low if self._mistaken else NOISE * self.probe.size
         if self.unclear or any(noise < gap < low for gap, none in self._said.items() if not none):
             return None
         return Flip(self.probe.sizes, low, high)
@@ -132,13 +139,13 @@ def _ask(asked: Sequence[tuple[_Search, list[float]]], runner: Runner, box: Box)
     replies = runner.answers(box, cases, _limits(runner.problem))
     if replies.breakdown is not None or len(replies.replies) != len(cases):
         return False
-    forms: dict[str, str] = {}  # most answers come again and again, and an outline takes its time
+    outlines: dict[str, Outline] = {}  # most answers come again and again, and an outline takes its time
     for (search, true), reply in zip(heard, replies.replies, strict=True):
         if reply.stop is Stop.ANSWERED:
             key = repr(reply.answer)
-            if key not in forms:
-                forms[key] = form_of(runner.outline(reply.answer))
-            search.hear(true, forms[key])
+            if key not in outlines:
+                outlines[key] = runner.outline(reply.answer)
+            search.hear(true, outlines[key])
         elif reply.stop is Stop.EXCEPTION:
             search.unclear = True
         else:
@@ -161,9 +168,10 @@ def _limits(problem: Problem) -> Limits:
 def _threshold(border: Border, searches: Sequence[_Search], *, near: bool) -> Threshold | None:
     """The border's thresholds, if most figures have one and they follow a law."""
     flips = [flip for search in searches if (flip := search.flip()) is not None]
-    if len(flips) < len(searches) - _MOST_UNCLEAR or 2 * sum(each.touched for each in searches) < len(
-        searches
-    ):
+    # Where only a mistake takes a gap for none, few figures may be small or large enough to show it.
+    touched = sum(each.touched for each in searches)
+    least = 1 if border.mistaken else len(searches) / 2
+    if len(flips) < len(searches) - _MOST_UNCLEAR or touched < least:
         return None
     if near and not all(flip.low and flip.high for flip in flips):
         return None  # it turns where nothing was asked

@@ -2,7 +2,9 @@
 
     right ways    every right route, plain and in each of its styles, answers all cases rightly
     rejected      every mistake is rejected, unless the file says why no case can tell it
-    kills         a group that names the mistake rejects it, in five cases at least, or there is a warning
+    kills         each group that names a mistake rejects each program that makes it, in five cases at least
+    spared        where mistakes.toml says why a group spares some, it rejects another one so, and another
+                  group that one
     containment   a choice answers there as it does here
 
 A mistake without a word in mistakes.toml, or one that no group names, is a fault too.
@@ -10,14 +12,14 @@ A mistake without a word in mistakes.toml, or one that no group names, is a faul
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
 from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour, behaviour
-from judge.mistakes.catalogue import FILE
+from judge.mistakes.catalogue import FILE, Words
 from judge.mistakes.family import Family
 from judge.mistakes.known import Program, computed
 from judge.mistakes.makers import Maker, read_makers
@@ -27,13 +29,13 @@ from judge.run.settings import Settings
 from judge.run.verify import Fault
 from judge.sandbox import BoxFactory
 
-ENOUGH = 5  # cases of one group that reject a mistake, below which there is a warning
+ENOUGH = 5  # cases of one group that reject a mistake, below which chance may have made them
 
 Progress = Callable[[str, int, int], None]
 
 
 class ChoicesReport(Struct, frozen=True):
-    """What came of a problem's choices: how many there are, what is wrong, and what is weak.
+    """What came of a problem's choices: how many there are, what is wrong, and what is worth a look.
 
     `made` are the mistakes that they make, `problem` is the problem with all that its groups should catch.
     """
@@ -57,7 +59,7 @@ def verify_choices(
         return ChoicesReport(faults=tuple(faults), problem=read.problem)
     aimed = _aimed(read.problem)
     warnings: list[Fault] = []
-    killed: dict[str, set[str]] = {}
+    counts: dict[str, list[_Counted]] = {}
     settings = Settings(box_factory=box_factory, measured=False)
     try:
         faults += _wrong_right_ways(read.family, data)
@@ -70,15 +72,19 @@ def verify_choices(
             if does != {**dict(computed(data, program)), **_beside(does, data)}:
                 remedy = "make it depend on nothing but its arguments"
                 faults.append(Fault(f"{maker.name} answers otherwise in containment", maker.file, remedy))
-            for name, answers in does.items():
-                if answers.wrong:
-                    killed.setdefault(maker.name, set()).add(name)
-            found = _judged(maker, read.family.equal(maker.choice) if maker.choice else "", does, aimed)
-            faults += found.faults
-            warnings += found.warnings
+            rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
+            if maker.choice is not None and read.family.equal(maker.choice):
+                warnings += _still_told(maker, rejected)
+            else:
+                counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
     except ProblemError as fault:
         faults.append(Fault(fault.what, fault.where or where, fault.remedy or ""))
-    faults += _names(choices, aimed, killed, read.problem)
+    faults += _names(choices, aimed)
+    for name in sorted(
+        counts.keys() | {name for name, words in read.family.catalogue.items() if words.spared}
+    ):
+        words = read.family.words(name)
+        faults += _kills(name, counts.get(name, ()), aimed.get(name, ()), words, read.problem)
     made = frozenset(maker.name for maker in choices)
     return ChoicesReport(len(choices), made, tuple(faults), tuple(warnings), read.problem)
 
@@ -111,44 +117,75 @@ def _wrong_right_ways(family: Family, data: ProblemData) -> Iterator[Fault]:
             )
 
 
-def _judged(maker: Maker, equal: str, does: Behaviour, aimed: Mapping[str, Sequence[str]]) -> ChoicesReport:
-    """What there is to say of one choice."""
-    counts = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
-    if equal:
-        told = Fault(f"{maker.name} is said to be equal, and {next(iter(counts), '')} rejects it", maker.file)
-        return ChoicesReport(warnings=(told,) if counts else ())
-    if not counts:
-        remedy = "add a case that does, or say below it with '# !' why none can"
-        return ChoicesReport(
-            faults=(Fault(f"no case rejects {maker.name}: {_shown(maker)}", maker.file, remedy),)
-        )
-    own = {name: counts.get(name, 0) for name in aimed.get(maker.name, ())}
-    if own and max(own.values()) < ENOUGH:
-        listed = ", ".join(f"{name} {count}" for name, count in own.items())
-        most = max(counts, key=lambda name: counts[name])
-        few = f"its own groups reject it in few cases ({listed}), {most} in {counts[most]}"
-        what = f"{maker.name}, {_shown(maker)}: {few}"
-        return ChoicesReport(warnings=(Fault(what, maker.file),))
-    return ChoicesReport()
+class _Counted(Struct, frozen=True):
+    """A program that makes a mistake, and in how many cases each group rejects it; others do not."""
+
+    maker: Maker
+    rejected: Mapping[str, int]
+
+    def most(self, groups: Iterable[str]) -> int:
+        """The greatest number of one of these groups."""
+        return max((self.rejected.get(name, 0) for name in groups), default=0)
+
+
+def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:
+    if rejected:
+        yield Fault(f"{maker.name} is said to be equal, and {next(iter(rejected))} rejects it", maker.file)
+
+
+def _kills(
+    name: str, counted: Sequence[_Counted], own: Sequence[str], words: Words, problem: Problem
+) -> Iterator[Fault]:
+    """What there is to say of the programs that make one mistake, and of the groups that name it."""
+    for each in counted:
+        if not each.rejected:
+            remedy = "add a case that does, or say below it with '# !' why none can"
+            yield Fault(f"no case rejects {name}: {_shown(each.maker)}", each.maker.file, remedy)
+        elif own and each.most(own) < ENOUGH:
+            listed = ", ".join(f"{group} {each.rejected.get(group, 0)}" for group in own)
+            best = max(each.rejected, key=lambda group: each.rejected[group])
+            few = f"its own groups reject it in few cases ({listed}), {best} in {each.rejected[best]}"
+            remedy = f"strengthen their data, or let another group's kills name {name!r}"
+            yield Fault(f"{name}, {_shown(each.maker)}: {few}", each.maker.file, remedy)
+    for group in own if counted else ():
+        yield from _of_group(group, name, counted, words.spared.get(group, ""), problem)
+    for group in sorted(words.spared.keys() - set(own if counted else ())):
+        what = f"[{name}] says why {group!r} spares some that make it, and that group names no such mistake"
+        yield Fault(what, f"{problem.solutions.parent.name}/{FILE}", "remove it")
+
+
+def _of_group(
+    group: str, name: str, counted: Sequence[_Counted], why: str, problem: Problem
+) -> Iterator[Fault]:
+    """Whether a group that names a mistake rejects what makes it; `why` is the reason why not everything."""
+    words = f"{problem.solutions.parent.name}/{FILE}"
+    where = f"{problem.id}/problem.toml"
+    remedy = "strengthen its data, or take the name out of its kills"
+    most = max(each.most([group]) for each in counted)
+    least = min(counted, key=lambda each: each.most([group]))
+    few = least.most([group])
+    if not most:
+        yield Fault(f"group {group!r} names {name!r} and accepts every program that makes it", where, remedy)
+    elif most < ENOUGH:
+        what = f"group {group!r} names {name!r} and rejects no program that makes it in {ENOUGH} cases"
+        yield Fault(what, where, remedy)
+    elif few < ENOUGH and not why:
+        place = f"{least.maker.file} ({_shown(least.maker)})"
+        what = f"group {group!r} names {name!r} and rejects {place} in {few or 'no'} cases"
+        yield Fault(what, where, f"{remedy}, or say why with spared.{group} in [{name}.in.{problem.id}]")
+    elif few >= ENOUGH and why:
+        what = f"[{name}] says why {group!r} spares some that make it, and it rejects them all"
+        yield Fault(what, words, "remove it")
 
 
 def _shown(maker: Maker) -> str:
     return maker.lines[0].wrong.partition("\n")[0] if maker.lines else "several lines"
 
 
-def _names(
-    choices: Sequence[Maker],
-    aimed: Mapping[str, Sequence[str]],
-    killed: Mapping[str, set[str]],
-    problem: Problem,
-) -> Iterator[Fault]:
+def _names(choices: Sequence[Maker], aimed: Mapping[str, Sequence[str]]) -> Iterator[Fault]:
     for name in sorted({maker.name for maker in choices}):
         first = next(maker for maker in choices if maker.name == name)
         if name not in aimed:
             yield Fault(f"no group's kills name {name!r}", first.file, "name it where it fails")
         if not first.text:
             yield Fault(f"nothing is said of {name!r}", first.file, f"begin a table [{name}] in {FILE}")
-        for group in sorted(set(aimed.get(name, ())) - killed.get(name, set())):
-            what = f"group {group!r} names {name!r} and accepts every program that makes it"
-            remedy = "strengthen its data, or take the name out of its kills"
-            yield Fault(what, f"{problem.id}/problem.toml", remedy)

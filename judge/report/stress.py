@@ -15,6 +15,7 @@ from judge.report.results import (
     place_lines,
     verdict_span,
 )
+from judge.report.thresholds import threshold_lines
 from judge.report.values import counted, seconds
 from judge.run.stress import Stressed
 
@@ -34,6 +35,8 @@ def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] 
         yield from (*drawn, line())
     if result.pitfall:
         yield from (*pitfall_lines(result.pitfall, width), line())
+    if told := list(threshold_lines(result, width)):
+        yield from (*told, line())
     yield from _verdict_lines(stressed, width)
 
 

@@ -15,10 +15,14 @@ _LEAST = 1e-16  # a share of a size below which rounding is all
 
 def threshold_lines(result: Result, width: int | None) -> Iterator[Line]:
     """The threshold that is worth a line, if there is one."""
+    if told := result_threshold(result):
+        yield from hanging(Span("threshold", Style.FAINT), Span(told), width, indent=2, column=13)
+
+
+def result_threshold(result: Result) -> str:
+    """That threshold in words; empty where there is none."""
     told = worth_telling(result.thresholds, accepted=result.verdict is Verdict.AC)
-    if told is not None:
-        label = Span("threshold", Style.FAINT)
-        yield from hanging(label, Span(threshold_text(told)), width, indent=2, column=13)
+    return "" if told is None else threshold_text(told)
 
 
 def worth_telling(thresholds: Sequence[Threshold], *, accepted: bool) -> Threshold | None:

@@ -29,9 +29,7 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
     if report.choices:
         yield line()
-        told = f"{counted(report.choices, 'mistake')} of mistakes.py judged"
-        weak = f", {len(report.warnings)} of them weakly caught" if report.warnings else ""
-        yield line(f"  {told}{weak}")
+        yield line(f"  {counted(report.choices, 'mistake')} of mistakes.py judged")
     if with_matrix and report.audit and report.audit.buckets:
         yield line()
         yield from audit_lines(report.audit, width)
@@ -42,7 +40,7 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
         text = f"{shown_name(each.file)}: only {counted(each.cases, 'case')} of all groups reject it"
         yield from hanging(Span("warning", Style.STRONG), Span(text), width, indent=2, column=11)
     for warning in report.warnings:
-        yield from hanging(Span("weak", Style.FAINT), Span(str(warning)), width, indent=2, column=9)
+        yield from hanging(Span("warning", Style.STRONG), Span(str(warning)), width, indent=2, column=11)
     for fault in report.faults:
         yield from hanging(Span("fault", Style.BAD), Span(str(fault)), width, indent=2, column=9)
 

@@ -34,17 +34,17 @@ OnCases = Callable[[int, float], None]  # cases so far, seconds so far
 
 
 class Broken(Struct, frozen=True):
-    """What broke: the series, the failure with its case counted from 1 there, and how it was run."""
+    """What broke: the series, and the failure with its case counted from 1 there."""
 
     series: Series
     failure: Failure
-    runner: Runner
 
 
 class Stressed(Struct, frozen=True):
     """What a stress came to: of the `cases`, `built` were built and the others are images of these.
 
     `result` has what was judged of each group; its failure's case is counted in all the cases of its group.
+    `runner` is how the submission was run; None where it could not be.
     """
 
     result: Result
@@ -54,6 +54,7 @@ class Stressed(Struct, frozen=True):
     built: int = 0
     interrupted: bool = False
     broken: Broken | None = None
+    runner: Runner | None = None
 
     @property
     def rate(self) -> float:
@@ -79,6 +80,7 @@ class Stressed(Struct, frozen=True):
             "failure": result.failure.as_json() if result.failure else None,
             "counterexample": result.counterexample,
             "pitfall": result.pitfall.as_json() if result.pitfall else None,
+            "thresholds": [each.as_json() for each in result.thresholds],
             "memory_bytes": result.memory_bytes,
             "isolation": result.isolation,
         }
@@ -208,7 +210,7 @@ class _Run:
                 continue
             total = self._totals[series.data.group.name]
             if run.failure and self.broken is None:
-                self.broken = Broken(series, run.failure, self._runner)
+                self.broken = Broken(series, run.failure)
                 place = run.failure.case
                 self._failure = replace(
                     run.failure, case=None if place is None else total.result.cases + place
@@ -234,7 +236,9 @@ class _Run:
             self._usage.memory_bytes,
             self._box.isolation,
         )
-        return Stressed(result, self._seed, seconds, self.cases, self.built, interrupted, self.broken)
+        return Stressed(
+            result, self._seed, seconds, self.cases, self.built, interrupted, self.broken, self._runner
+        )
 
     @property
     def over(self) -> bool:

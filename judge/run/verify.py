@@ -79,7 +79,7 @@ class VerifyReport(Struct, frozen=True):
     matrix: Matrix | None = None  # of the wrong programs; None where none was judged
     audit: Audit | None = None  # of the data; None where there are none
     choices: int = 0  # mistakes of mistakes.py
-    warnings: tuple[Fault, ...] = ()  # what is weak, and no broken promise
+    warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
 
     @property
     def ok(self) -> bool:

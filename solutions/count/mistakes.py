@@ -17,6 +17,11 @@ def single(x):
     return unpack("f", pack("f", max(-3e38, min(3e38, x))))[0]
 
 
+def wrap(x, bits):
+    # a whole number as an integer of so many bits holds it; a float stays
+    return x if isinstance(x, float) else (x + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)
+
+
 def distance(cx, cy, r, A, B):
     "right"
     # + diameter-for-radius: r = r / 2
@@ -121,6 +126,7 @@ def distance(cx, cy, r, A, B):
     # ? swapped-coordinates: k = dx * ax - dy * ay
     # ? swapped-coordinates: k = dx * ay + dy * ax
     # ? global-frame: k = (B[1] - A[1]) * cx - (B[0] - A[0]) * cy + B[0] * A[1] - B[1] * A[0]
+    # ? overflow-32: k = wrap(dx * ay - dy * ax, 32)
     d = abs(k) / length
     # ? forgotten-abs: d = k / length
     # ? equality-tangency@f: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(-(ax * dx + ay * dy) / length ** 2)
@@ -267,6 +273,10 @@ def quadratic(cx, cy, r, A, B):
     # ? equality-tangency@q: disc = b * b - a * c
     # ? absolute-epsilon@b: disc = b * b - a * c
     # ? radius-not-squared: disc = r * a - k * k
+    # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
+    # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
     # ? tangent-missed@b: disc = b * b - a * c
     limit = a * near * (2 * r + near)
     # ? cancellation@e: limit = {1e-12..1e-8/2} * b * b

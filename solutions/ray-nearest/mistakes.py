@@ -3,6 +3,11 @@
 from math import copysign, floor, hypot, inf, nan, sqrt
 
 
+def wrap(x, bits):
+    # a whole number as an integer of so many bits holds it; a float stays
+    return x if isinstance(x, float) else (x + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)
+
+
 def quadratic(cx, cy, r, O, D):
     "right"
     # + diameter-for-radius: r = r / 2
@@ -126,6 +131,12 @@ def quadratic(cx, cy, r, O, D):
     # ? absolute-epsilon@all: disc = b * b - a * c
     # ? absolute-epsilon@all3: disc = b * b - a * c
     # ? absolute-epsilon@tan: disc = b * b - a * c
+    # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
+    # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
+    # ? overflow-64@where: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
     d = abs(k) / length
     # ? cancellation: d = sqrt(max(0.0, fx * fx + fy * fy - b * b / a))
     # ? forgotten-abs: d = k / length
@@ -174,6 +185,8 @@ def quadratic(cx, cy, r, O, D):
     # ? cancellation@u: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? cancellation@c4: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? tangent-missed: where = -1 if disc > 0 else 1
+    # ? overflow-64@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
+    # ? overflow-32@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
     # ? tangent-missed: where = -1 if gap < 0 else 1
     # : d < r makes two points, and all else is a miss: a tangent is none, or has two points where it was
     # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the extent.

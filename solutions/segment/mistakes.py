@@ -7,6 +7,11 @@ def out(points):
     return points
 
 
+def wrap(x, bits):
+    # a whole number as an integer of so many bits holds it; a float stays
+    return x if isinstance(x, float) else (x + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)
+
+
 def geometric(cx, cy, r, A, B):
     "right"
     # + diameter-for-radius: r = r / 2
@@ -317,6 +322,12 @@ def quadratic(cx, cy, r, A, B):
     # : The textbook discriminant b² − 4ac in doubles: with A far away it is the small difference of two
     # : huge numbers. Write it as r²·a − k² with the cross product k.
     # ? radius-not-squared@k: disc = r * a - k * k
+    # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
+    # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
+    # ? overflow-64@where: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
     # : The half-chord is √(r − d²), with the radius as it is. Square the radius.
     length = sqrt(a)
     gap = abs(k) / length - r
@@ -345,6 +356,8 @@ def quadratic(cx, cy, r, A, B):
     # ? tangent-twice: where = -1 if disc >= 0 else 1
     # ? radius-not-squared@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
+    # ? overflow-64@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
+    # ? overflow-32@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
     if where == 1:
         return []
         # ? none-for-empty: return None

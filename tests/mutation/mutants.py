@@ -6,7 +6,8 @@
     constants    an int by one up and down; a float doubled and halved, one below 1e-3 times and by 10,000
     names        a name read in a function → another one bound there that differs in one letter
 
-No tool for mutation testing judges by anything but a test suite's exit status, in the same process or one for
+A mutant is what a mistake of mistakes.py is, a change of a right way's lines, and is rendered as that is. No
+tool for mutation testing judges by anything but a test suite's exit status, in the same process or one for
 every mutant; here a mutant is a submission, and it is judged as one.
 """
 
@@ -17,6 +18,8 @@ import copy
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+
+from judge.mistakes.routes import Change, Piece, Route
 
 _OPERATORS = {
     ast.Add: (ast.Sub,),
@@ -46,34 +49,49 @@ _FAR = 1e4  # a threshold is meant to lie anywhere within five powers of ten: a 
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """A changed program; `was` and `becomes` are the one line (as `ast.unparse` writes it) that differs.
+    """A change of the one line of a program (as `ast.unparse` writes it) that differs.
 
-    `number` counts the mutants of one file that agree in both lines, from 1.
+    `number` counts the mutants of one file that agree in what the line was and becomes, from 1.
     """
 
-    was: str
-    becomes: str
+    route: Route
+    change: Change
     number: int
-    source: str
+
+    @property
+    def was(self) -> str:
+        """The line before the change."""
+        return self.route.lines[self.change.pieces[0].start].strip()
+
+    @property
+    def becomes(self) -> str:
+        """The line after it."""
+        return self.change.pieces[0].lines[0].strip()
+
+    @property
+    def source(self) -> str:
+        """The whole program with it."""
+        return self.route.source([self.change]) + "\n"
 
 
 def mutants(source: str) -> list[Mutant]:
     """Every mutant of a program, in the order of its text."""
     tree = ast.parse(source)
-    before = ast.unparse(tree).splitlines()
+    route = Route("", "", "", tuple(ast.unparse(tree).splitlines()), ())
     seen: Counter[tuple[str, str]] = Counter()
     found = []
     for place, node in enumerate(ast.walk(tree)):
         for changed in _changes(node, _names_around(tree, node)):
-            text = ast.unparse(_replaced(tree, place, changed))
-            lines = text.splitlines()
-            different = [(a, b) for a, b in zip(before, lines, strict=True) if a != b]
+            lines = ast.unparse(_replaced(tree, place, changed)).splitlines()
+            pairs = enumerate(zip(route.lines, lines, strict=True))
+            different = [(i, was, becomes) for i, (was, becomes) in pairs if was != becomes]
             if not different:
                 continue
-            ((was, becomes),) = different
+            ((line, was, becomes),) = different
             key = was.strip(), becomes.strip()
             seen[key] += 1
-            found.append(Mutant(*key, seen[key], text + "\n"))
+            change = Change("", (Piece(line, line + 1, (becomes,)),), line + 1)
+            found.append(Mutant(route, change, seen[key]))
     return found
 
 

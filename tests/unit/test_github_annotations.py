@@ -10,6 +10,7 @@ from judge.problem import Verdict
 from judge.report.github import annotation
 from judge.report.places import FilePlace, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Mode, Pitfall, Result, judge_fault
+from judge.run.thresholds import Flip, Law, Threshold
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
 SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"
@@ -75,6 +76,20 @@ def test_a_wrong_answer_is_an_error_with_the_case():
         "groups that fail: grid, band",
     ):
         assert line in lines
+
+
+@pytest.mark.parametrize(
+    ("verdict", "law", "mistake", "told"),
+    [
+        (Verdict.WA, Law({}, 1e-9), "absolute-epsilon", "for a touch: 1e-9 at size 1; it does not grow"),
+        (Verdict.AC, Law({"extent": 1}, 1e-10), None, "for a touch: 1e-10 of the extent; that is between"),
+    ],
+)
+def test_the_submissions_own_threshold_is_told(verdict, law, mistake, told):
+    threshold = Threshold("a touch", 1e-12, 1e-7, (Flip({"extent": 1.0}, 0.9e-9, 1.1e-9),), law, mistake)
+    message = "" if verdict is Verdict.AC else "no"
+    _, _, lines = parts(annotation(result(verdict, message, thresholds=(threshold,)), SOURCE, "solve", {}))
+    assert lines[-1].startswith(f"threshold {told}")
 
 
 def test_the_judges_own_fault_has_no_line():

@@ -6,10 +6,12 @@ import re
 from xml.etree import ElementTree as Xml
 
 import pytest
+from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
+from judge.run.thresholds import Flip, Law, Threshold
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.
@@ -63,6 +65,15 @@ REJECTED = Result(
     Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": (0, 2.5)}, "2", "1"),
     pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
 )
+THRESHOLD = Threshold(
+    "a touch",
+    1e-12,
+    1e-7,
+    tuple(Flip({"extent": size}, 0.9e-9, 1.1e-9) for size in (1.0, 2e-7)),
+    Law({}, 1e-9),
+    "absolute-epsilon",
+)
+FOLLOWING = Threshold("a touch", 1e-12, 1e-7, THRESHOLD.figures, Law({"extent": 1}, 1e-10))
 
 
 def test_a_suite_for_each_submission_and_a_case_for_each_group():
@@ -98,6 +109,21 @@ def test_a_failure_tells_the_case_what_was_wanted_and_what_was_given():
     assert [(each.get("type"), each.get("message")) for each in band] == [
         ("TLE", "time limit exceeded: 0 of 10 cases passed")
     ]
+
+
+def properties(root):
+    return {each.get("name"): each.get("value") for each in root.iter("property")}
+
+
+def test_the_submissions_own_threshold_is_told():
+    told = "for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not grow with the figure"
+    root = read(replace(REJECTED, thresholds=(THRESHOLD,)))
+    assert properties(root)["threshold"] == told
+    assert f"threshold  {told}" in root.find(".//failure").text
+    assert properties(read(replace(ACCEPTED, thresholds=(FOLLOWING,))))["threshold"] == (
+        "for a touch: 1e-10 of the extent; that is between 1e-12 and 1e-7, as it should be"
+    )
+    assert "threshold" not in properties(read(ACCEPTED, REJECTED))
 
 
 def test_the_judges_own_fault_is_an_error():

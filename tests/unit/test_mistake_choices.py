@@ -100,13 +100,60 @@ def test_a_mistake_that_no_case_can_tell_has_its_reason(pack):
     assert not any("no case rejects" in fault for fault in faults)
 
 
-def test_few_cases_are_a_warning(pack):
+def in_cases(pack, many):
+    """The line of floor-division that only so many cases of its own group reject."""
     (half,) = (each for each in load_data(pack()).groups if each.group.name == "half")
-    third = sorted(case[0] for case in half.cases)[-3]
-    weak = ROUTES.replace("return total // 2", f"return total // 2 if a >= {third} else total / 2")
-    (warning,) = verified(pack(weak)).warnings
-    assert "its own groups reject it in few cases (half 3)" in warning.what
-    assert warning.where == "middle/mistakes.py:8"
+    least = sorted(case[0] for case in half.cases)[-many]
+    return f"return total // 2 if a >= {least} else total / 2"
+
+
+def test_few_cases_are_a_fault(pack):
+    weak = ROUTES.replace("return total // 2", in_cases(pack, 3))
+    program, group = verified(pack(weak)).faults
+    assert "its own groups reject it in few cases (half 3)" in program.what
+    assert program.where == "middle/mistakes.py:8"
+    assert group.what == "group 'half' names 'floor-division' and rejects no program that makes it in 5 cases"
+
+
+def spared(words, group, why="It is so."):
+    return words.replace('kills = ["whole"]', f'kills = ["whole"]\nspared.{group} = "{why}"')
+
+
+NARROW = ROUTES.replace(
+    "# ? minus-for-plus: total = a - b",
+    "# ? minus-for-plus: total = a - b\n    # ? minus-for-plus: total = a - b if (a + b) % 2 else a + b",
+)
+
+
+@pytest.mark.parametrize(
+    ("routes", "words", "what"),
+    [
+        (
+            NARROW,
+            WORDS,
+            "group 'whole' names 'minus-for-plus' and rejects middle/mistakes.py:7 (total = a - b if",
+        ),
+        (
+            ROUTES,
+            spared(WORDS, "whole"),
+            "says why 'whole' spares some that make it, and it rejects them all",
+        ),
+        (
+            ROUTES,
+            spared(WORDS, "half"),
+            "says why 'half' spares some that make it, and that group names no such",
+        ),
+        (ROUTES, f"{WORDS}[other]\nspared.half = 'so'\n", "[other] says why 'half' spares some that make it"),
+    ],
+)
+def test_each_group_rejects_all_that_it_names_or_the_words_say_why(pack, routes, words, what):
+    faults = [str(fault) for fault in verified(pack(routes, words)).faults]
+    assert any(what in fault for fault in faults), faults
+
+
+def test_a_group_may_spare_some_that_another_one_rejects(pack):
+    words = spared(WORDS, "whole").replace('["whole"]', '["whole", "half"]')
+    assert verified(pack(NARROW, words)).faults == ()
 
 
 def test_what_is_told_without_running_anything(pack):

@@ -120,6 +120,67 @@ def line_count(cx, cy, r, A, B):
     return kept[key]
 """
 
+HELD = """
+def held(x):
+    return x if isinstance(x, float) else (x + 2**{0}) % 2**{1} - 2**{0}
+
+
+"""
+ROOTS = {
+    "count": """
+def line_count(cx, cy, r, A, B):
+    fx, fy, dx, dy = A[0] - cx, A[1] - cy, B[0] - A[0], B[1] - A[1]
+    if dx == 0 == dy:
+        return None
+    e = 1e-10 * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    a, k = dx * dx + dy * dy, dx * fy - dy * fx
+    rest = held(r * r * a - k * k) / a
+    return 0 if rest < -e * (2 * r + e) else 1 if rest <= e * (2 * r + e) else 2
+""",
+    "segment": """
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    fx, fy, dx, dy = A[0] - cx, A[1] - cy, B[0] - A[0], B[1] - A[1]
+    e = 1e-10 * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    if dx == 0 == dy:
+        return [A] if abs(hypot(fx, fy) - r) <= e else []
+    a, b, k = dx * dx + dy * dy, dx * fx + dy * fy, dx * fy - dy * fx
+    rest = held(r * r * a - k * k) / a
+    if rest < -e * (2 * r + e):
+        return []
+    h = sqrt(rest / a) if rest > e * (2 * r + e) else 0
+    ts = [-b / a - h, -b / a + h] if h else [-b / a]
+    e /= sqrt(a)
+    return [(A[0] + t * dx, A[1] + t * dy) for t in ts if -e <= t <= 1 + e]
+""",
+    "ray-nearest": """
+from math import sqrt
+
+
+def ray_nearest(cx, cy, r, O, D):
+    fx, fy, (dx, dy) = O[0] - cx, O[1] - cy, D
+    if dx == 0 == dy:
+        return None
+    e = 1e-10 * max(r, abs(fx), abs(fy))
+    a, b, k = dx * dx + dy * dy, dx * fx + dy * fy, dx * fy - dy * fx
+    rest = held(r * r * a - k * k) / a
+    if rest < -e * (2 * r + e):
+        return None
+    ts = [-b / a]
+    if rest > e * (2 * r + e):
+        far = -b - sqrt(rest * a) if b > 0 else -b + sqrt(rest * a)
+        ts = sorted([far / a, (fx * fx + fy * fy - r * r) / far])
+    for t in ts:
+        if abs(t) * sqrt(a) <= e:
+            return 0.0
+        if t > 0:
+            return t
+    return None
+""",
+}  # right where whole numbers are held as they are
+
 WRAPPED = "\n    return 0 if kk > reach else 1 if kk == reach else 2  #"
 
 # what is changed in the right program, and the names that may be said of it
@@ -206,6 +267,13 @@ def test_a_changed_line_is_named(named, problem, old, new, wanted):
 @pytest.mark.parametrize(("problem", "source", "wanted"), WHOLE)
 def test_a_whole_program_is_named(named, problem, source, wanted):
     assert named(problem, source) == wanted
+
+
+@pytest.mark.parametrize("bits", [64, 32])
+@pytest.mark.parametrize("problem", list(ROOTS))
+def test_whole_numbers_of_a_fixed_width_are_named(named, problem, bits):
+    held = HELD.format(bits - 1, bits)
+    assert named(problem, held + ROOTS[problem]) == {f"overflow-{bits}"}
 
 
 def test_kept_between_calls_is_not_said_of_what_fails_alone(named):

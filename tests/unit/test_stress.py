@@ -152,7 +152,8 @@ def test_the_object_has_the_published_keys():
     found = stressed(EXACT, seconds=1.0).as_json()
     assert list(found) == [
         "schema", "problem", "submission", "mode", "verdict", "cases", "built", "seconds", "cases_per_second",
-        "seed", "interrupted", "groups", "failure", "counterexample", "pitfall", "memory_bytes", "isolation",
+        "seed", "interrupted", "groups", "failure", "counterexample", "pitfall", "thresholds", "memory_bytes",
+        "isolation",
     ]  # fmt: skip
     assert list(found["groups"][0]) == ["name", "verdict", "cases", "passed", "worst_ulps", "cpu_seconds"]
     assert found["verdict"] == "AC"

@@ -10,7 +10,9 @@ which the answer turns is a double, and so is every coordinate. The radius is wh
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import hypot
+from math import hypot, sqrt
+
+from msgspec.structs import replace
 
 from judge.problem import Problem
 from judge.problem.border import Border, Probe
@@ -90,6 +92,18 @@ _SHORT: Sequence[tuple[float, float, float, float]] = (
     (1 / _MEDIUM, 0.75, 0.5, 0),
     (1.0, 0.75, 0.5, _FAR),
 )
+_INSIDE = 2.0**-22  # of the extent: how far A is inside the circle that a short segment leaves, along it
+_ACROSS: Sequence[tuple[_Triple, float, float]] = (  # (direction of A from C, scale, offset)
+    (_OBLIQUE, 1.0, 0),
+    (_OBLIQUE, _SMALL, 0),
+    (_OBLIQUE, _LARGE, 0),
+    (_OBLIQUE, _MEDIUM, 0),
+    (_OBLIQUE, 1 / _MEDIUM, 0),
+    (_AXIS, 1.0, 0),
+    ((24, 7, 25), _MEDIUM, 0),
+    (_OBLIQUE, 1.0, _FAR),
+    (_AXIS, _SMALL, _FAR),
+)
 
 
 def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
@@ -98,18 +112,23 @@ def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
         return ()
     snap, clear = float(problem.bands["snap"]), float(problem.bands["clear"])
     ray = part is Part.RAY
-    found = [Border("a tangency", snap, clear, _touches(part, -1))]
-    if not ray:  # whose first point moves so little that its number alone would have to tell
-        found.append(Border("a tangency from inside", snap, clear, _touches(part, 1)))
+    found = [
+        Border("a tangency", snap, clear, _touches(part, -1)),
+        Border("a tangency from inside", snap, clear, _touches(part, 1)),
+    ]
     if part is Part.SEGMENT:
         found += [
             Border("the end B", snap, clear, tuple(_end(each, last=True) for each in _ENDS)),
             Border("the end A", snap, clear, tuple(_end(each, last=False) for each in _ENDS)),
             Border("a single point", snap, clear, tuple(_point(each) for each in _POINTS)),
+            Border("a short AB", 0, 0, tuple(map(_across, _ACROSS)), mistaken="points 0"),
         ]
         return tuple(found)
     if ray:
-        found.append(Border("the origin", snap, clear, tuple(_origin(each) for each in _ORIGINS)))
+        found += [
+            Border("the origin", snap, clear, tuple(_origin(each, -1) for each in _ORIGINS)),
+            Border("a point just ahead", 0, 0, tuple(_origin(each, 1) for each in _ORIGINS), mistaken="none"),
+        ]
     found.append(
         Border("no direction" if ray else "no line", 0, 0, tuple(_short(each, ray=ray) for each in _SHORT))
     )
@@ -132,7 +151,12 @@ def _touch(each: _Layout, side: int, part: Part) -> Probe:
     widest = radius / 2
     if side > 0 and part is Part.SEGMENT:  # half the chord, about √(2·r·gap), stays within the segment
         widest = min(widest, (h * min(before, after)) ** 2 / (4 * radius))
-    return _probe((start, end), radius, side, widest, scale, far, ray=part is Part.RAY)
+    probe = _probe((start, end), radius, side, widest, scale, far, ray=part is Part.RAY)
+    if side < 0 or part is not Part.RAY:
+        return probe
+    # The first point steps back by half the chord, which is √(2·r·gap).
+    rest, length = before / (before + after), hypot(p, q) * abs(before + after)
+    return replace(probe, rest=rest, step=sqrt(2 * radius / scale) / length)
 
 
 def _end(each: _Layout, *, last: bool) -> Probe:
@@ -143,12 +167,15 @@ def _end(each: _Layout, *, last: bool) -> Probe:
     return _probe((start, end) if last else (end, start), h * along, 1, _WIDEST, scale, far)
 
 
-def _origin(each: _Layout) -> Probe:
-    """A ray straight away from the circle that it begins on; the circle shrinks away behind it."""
+def _origin(each: _Layout, side: int) -> Probe:
+    """A ray straight away from the circle that it begins on.
+
+    With the side -1 the circle shrinks away behind it, with 1 it grows, and is met just ahead.
+    """
     (p, q, h), scale, along, length, _, far = each
     origin = _step((0, 0), (p, q), along)
     ends = origin, _step(origin, (p, q), length)
-    return _probe(ends, h * along, -1, _WIDEST, scale, far, ray=True, alike=True)
+    return _probe(ends, h * along, side, _WIDEST, scale, far, ray=True, alike=True)
 
 
 def _point(each: _Layout) -> Probe:
@@ -197,6 +224,16 @@ def _short(each: tuple[float, float, float, float], *, ray: bool) -> Probe:
     sizes = {"extent": extent, "radius": radius, "coordinate": max(extent, far)}
     case = (beside, far, radius, (0.0, far), (0.0, 0.0 if ray else far))
     return Probe(case, (4, 0), 0.0, 1, sizes, _WIDEST)
+
+
+def _across(each: tuple[_Triple, float, float]) -> Probe:
+    """A segment along x that leaves the circle, as long as the gap; A is inside by the promise and a bit."""
+    (p, q, h), scale, offset = each
+    far, inside = offset * scale, _INSIDE * h
+    start = far + (p - inside) * scale, q * scale - far
+    sizes = {"extent": h * scale, "coordinate": max(map(abs, (far, h * scale, *start)))}
+    case = (far, -far, h * scale, start, start)
+    return Probe(case, (4, 0), start[0], 1, sizes, _WIDEST, least=2 * _INSIDE)
 
 
 def _step(place: _Pair, direction: tuple[int, int], steps: float) -> _Pair:

@@ -91,7 +91,7 @@ def near(
 ) -> Figure:
     """Lines that cross or miss the circle, as `side` says, by `low` to `high` billionths of the extent.
 
-    The figure is moved by up to `distance` first; only one that is neither turned nor scaled can go far.
+    The figure is moved by up to `distance` before it is scaled; only one that is not turned can go far.
     """
     kind = draw.choice(side) if isinstance(side, tuple) else side
     require(kind in (HIT, MISS), "side is hit or miss")
@@ -100,10 +100,10 @@ def near(
     # The radius changes the extent by less than a millionth, and `low` keeps clear of the promise by more.
     change = Fraction(draw.integer(low * 1000, high * 1000), 1000) * _GAP * figure.extent
     radius = float(Fraction(figure.radius) + (change if kind == HIT else -change))
-    figure = scaled(with_radius(figure, radius), _exponent(draw, exponent))
+    figure = with_radius(figure, radius)
     if away > 1:
         figure = moved(figure, away - draw.integer(0, away // 2), draw.integer(0, away // 2) - away)
-    return typed(draw, figure, "any")
+    return typed(draw, scaled(figure, _exponent(draw, exponent)), "any")
 
 
 def band(draw: Draw, *, size: Sizes, high: int, turn: Turns = False, exponent: Exponents = 0) -> Figure:

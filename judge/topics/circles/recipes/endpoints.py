@@ -16,6 +16,7 @@ from judge.topics.circles.figures.figure import (
     Recipe,
     draw_point,
     line,
+    scaled,
     typed,
     with_radius,
 )
@@ -301,11 +302,13 @@ def point_near_circle(
     return posed(draw, level(radius * divisor, 0, place, place), poses=("any",), divisor=divisor, **pose)
 
 
-def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Figure:
+def near_far_away(
+    draw: Draw, *, where: Sequence[str], distance: int, scales: Sequence[int] = (0,), **pose: Any
+) -> Figure:
     """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the segment nearly meets.
 
     hit and miss are near tangents, stop and pass near ends, point is A == B; all of them are off by 4e-7 to
-    2e-6 of the extent.
+    2e-6 of the extent. The whole of it is multiplied by two to one of `scales` at last.
     """
     steps = 24  # a radius in steps of 2**-24 and a place up to 2**28: what a double holds, and no more
     require(distance <= 52 - steps, "the figure's steps are doubles at that distance")
@@ -321,7 +324,10 @@ def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: An
         start = end if kind == "point" else start
     ends = (start, end) if draw.boolean() else (end, start)
     figure = level(radius, height * draw.sign(), *ends)
-    return posed(draw, figure, poses=("axis",), numbers="float", centre=0, scale=-steps, far=distance, **pose)
+    figure = posed(
+        draw, figure, poses=("axis",), numbers="float", centre=0, scale=-steps, far=distance, **pose
+    )
+    return scaled(figure, draw.choice(scales))
 
 
 def level(radius: int, offset: int, start: int, end: int) -> Figure:

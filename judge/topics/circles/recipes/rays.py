@@ -147,10 +147,13 @@ def origin_near_circle(
     return _posed(draw, radius * divisor, offset * divisor, start, divisor=divisor, poses=("any",), **pose)
 
 
-def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: Any) -> Figure:
+def near_far_away(
+    draw: Draw, *, where: Sequence[str], distance: int, scales: Sequence[int] = (0,), **pose: Any
+) -> Figure:
     """A circle of radius 1/2 to 1 up to 2**`distance` away, exactly, that the ray nearly meets.
 
     miss (a near tangent), past and inside (the origin, as in `origin_near_circle`): off by 4e-7 to 2e-6.
+    The whole of it is multiplied by two to one of `scales` at last.
     """
     steps = 24  # a radius in steps of 2**-24 and a place up to 2**28: what a double holds, and no more
     require(distance <= 52 - steps, "the figure's steps are doubles at that distance")
@@ -164,7 +167,7 @@ def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: An
     }
     require(kind in places, f"{kind!r} is a way to nearly meet a circle")
     offset, start = places[kind]
-    return _posed(
+    figure = _posed(
         draw,
         radius,
         offset,
@@ -176,6 +179,7 @@ def near_far_away(draw: Draw, *, where: Sequence[str], distance: int, **pose: An
         far=distance,
         **pose,
     )
+    return scaled(figure, draw.choice(scales))
 
 
 def null_direction(
