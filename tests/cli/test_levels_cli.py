@@ -119,6 +119,16 @@ def test_the_commands_that_judge_take_a_level(judge, kata, command):
     assert "small" in {group["name"] for group in value["groups"]}
 
 
+def test_one_case_says_nothing_of_a_level(judge, kata):
+    """The production level has one group, and the case is all that is judged of it."""
+    (value,) = objects(judge("run", "--json", "--no-name", "--level", "production", kata, "textbook.py"))
+    replay = value["counterexample"]["replay"]
+    ended = judge("replay", replay, "right.py")
+    assert ended.status == 0
+    assert "level" not in ended.out
+    assert "levels" not in objects(judge("replay", "--json", replay, "right.py"))[0]
+
+
 SHOWN = """\
 Test groups, interview level  63 cases, 60 points
   group     cases  points  about
