@@ -23,7 +23,7 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
     first, terms = submissions[0], wish.terms
-    jobs = min(wish.jobs, len(submissions) * len(terms.groups or problem.groups))
+    jobs = min(wish.jobs, len(submissions) * len(terms.chosen(problem)))
     with Containment(problem, terms.isolation, jobs, wish.had) as containment:
         containment.boot(first.source, first.name)
         from judge.cli.drawings import drawings  # while it boots

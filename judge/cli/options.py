@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 
 import click
 
+from judge.problem.level import LEVELS
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 problems_option: Callable[[F], F] = click.option(
@@ -24,6 +26,13 @@ json_option: Callable[[F], F] = click.option(
 )
 group_option: Callable[[F], F] = click.option(
     "--group", "groups", metavar="G", multiple=True, help="Only this test group; may be given again."
+)
+level_option: Callable[[F], F] = click.option(
+    "--level",
+    "kata_level",
+    metavar="LEVEL",
+    type=click.Choice(LEVELS),
+    help="Only the test groups of the interview or of the production level.",
 )
 seed_option: Callable[[F], F] = click.option(
     "--seed", type=int, metavar="N", help="Build other cases, from this seed, instead of the pinned ones."

@@ -9,6 +9,7 @@ from msgspec import Struct
 
 from judge.data.cache import all_code_files, content_key, own_files
 from judge.problem import Problem
+from judge.problem.choose import chosen_groups
 
 
 class Terms(Struct, frozen=True):
@@ -17,7 +18,7 @@ class Terms(Struct, frozen=True):
     `groups` are the test groups to run, all where none is named; `seed` builds other cases than the pinned
     ones; `isolation` demands a level instead of the best there is. `timed` says whether an accepted
     submission is raced against the reference, `diagnosed` whether the smallest case is looked for that breaks
-    another one, `named` whether the mistake is.
+    another one, `named` whether the mistake is. With a `level`, only groups of that level of the kata run.
     """
 
     groups: tuple[str, ...] = ()
@@ -26,6 +27,11 @@ class Terms(Struct, frozen=True):
     timed: bool = True
     diagnosed: bool = True
     named: bool = True
+    level: str | None = None
+
+    def chosen(self, problem: Problem) -> tuple[str, ...]:
+        """The names of the groups to run. Raises UsageError where that problem has no such group or level."""
+        return tuple(group.name for group in chosen_groups(problem, self.groups, self.level))
 
 
 class Job(Struct, frozen=True):

@@ -26,6 +26,7 @@ def judge(
     *,
     name: str | None = None,
     groups: str | Iterable[str] = (),
+    level: str | None = None,
     seed: int | None = None,
     isolation: str | None = None,
     timed: bool = True,
@@ -40,6 +41,7 @@ def judge(
         source: the submission: its text or bytes, or a `pathlib.Path` to its file.
         name: the file's name in tracebacks and in the result; a path's own by default.
         groups: the test groups to run; all where none is named.
+        level: "interview" or "production", to run only groups of that level of the kata.
         seed: builds other cases from it, instead of the pinned ones.
         isolation: "full", "strong" or "limits" to demand that level; the best there is by default.
         timed: whether an accepted submission's time is measured against the reference solution's.
@@ -52,13 +54,13 @@ def judge(
         of the problem or of the judge while judging is the verdict JE.
 
     Raises:
-        UsageError: there is no such problem, group, file or level of isolation.
+        UsageError: there is no such problem, group, level, file or isolation.
         ProblemError: the problem's folder is broken.
     """
     found = find_problem(problem, [Path(each) for each in problems]) if isinstance(problem, str) else problem
     chosen = (groups,) if isinstance(groups, str) else tuple(groups)
-    chosen_groups(found, chosen)  # a name that is none is told before anything is built
-    terms = Terms(chosen, seed, isolation, timed, diagnosed, named)
+    chosen_groups(found, chosen, level)  # a name that is none is told before anything is built
+    terms = Terms(chosen, seed, isolation, timed, diagnosed, named, level)
     content, called = _read(source)
     with Session(found, terms) as session:
         name = name or called

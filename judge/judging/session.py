@@ -58,7 +58,7 @@ class Session:
         self.problem = problem
         self.terms = terms
         if containment is None:
-            jobs = min(jobs, expected * len(terms.groups or problem.groups))
+            jobs = min(jobs, expected * len(terms.chosen(problem)))
             containment = Containment(problem, terms.isolation, jobs)
         self.containment = containment
         self.jobs = containment.jobs
@@ -152,7 +152,7 @@ class Session:
         terms = self.terms
         with self.containment.take(source, name) as box:
             with self._quietly(name) as advance:
-                settings, groups = self.settings, terms.groups or None
+                settings, groups = self.settings, terms.chosen(self.problem)
                 judged = run_in(
                     box,
                     self.problem,

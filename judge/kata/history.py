@@ -80,6 +80,14 @@ class Run(Struct, frozen=True):
         return found
 
     @property
+    def levels(self) -> tuple[str, ...]:
+        """The levels of the kata that it passed whole. Raises HistoryError where its result is damaged."""
+        try:
+            return tuple(each["level"] for each in self.result.get("levels", ()) if each["passed"])
+        except (TypeError, KeyError) as fault:
+            raise HistoryError(f"the result of run {self.id} is damaged") from fault
+
+    @property
     def whole(self) -> bool:
         """Whether it was accepted with no group left out."""
         return self.verdict is Verdict.AC and self.score >= FULL_SCORE

@@ -20,6 +20,7 @@ from judge.errors import ProblemError
 from judge.language import file_name, is_program
 from judge.problem import schema
 from judge.problem.growing import MOST_INPUT_MB, GrowingKeys
+from judge.problem.level import level_fault
 from judge.problem.lines import KeyPath
 from judge.problem.model import EXAMPLES, Group, GroupLimits, Parameter, Problem, ShownSkill, TimeRule
 from judge.problem.statement import read_statement
@@ -207,6 +208,9 @@ class _Reader:
             self.fault(
                 ("groups", 0, "points"), f"the groups' points sum to {total}", f"make them sum to {_POINTS}"
             )
+        if mixed := level_fault([(group.name, group.level) for group in table.groups]):
+            at, what, remedy = mixed
+            self.fault(("groups", at), what, remedy)
         return tuple(self._group(each, table, ("groups", at)) for at, each in enumerate(table.groups))
 
     def _group(self, group: schema.GroupTable, table: schema.ProblemTable, path: KeyPath) -> Group:
@@ -237,6 +241,7 @@ class _Reader:
             tolerance=self._tolerance(group, table, path),
             kills=tuple(group.kills),
             neighbours=self._neighbours(group, path),
+            level=group.level,
         )
 
     def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:

@@ -11,6 +11,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from judge.problem.level import KataLevel, levels_among
 from judge.values.tolerance import Tolerance as Tolerance
 from judge.values.type import Number as Number
 from judge.values.type import Type
@@ -102,6 +103,7 @@ class Group(Struct, frozen=True):
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
+    level: KataLevel | None = None  # None where the problem's groups have none
 
 
 class ShownSkill(Struct, frozen=True):
@@ -146,6 +148,15 @@ class Problem(Struct, frozen=True):
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
     audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
+
+    @property
+    def levels(self) -> tuple[KataLevel, ...]:
+        """The levels of its groups, the easier first; none where the groups are of one kind."""
+        return levels_among(group.level for group in self.groups)
+
+    def of_level(self, level: KataLevel) -> tuple[Group, ...]:
+        """Its groups of that level."""
+        return tuple(group for group in self.groups if group.level is level)
 
     def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from judge.problem.level import KataLevel
 from judge.problem.model import Tier
 
 TomlNumber = int | Decimal  # a number of the file, never rounded
@@ -96,6 +97,7 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     time: GroupTimeTable | None = None
     limits: GroupLimitsTable | None = None
     neighbours: bool = False
+    level: KataLevel | None = None
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):

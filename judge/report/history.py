@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime
 
+from judge.errors import HistoryError
 from judge.kata.changes import Change
 from judge.kata.history import Run
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
@@ -57,8 +58,18 @@ def _row(run: Run) -> list[Cell]:
         verdict_span(run.verdict),
         Span(str(run.score), Style.FAINT),
         Span(_times(run.ratio), Style.FAINT),
-        run.mistake or (run.failed[0] if run.failed else ""),
+        _remark(run),
     ]
+
+
+def _remark(run: Run) -> str:
+    """The level that it passed without passing the other, and its mistake or the first group that failed."""
+    try:
+        passed = () if run.whole else run.levels
+    except HistoryError:  # of a damaged result the other columns are still true
+        passed = ()
+    why = run.mistake or (run.failed[0] if run.failed else "")
+    return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:

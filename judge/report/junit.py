@@ -2,7 +2,7 @@
 
     testsuites
     └── testsuite                 a submission; errors counts what is the judge's own fault (JE)
-        ├── properties            verdict, score, mode, isolation, memory, ratio, mistake, threshold
+        ├── properties            verdict, score, levels, mode, isolation, memory, ratio, mistake, threshold
         └── testcase              a test group; `compile` or `judge` where nothing could be run
             └── failure | error   its verdict as the type; the case, what was wanted and what was given
 
@@ -16,6 +16,7 @@ from xml.etree import ElementTree as Xml
 
 from judge.problem.verdict import Verdict
 from judge.report.layout import printable
+from judge.report.levels import level_share
 from judge.report.results import counterexample_lines, failure_lines, failure_place, pitfall_lines
 from judge.report.thresholds import result_threshold, threshold_lines
 from judge.report.values import counted
@@ -57,6 +58,8 @@ def _properties(result: Result) -> Iterator[tuple[str, str]]:
     yield "submission", result.submission
     yield "verdict", result.verdict.value
     yield "score", str(result.score)
+    for each in result.levels:
+        yield f"{each.level.value}_level", level_share(each)
     yield "mode", result.mode.value
     yield "isolation", result.isolation
     yield "memory_bytes", str(result.memory_bytes)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
+from judge.report.levels import level_name
 from judge.report.values import bound, counted, size
 from judge.values import Words
 
@@ -45,12 +46,12 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield line(Span("Answer", Style.STRONG))
     yield from hanging(Span(""), Span(str(problem.answer)), width, indent=2, column=2)
     yield line()
-    total = f"  {counted(cases(problem), 'case')}, {sum(group.points for group in problem.groups)} points"
-    yield line(Span("Test groups", Style.STRONG), Span(total, Style.FAINT))
     tolerances = Counter(group.tolerance for group in problem.groups)
     usual = tolerances.most_common(1)[0][0]
-    yield from _group_table(problem.groups, usual, problem.answer.words).lines(width)
-    yield line()
+    for name, groups in _kinds(problem):
+        yield from beside(Span(name, Style.STRONG), totals(groups), width)
+        yield from _group_table(groups, usual, problem.answer.words).lines(width)
+        yield line()
     aside = "unless the group says otherwise" if len(tolerances) > 1 else ""
     yield from beside(Span("Tolerance", Style.STRONG), aside, width)
     yield from hanging(Span(""), Span(tolerance(usual, problem.answer.words)), width, indent=2, column=2)
@@ -62,6 +63,20 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield from _labelled("memory", size(limits.memory_bytes), width)
     yield from _labelled("output", size(limits.output_bytes), width)
     yield from _own_limits(problem, width)
+
+
+def _kinds(problem: Problem) -> Iterator[tuple[str, Sequence[Group]]]:
+    """The groups below their headings: all together, or those of each level."""
+    if not problem.levels:
+        yield "Test groups", problem.groups
+    for level in problem.levels:
+        yield f"Test groups, {level_name(level)}", problem.of_level(level)
+
+
+def totals(groups: Sequence[Group]) -> str:
+    """`1,885 cases, 100 points`: what the groups hold together."""
+    number = sum(group.count for group in groups)
+    return f"{counted(number, 'case')}, {counted(sum(group.points for group in groups), 'point')}"
 
 
 def _smallest(parameters: Sequence[Parameter]) -> str:

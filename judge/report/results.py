@@ -21,6 +21,7 @@ from judge.report.layout import (
     pad,
     printable,
 )
+from judge.report.levels import levels_text
 from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
 from judge.report.thresholds import threshold_lines
@@ -214,7 +215,7 @@ def _says_nothing_new(failure: Failure) -> bool:
 
 
 def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> list[Line]:
-    """The verdict in words, the points, the cases and what they cost.
+    """The verdict in words, the points, the cases and what they cost; first the level that was passed.
 
     Where it stands alone it also says why nothing could be run.
     """
@@ -229,6 +230,8 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
             parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
         if result.time.growth and result.verdict is Verdict.AC:
             parts.append(str(result.time.growth))
+    if levels := levels_text(result.levels):
+        parts[0] = f"{levels}; {parts[0]}"
     label = verdict_span(result.verdict)
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
 

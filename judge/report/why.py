@@ -6,7 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from judge.mistakes.told import Told
 from judge.problem import Group, Problem
+from judge.problem.level import KataLevel, levels_among
 from judge.report.layout import Line, Span, Style, beside, cells, hanging, line, wrap
+from judge.report.levels import level_name
+from judge.report.problems import totals
+from judge.report.values import counted
 
 _INDENT = 2
 _BESIDE = 28  # columns an explanation needs beside the names; with less it goes below them
@@ -19,9 +23,13 @@ def why_lines(
     yield from beside(Span(problem.id, Style.STRONG), problem.title, width)
     names = [name for group in groups for name in group.kills]
     column = 2 * _INDENT + max(map(cells, names), default=0) + 2
-    for group in groups:
+    whole = len(groups) == len(problem.groups)
+    for group, begun in _by_level(groups) if whole else ((group, None) for group in groups):
+        if begun is not None:
+            yield from _level_lines(begun, groups, width)
         yield line()
-        yield line(Span(group.name, Style.STRONG))
+        aside = level_name(group.level) if group.level and not whole else ""
+        yield from beside(Span(group.name, Style.STRONG), aside, width)
         yield from _indented(group.about, _INDENT, width)
         for name in group.kills:
             sentence = _sentence(mistakes.get(name))
@@ -31,6 +39,35 @@ def why_lines(
             else:
                 yield from _indented(name, 2 * _INDENT, width, Style.BAD)
                 yield from _indented(sentence, 3 * _INDENT, width)
+
+
+def _by_level(groups: Sequence[Group]) -> Iterator[tuple[Group, KataLevel | None]]:
+    """The groups, the easier level first, and with the first of each level that one."""
+    for level in levels_among(group.level for group in groups) or (None,):
+        begun = level
+        for group in groups:
+            if group.level is level:
+                yield group, begun
+                begun = None
+
+
+def _level_lines(level: KataLevel, groups: Sequence[Group], width: int | None) -> Iterator[Line]:
+    """What a level asks, how large it is, and which mistakes only its groups catch."""
+    own = [group for group in groups if group.level is level]
+    adds = "asks for" if level is KataLevel.INTERVIEW else "adds"
+    yield line()
+    size = f"{counted(len(own), 'group')}, {totals(own)}"
+    yield from beside(Span(level_name(level).capitalize(), Style.STRONG), size, width)
+    yield from _indented(f"It {adds} {level.meaning}.", _INDENT, width)
+    if level is KataLevel.PRODUCTION and (only := only_there(level, groups)):
+        yield from _indented(f"Only here caught: {', '.join(only)}.", _INDENT, width)
+
+
+def only_there(level: KataLevel, groups: Sequence[Group]) -> list[str]:
+    """The mistakes that groups of that level should catch and no others."""
+    elsewhere = {name for group in groups if group.level is not level for name in group.kills}
+    here = dict.fromkeys(name for group in groups if group.level is level for name in group.kills)
+    return [name for name in here if name not in elsewhere]
 
 
 def _sentence(told: Told | None) -> str:

@@ -21,6 +21,7 @@ from typing import Any
 _FROM = {
     "Failure": "result",
     "GroupResult": "result",
+    "LevelResult": "result",
     "Mode": "result",
     "Pitfall": "result",
     "Ratio": "result",

@@ -16,7 +16,7 @@ from judge.run.groups import run_groups
 from judge.run.parallel import Turnstile, share
 from judge.run.races import Timed, race_all, worth_racing
 from judge.run.reference import Reference
-from judge.run.result import Failure, Result, Timing
+from judge.run.result import Failure, GroupResult, LevelResult, Result, Timing
 from judge.run.runner import Runner, runner_for
 from judge.run.settings import Progress, Settings
 from judge.run.timing import Decision
@@ -120,17 +120,29 @@ def _result(
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
     failing = failing or next(iter(rejected), None)
+    groups = tuple(run.result() for run in runs)
     return Result(
         problem.id,
         name,
         runner.mode,
         failing.verdict if failing else Verdict.AC,
-        tuple(run.result() for run in runs),
+        groups,
         runner.explained(failing.failure) if failing and failing.failure else None,
         Timing(usage.cpu_seconds, usage.wall_seconds, decision.ratio, _close(timing), growth),
         usage.memory_bytes,
         isolation,
+        levels=_levels(problem, groups),
     )
+
+
+def _levels(problem: Problem, groups: Sequence[GroupResult]) -> tuple[LevelResult, ...]:
+    """How far they come on each of the problem's levels."""
+    found = []
+    for level in problem.levels:
+        verdicts = [group.verdict for group in groups if group.level is level]
+        accepted = verdicts.count(Verdict.AC)
+        found.append(LevelResult(level, len(problem.of_level(level)), len(verdicts), accepted))
+    return tuple(found)
 
 
 def _close(timing: Timed) -> bool:

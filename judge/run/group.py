@@ -162,6 +162,7 @@ class GroupRun:
             self.group.points,
             self.reached,
             self.wrong,
+            self.group.level,
         )
 
 

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
+from judge.problem.level import KataLevel
 
 if TYPE_CHECKING:
     from judge.run.thresholds import Threshold
@@ -46,6 +47,7 @@ class GroupResult(Struct, frozen=True):
     points: int = 0
     reached: int = 0
     wrong: Mapping[int, Outline] = {}
+    level: KataLevel | None = None
 
     @property
     def score(self) -> int:
@@ -54,13 +56,38 @@ class GroupResult(Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """The group's object in the published form."""
-        return {
+        own: dict[str, Any] = {
             "name": self.name,
             "verdict": self.verdict.value,
             "cases": self.cases,
             "passed": self.passed,
             "worst_ulps": self.worst_ulps,
             "cpu_seconds": self.cpu_seconds,
+        }
+        return own | ({"level": self.level.value} if self.level else {})
+
+
+class LevelResult(Struct, frozen=True):
+    """How far a submission came on one level: of its `groups`, so many were `run` and so many `accepted`."""
+
+    level: KataLevel
+    groups: int
+    run: int
+    accepted: int
+
+    @property
+    def passed(self) -> bool:
+        """Whether every group of the level was run and accepted."""
+        return self.accepted == self.groups
+
+    def as_json(self) -> dict[str, Any]:
+        """The level's object in the published form."""
+        return {
+            "level": self.level.value,
+            "passed": self.passed,
+            "groups": self.groups,
+            "run": self.run,
+            "accepted": self.accepted,
         }
 
 
@@ -207,7 +234,8 @@ class Result(Struct, frozen=True):
     `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
     is that of the first failing group; `groups` is empty where nothing could be run (CE, JE). `notes` are
     sentences for the person about what did not go as it should beside the verdict; they are not published.
-    `thresholds` are the submission's own, where they were measured; they judge nothing.
+    `thresholds` are the submission's own, where they were measured; they judge nothing. `levels` are those of
+    the problem, the easier first; none where it has none, or where nothing could be run.
     """
 
     problem: str
@@ -224,6 +252,7 @@ class Result(Struct, frozen=True):
     thresholds: tuple[Threshold, ...] = ()
     counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
+    levels: tuple[LevelResult, ...] = ()
 
     def noting(self, *notes: str) -> Result:
         """The same with more notes; none stands twice."""
@@ -248,6 +277,7 @@ class Result(Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """The published object; its keys and their order are fixed by the schema number."""
+        levels = {"levels": [level.as_json() for level in self.levels]} if self.levels else {}
         return {
             "schema": SCHEMA,
             "problem": self.problem,
@@ -255,6 +285,7 @@ class Result(Struct, frozen=True):
             "mode": self.mode.value,
             "verdict": self.verdict.value,
             "score": self.score,
+            **levels,
             "groups": [group.as_json() for group in self.groups],
             "failure": self.failure.as_json() if self.failure else None,
             "counterexample": self.counterexample,

@@ -77,6 +77,7 @@ def test_init_says_where_nothing_can_be_written(force, judge, tmp_path):
 
 FULL = """
 import resource, sys
+sys.dont_write_bytecode = True  # half a compiled module would break every process after this one
 resource.setrlimit(resource.RLIMIT_FSIZE, (200, resource.RLIM_INFINITY))
 sys.argv = ["judge", "init", "middle"]
 from judge.cli import main

@@ -21,7 +21,8 @@ from jsonschema import Draft202012Validator
 from judge.cli.app import app
 from judge.cli.table import COMMANDS
 from judge.problem import Verdict
-from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
+from judge.problem.level import KataLevel
+from judge.run import Failure, GroupResult, LevelResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
 
 pytestmark = pytest.mark.slow
@@ -105,7 +106,7 @@ SAMPLES: dict[str, list[str]] = {
     "schema": ["schema", "schema run"],
     "completion": ["completion bash", "completion zsh", "completion fish"],
 }
-OPTIONAL = {"matrix", "unreliable"}  # keys that may be missing
+OPTIONAL = {"matrix", "unreliable", "level", "levels"}  # keys that may be missing
 FREE = {"input", "bands", "rejected", "cases", "mistakes"}  # objects whose keys are names of the problem
 
 
@@ -246,10 +247,11 @@ REJECTED = Result(
     "a.py",
     Mode.FUNCTION,
     Verdict.WA,
-    (GroupResult("grid", Verdict.WA, 5, 4, None, 0.1, 100),),
+    (GroupResult("grid", Verdict.WA, 5, 4, None, 0.1, 100, level=KataLevel.PRODUCTION),),
     FAILURE,
     counterexample=FOUND,
     pitfall=Pitfall(("a", "b"), 0.75, ("", "")),
+    levels=(LevelResult(KataLevel.INTERVIEW, 3, 3, 3), LevelResult(KataLevel.PRODUCTION, 1, 1, 0)),
 )
 
 

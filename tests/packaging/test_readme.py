@@ -90,7 +90,14 @@ def test_the_tour_shows_every_stage():
     shown = "".join(f"$ {step.words}\n{step.text}" for step in steps(README, TOUR) if not step.is_file)
     for stage in ("init", "run", "hint", "solution", "next", "progress", "due", "report"):
         assert f"$ judge {stage}" in shown
-    for part in ("smallest case found", "True scale", "likely, score", "WA  wrong answer", "AC  accepted"):
+    for part in (
+        "smallest case found",
+        "True scale",
+        "likely, score",
+        "WA  interview level passed",
+        "wrong answer",
+        "AC  accepted",
+    ):
         assert part in shown
 
 

@@ -20,7 +20,7 @@ from judge.report.screen import out
 SCHEMA = 1
 _COLUMNS = (  # of the CSV: the keys of a run's object
     *("run", "time", "problem", "submission", "path", "verdict", "score"),
-    *("mode", "mistake", "ratio", "passed", "failed", "source"),
+    *("mode", "mistake", "ratio", "passed", "failed", "levels", "source"),
 )
 _ON_SCREEN = 20  # runs, unless it is said how many
 
@@ -83,6 +83,7 @@ def as_object(run: Run) -> dict[str, Any]:
         "ratio": run.ratio,
         "passed": list(run.passed),
         "failed": list(run.failed),
+        "levels": list(run.levels),
         "source": run.source_hash,
     }
 
@@ -99,6 +100,7 @@ def _write_csv(runs: Sequence[Run]) -> None:
     writer = csv.DictWriter(sys.stdout, _COLUMNS, extrasaction="ignore", lineterminator="\n")
     writer.writeheader()
     for run in runs:
-        row = as_object(run) | {"passed": " ".join(run.passed), "failed": " ".join(run.failed)}
+        names = {"passed": run.passed, "failed": run.failed, "levels": run.levels}
+        row = as_object(run) | {key: " ".join(found) for key, found in names.items()}
         writer.writerow({key: printable(str(row[key])) for key in _COLUMNS if row[key] is not None})
     sys.stdout.flush()

@@ -24,6 +24,7 @@ from judge.cli.options import (
     db_option,
     group_option,
     json_option,
+    level_option,
     problems_option,
     seed_option,
 )
@@ -44,6 +45,7 @@ from judge.problem.choose import chosen_groups
 @junit_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
 @group_option
+@level_option
 @seed_option
 @no_name_option
 @jobs_option
@@ -62,6 +64,7 @@ def command(
     junit: Path | None,
     quiet: bool,
     groups: tuple[str, ...],
+    kata_level: str | None,
     seed: int | None,
     no_name: bool,
     jobs: int,
@@ -101,13 +104,14 @@ def command(
             agree_on(regression)
         if svg is not None:
             check_svg(svg, len(submissions))
-        chosen_groups(problem, groups)  # a name that is none is told before anything is built
+        chosen_groups(problem, groups, kata_level)  # a name that is none is told before anything is built
         terms = Terms(
             groups,
             seed,
             level,
             diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
+            level=kata_level,
         )
         wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db)
         with closing(judged(problem, submissions, wish)) as drawings:

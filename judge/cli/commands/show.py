@@ -87,6 +87,7 @@ def _group(group: Group) -> dict[str, Any]:
         "about": group.about,
         "cases": group.count,
         "points": group.points,
+        **({"level": group.level.value} if group.level else {}),
         "seed": group.seed,
         "tolerance": _tolerance(group.tolerance),
         "kills": list(group.kills),

@@ -16,7 +16,7 @@ from judge.cli.judging_options import (
     save_regression_option,
     svg_option,
 )
-from judge.cli.options import group_option, json_option, problems_option, write_json
+from judge.cli.options import group_option, json_option, level_option, problems_option, write_json
 from judge.cli.picture import Drawing
 from judge.cli.regression import agree_on, save_regression
 from judge.cli.submissions import Submission, read_submissions
@@ -53,6 +53,7 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 )
 @json_option
 @group_option
+@level_option
 @click.option("--seed", type=int, metavar="N", help="Repeat the cases of this seed; without it, new ones.")
 @no_name_option
 @isolation_option
@@ -66,6 +67,7 @@ def command(
     seconds: float,
     as_json: bool,
     groups: tuple[str, ...],
+    kata_level: str | None,
     seed: int | None,
     no_name: bool,
     level: str | None,
@@ -94,12 +96,13 @@ def command(
             agree_on(regression)
         if svg is not None:
             check_svg(svg, 1)
-        chosen = chosen_groups(problem, groups)
+        chosen = chosen_groups(problem, groups, kata_level)
         terms = Terms(
             groups,
             isolation=level,
             diagnosed=not unshrunk or regression is not None,
             named=not no_name,
+            level=kata_level,
         )
         stressing = Stressing(submission.source, submission.name, chosen, seed, seconds)
         with Session(problem, terms, bars=progress) as session:

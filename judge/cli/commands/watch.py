@@ -23,6 +23,7 @@ from judge.cli.options import (
     db_option,
     group_option,
     json_option,
+    level_option,
     problems_option,
     seed_option,
     write_json,
@@ -47,6 +48,7 @@ _ENDINGS = ("SIGTERM", "SIGHUP")
 @click.argument("file", metavar="FILE]", required=False)
 @json_option
 @group_option
+@level_option
 @seed_option
 @no_name_option
 @isolation_option
@@ -59,6 +61,7 @@ def command(
     file: str | None,
     as_json: bool,
     groups: tuple[str, ...],
+    kata_level: str | None,
     seed: int | None,
     no_name: bool,
     level: str | None,
@@ -79,8 +82,8 @@ def command(
         folders = with_folder_of(current, folders)
     else:
         kata = _kata(named_problem(name, folders), file)
-    chosen_groups(kata.problem, groups)  # a name that is none is told before anything else
-    terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name)
+    chosen_groups(kata.problem, groups, kata_level)  # a name that is none is told before anything else
+    terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name, level=kata_level)
     wish = Wish(terms, kept=not unrecorded, db=db)
     if not unrecorded:
         _take_up(kata, db)

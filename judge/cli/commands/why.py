@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +14,9 @@ from judge.mistakes.told import Told, aimed_groups, told_mistakes
 from judge.problem import Group
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
+from judge.problem.level import KataLevel
 from judge.report.screen import out
-from judge.report.why import why_lines
+from judge.report.why import only_there, why_lines
 
 SCHEMA = 1
 
@@ -35,7 +36,8 @@ def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ..
     mistakes = told_mistakes(problem)
     if as_json:
         described = [_as_object(each, mistakes) for each in groups]
-        write_json({"schema": SCHEMA, "problem": problem.id, "groups": described})
+        levels = {"levels": [_level(level, groups) for level in problem.levels]} if problem.levels else {}
+        write_json({"schema": SCHEMA, "problem": problem.id, **levels, "groups": described})
         return ExitCode.ACCEPTED
     screen = out()
     screen.show(why_lines(problem, groups, mistakes, screen.width))
@@ -49,4 +51,16 @@ def _as_object(group: Group, known: Mapping[str, Told]) -> dict[str, Any]:
         told = known.get(name)
         line = {"right": told.line.right, "wrong": told.line.wrong} if told and told.line else None
         mistakes.append({"name": name, "explanation": told.sentence if told else None, "line": line})
-    return {"name": group.name, "about": group.about, "mistakes": mistakes}
+    level = {"level": group.level.value} if group.level else {}
+    return {"name": group.name, "about": group.about, **level, "mistakes": mistakes}
+
+
+def _level(level: KataLevel, groups: Sequence[Group]) -> dict[str, Any]:
+    """The published object of one level, with the mistakes that only its groups here should catch."""
+    own = [group.name for group in groups if group.level is level]
+    return {
+        "level": level.value,
+        "meaning": level.meaning,
+        "groups": len(own),
+        "only": only_there(level, groups),
+    }

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from judge import __version__
 from judge.kata.history import Run
+from judge.kata.levels import level_standings
 from judge.kata.skills import SkillProgress, mistake_names
 from judge.problem import Problem, Tier, Verdict
 from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
@@ -18,6 +19,7 @@ from judge.report.page.kills import kill_table
 from judge.report.page.known import KnownProblem
 from judge.report.page.parts import (
     GroupMark,
+    LevelMark,
     OverviewLine,
     Page,
     ProblemPart,
@@ -143,6 +145,7 @@ def _part(anchor: str, runs: Sequence[Run], known: KnownProblem | None, source: 
         solved=next((run.when for run in runs if run.solved), None),
         best=max((run.score for run in counting), default=0),
         attempts=len(counting),
+        levels=tuple(_levels(runs, problem)),
         groups=tuple(_groups(runs, problem)),
         runs=tuple(lines[:_FIRST_RUNS]),
         earlier=tuple(lines[_FIRST_RUNS:]),
@@ -164,6 +167,11 @@ def _run_line(run: Run, case: str) -> RunLine:
     return RunLine(run.id, run.when, run.verdict, run.score, ratio, run.mistake or "", shown, run.submission)
 
 
+def _levels(runs: Sequence[Run], problem: Problem | None) -> Iterator[LevelMark]:
+    for each in level_standings([problem] if problem else [], runs):
+        yield LevelMark(each.level.value, each.groups, each.best, each.since)
+
+
 def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]:
     """Every group as the latest run left it that ran it."""
     found: dict[str, GroupRecord] = {}
@@ -174,15 +182,18 @@ def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]
         if not set(found).issuperset((*run.passed, *run.failed)):
             for group in read_record(run).groups:
                 found.setdefault(group.name, group)
-    about = {group.name: group.about for group in problem.groups} if problem else {}
+    groups = problem.groups if problem else ()
+    about = {group.name: group.about for group in groups}
+    level = {group.name: group.level.value for group in groups if group.level}
     for name in names if names is not None else found:
         if name not in found:
-            yield GroupMark(name, about.get(name, ""), "open", "not run")
+            yield GroupMark(name, about.get(name, ""), "open", "not run", level.get(name, ""))
             continue
         group = found[name]
         accepted = group.verdict == Verdict.AC.value
         detail = "" if accepted else f"{group.passed} of {group.cases}"
-        yield GroupMark(name, about.get(name, ""), "passed" if accepted else "failed", detail)
+        state = "passed" if accepted else "failed"
+        yield GroupMark(name, about.get(name, ""), state, detail, level.get(name, ""))
 
 
 def _source(source: bytes) -> str:

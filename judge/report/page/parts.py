@@ -144,12 +144,25 @@ class FailingCase(Struct, frozen=True):
 
 
 class GroupMark(Struct, frozen=True):
-    """A test group as the latest run that had it left it: "passed", "failed", or "open" where none had."""
+    """A test group as the latest run that had it left it: "passed", "failed", or "open" where none had.
+
+    `level` is empty where the problem has none.
+    """
 
     name: str
     about: str
     state: str
     detail: str
+    level: str = ""
+
+
+class LevelMark(Struct, frozen=True):
+    """A level of a problem: the most of its `groups` that one run passed, and when one first passed all."""
+
+    name: str
+    groups: int
+    best: int
+    since: datetime | None
 
 
 class KillCell(Struct, frozen=True):
@@ -188,6 +201,7 @@ class ProblemPart(Struct, frozen=True):
     solved: datetime | None
     best: int
     attempts: int
+    levels: tuple[LevelMark, ...]
     groups: tuple[GroupMark, ...]
     runs: tuple[RunLine, ...]
     earlier: tuple[RunLine, ...]
@@ -200,6 +214,11 @@ class ProblemPart(Struct, frozen=True):
     source: str
     source_name: str
     source_run: int
+
+    @property
+    def passed_level(self) -> str:
+        """`interview passed`, for a level that was; empty where none was."""
+        return next((f"{level.name} passed" for level in self.levels if level.since), "")
 
 
 class OverviewLine(Struct, frozen=True):
@@ -227,6 +246,11 @@ class Page(Struct, frozen=True):
     skills: tuple[SkillLine, ...]
     problems: tuple[ProblemPart, ...]
     verdicts: tuple[Verdict, ...]  # those that occur, to be explained
+
+    @property
+    def has_levels(self) -> bool:
+        """Whether a problem on it has levels."""
+        return any(part.levels for part in self.problems)
 
     @property
     def drawn(self) -> bool:

@@ -1,0 +1,54 @@
+"""A textbook's programs pass the interview level of our katas, and fail the production level by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from judge.judging import Session, Terms
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.level import KataLevel
+
+TEXTBOOK = Path(__file__).parents[1] / "fixtures" / "textbook"
+PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*/*.py"))
+NAMED = {  # what the judge says of each
+    "count/discriminant.py": "absolute-epsilon",
+    "count/distance.py": "absolute-epsilon",
+    "exact-count/discriminant.py": "float-arithmetic",
+    "ray-nearest/quadratic.py": "absolute-epsilon",
+    "segment/quadratic.py": "absolute-epsilon",
+}
+
+
+def test_every_kata_of_two_levels_has_such_a_program():
+    assert sorted(NAMED) == PROGRAMS
+    assert {name.split("/")[0] for name in PROGRAMS} == {"count", "exact-count", "ray-nearest", "segment"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_it_passes_the_interview_and_fails_production_by_name(program):
+    problem = find_problem(program.split("/")[0])
+    with Session(problem, Terms(timed=False, diagnosed=False)) as session:
+        result = session.judge((TEXTBOOK / program).read_bytes(), program)
+    verdicts = {group.name: group.verdict for group in result.groups}
+    interview = {group.name for group in problem.of_level(KataLevel.INTERVIEW)}
+    assert {name for name in interview if verdicts[name] is not Verdict.AC} == set()
+    rejected = [name for name in verdicts if name not in interview and verdicts[name] is not Verdict.AC]
+    assert len(rejected) >= 5
+    assert result.pitfall is not None
+    assert NAMED[program] in result.pitfall.names
+
+
+@pytest.mark.parametrize("name", ["count", "segment", "ray-nearest", "exact-count"])
+def test_what_an_interview_asks_of_first_is_in_its_level(name):
+    problem = find_problem(name)
+    interview = {group.name for group in problem.of_level(KataLevel.INTERVIEW)}
+    production = {group.name for group in problem.of_level(KataLevel.PRODUCTION)}
+    assert interview | production == {group.name for group in problem.groups}
+    assert interview >= {"examples", "grid", "tangent", "point-circle", "axis-parallel", "neighbours"}
+    assert production & {"tiny", "small", "large", "tangent-edge", "whole", "hairline-huge", "offset"}
+    assert len(interview) >= 8
+    assert len(production) >= 15
