@@ -17,6 +17,7 @@ from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
 
 if TYPE_CHECKING:
+    from judge.cli.fitting import Task
     from judge.cli.picture import Drawing
     from judge.run.result import Result
 
@@ -61,7 +62,7 @@ def show_result(drawing: Drawing) -> None:
 class Outputs:
     """Receives each result and hands it on: to `screen`, or as what `form` asks for, and into a JUnit file.
 
-    `expected` are the submissions that results are to come of, once they have been read. Raises UsageError,
+    `expect` says which submissions results are to come of, once they have been read. Raises UsageError,
     before anything is judged, where the JUnit file cannot be written.
     """
 
@@ -70,10 +71,14 @@ class Outputs:
         if self._junit:
             self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else
-        self.expected: Sequence[Submission] = ()
+        self._expected: list[tuple[str, Submission]] = []  # with the problem's name
         self._form = form
         self._screen = screen
         self._results: list[Result] = []
+
+    def expect(self, tasks: Sequence[Task]) -> None:
+        """Results are to come of these submissions, in their order."""
+        self._expected = [(task.problem.id, each) for task in tasks for each in task.submissions]
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several, in the order of the submissions."""
@@ -91,8 +96,8 @@ class Outputs:
             return
         from judge.run.execute import judge_fault
 
-        self.expected = self.expected or read_submissions(files)
-        for submission in self.expected[len(self._results) :]:
+        self._expected = self._expected or [(problem, each) for each in read_submissions(files)]
+        for problem, submission in self._expected[len(self._results) :]:
             self._write(judge_fault(problem, submission.name, told(fault)), "")
         self._save()
 
@@ -107,7 +112,7 @@ class Outputs:
 
     def _write(self, result: Result, entry: str) -> None:
         """Keep one more result for the file, and write it where a script reads."""
-        source = self.expected[len(self._results)].source
+        source = self._expected[len(self._results)][1].source
         self._results.append(result)
         if self._form == JSON:
             write_json(result.as_json())

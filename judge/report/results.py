@@ -247,8 +247,10 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
     """Several submissions: a row each, and how many were accepted on the last line."""
     accepted = sum(result.verdict is Verdict.AC for result in results)
     all_right = accepted == len(results)
+    problems = list(dict.fromkeys(result.problem for result in results))
     columns = [
         Column("submission"),
+        *([Column("problem")] if len(problems) > 1 else []),
         Column("verdict"),
         Column("points", right=True),
         Column("CPU", right=True),
@@ -256,16 +258,17 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
         Column("first failure", flexible=True),
     ]
     shown = len(columns) - all_right
-    rows = [_summary_row(result)[:shown] for result in results]
+    rows = [_summary_row(result, several=len(problems) > 1)[:shown] for result in results]
     yield from Table(tuple(columns[:shown]), rows).lines(width)
     yield line()
     style = Style.GOOD if all_right else Style.BAD
-    yield from beside(Span(f"{accepted} of {len(results)} accepted", style), results[0].problem, width)
+    yield from beside(Span(f"{accepted} of {len(results)} accepted", style), ", ".join(problems), width)
 
 
-def _summary_row(result: Result) -> list[Cell]:
+def _summary_row(result: Result, *, several: bool) -> list[Cell]:
     return [
         Span(shown_name(result.submission), link=Link(result.submission)),
+        *([result.problem] if several else []),
         verdict_span(result.verdict),
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),
