@@ -28,7 +28,7 @@ from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
 from judge.report.screen import Screen, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
-from judge.report.watch import note_text, prompt_text, report_text
+from judge.report.watch import note_text, prompt_text, report_lines
 from judge.report.why import why_lines
 
 _SAVED, _RESIZED = "saved", "resized"
@@ -205,7 +205,7 @@ class _WatchScreen:
         def drawn(screen: Screen) -> str:
             if not has_room(screen):
                 return note_text("a picture wants a terminal of 60 columns that knows braille", screen)
-            lines = [] if isinstance(found, str) else found.lines(screen, beside=_BELOW)
+            lines = [] if isinstance(found, str) else found.lines(screen, height(screen) - _BELOW - 2)
             return screen.text(lines) if lines else note_text("there is no failing case to draw", screen)
 
         return drawn
@@ -217,7 +217,12 @@ class _WatchScreen:
     def _report(self, screen: Screen) -> str:
         if isinstance(self._found, str):
             return note_text(self._found, screen)
-        return report_text(self._found.result, screen, height(screen) - _BELOW - self._notes.count("\n"))
+        found, spare = self._found, _BELOW + self._notes.count("\n")
+        rows = height(screen) - spare
+        lines = found.beside(
+            lambda drawn: report_lines(found.result, screen, rows, drawn), screen, spare=spare
+        )
+        return screen.text(lines)
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""

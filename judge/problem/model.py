@@ -147,6 +147,11 @@ class Problem(Struct, frozen=True):
     growth: GrowthRule | None = None
     audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
 
+    @property
+    def has_hints(self) -> bool:
+        """Whether there is anything that `judge hint` could give."""
+        return (self.folder / "hints.md").is_file()
+
     def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""
         return group.limits or self.limits

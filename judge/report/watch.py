@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from judge.problem import Verdict
+from judge.report.glance import glance_lines
 from judge.report.layout import Line, Span, Style, hanging, line
-from judge.report.results import result_lines
 from judge.report.screen import Screen
 from judge.run.result import Result
 
@@ -19,14 +21,9 @@ _KEYS = {
 }
 
 
-def report_text(result: Result, screen: Screen, room: int) -> str:
-    """The result, with the groups that were accepted only where all of it can be seen at once."""
-    end = _onward(result, screen)
-    for brief in (False, True):
-        lines = list(result_lines(result, screen.width, end, brief=brief))
-        if len(lines) <= room:
-            break
-    return screen.text(lines)
+def report_lines(result: Result, screen: Screen, rows: int, drawing: Iterable[Line] = ()) -> list[Line]:
+    """The result in so many rows, with a drawing of its failing case."""
+    return glance_lines(result, screen.width, rows, drawing=drawing, end=_onward(result, screen))
 
 
 def note_text(text: str, screen: Screen, style: Style = Style.WARNING) -> str:

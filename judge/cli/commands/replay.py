@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import click
+from msgspec.structs import replace
 
 from judge.cli.fitting import usual_file
 from judge.cli.judging_options import isolation_option
@@ -14,7 +15,8 @@ from judge.errors import ExitCode, UsageError
 from judge.judging.job import Terms
 from judge.judging.session import Session
 from judge.problem.find import find_problem
-from judge.report.results import result_lines
+from judge.report.glance import glance_lines, screen_rows
+from judge.report.results import verdict_lines
 from judge.report.screen import Notes, out
 
 
@@ -57,5 +59,7 @@ def command(
         write_json(result.as_json())
     else:
         screen = out()
-        screen.show(result_lines(result, screen.width))
+        last = verdict_lines(result, screen.width)
+        alone = replace(result, groups=())  # a table of one row
+        screen.show(glance_lines(alone, screen.width, screen_rows(screen), verdict=last))
     return result.exit_code

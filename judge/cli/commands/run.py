@@ -9,6 +9,7 @@ import click
 
 from judge.cli.fitting import assigned, split
 from judge.cli.judging_options import (
+    all_option,
     chosen_format,
     format_option,
     isolation_option,
@@ -17,6 +18,7 @@ from judge.cli.judging_options import (
     no_history_option,
     no_name_option,
     no_shrink_option,
+    picture_option,
     save_regression_option,
     svg_option,
 )
@@ -44,6 +46,8 @@ from judge.problem.choose import chosen_groups
 @format_option
 @junit_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
+@all_option
+@picture_option
 @group_option
 @seed_option
 @no_name_option
@@ -62,6 +66,8 @@ def command(
     form: str | None,
     junit: Path | None,
     quiet: bool,
+    whole: bool,
+    pictured: bool,
     groups: tuple[str, ...],
     seed: int | None,
     no_name: bool,
@@ -95,7 +101,7 @@ def command(
         current, file = file_in_hand(db)
         name, files = current.problem, (file,)
     form = chosen_format(form, as_json=as_json)
-    show = Outputs(form, OnScreen(brief=quiet, pointing=not unrecorded), junit)
+    show = Outputs(form, OnScreen(quiet, not unrecorded, whole, pictured), junit)
     try:
         problem = None
         if name is not None:

@@ -14,6 +14,7 @@ from judge.cli.judging_options import (
     isolation_option,
     no_name_option,
     no_shrink_option,
+    picture_option,
     save_regression_option,
     svg_option,
 )
@@ -30,8 +31,8 @@ from judge.judging.session import Session
 from judge.judging.stressing import Stressing
 from judge.problem import Verdict
 from judge.problem.choose import chosen_groups
+from judge.report.glance import screen_rows
 from judge.report.progress import progress, stages
-from judge.report.results import lines_beside
 from judge.report.screen import Notes, out
 from judge.report.stress import stress_lines
 from judge.run.execute import judge_fault
@@ -53,6 +54,7 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
     help="How long: 30, 30s, 2m, 1h.",
 )
 @json_option
+@picture_option
 @group_option
 @click.option("--seed", type=int, metavar="N", help="Repeat the cases of this seed; without it, new ones.")
 @no_name_option
@@ -66,6 +68,7 @@ def command(
     second: str | None,
     seconds: float,
     as_json: bool,
+    pictured: bool,
     groups: tuple[str, ...],
     seed: int | None,
     no_name: bool,
@@ -127,8 +130,12 @@ def command(
         write_json(stressed.as_json())
     else:
         screen = out()
-        drawn = drawing.lines(screen, beside=lines_beside(stressed.result, screen.width))
-        screen.show(stress_lines(stressed, screen.width, drawn))
+        rows = screen_rows(screen)
+        screen.show(
+            drawing.beside(
+                lambda drawn: stress_lines(stressed, screen.width, rows, drawn), screen, wanted=pictured
+            )
+        )
     drawing.save(svg)
     if stressed.interrupted and stressed.result.verdict is Verdict.AC:
         return ExitCode.INTERRUPTED
