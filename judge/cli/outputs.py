@@ -61,12 +61,12 @@ class OnScreen(Struct, frozen=True):
     def _glance(self, drawing: Drawing, screen: Screen, *, several: bool) -> list[Line]:
         from judge.report.glance import glance_lines, more_lines, screen_rows
 
-        result, rows = drawing.result, screen_rows(screen)
+        result, rows, hurdle = drawing.result, screen_rows(screen), drawing.hurdle(screen.width)
 
         def laid(drawn: Sequence[Line]) -> list[Line]:
             more = more_lines(self._more(drawing, drawn=bool(drawn)), screen.width)
             end = more or self._pointer(drawing, screen, several=several)
-            return glance_lines(result, screen.width, rows, drawing=drawn, end=end)
+            return glance_lines(result, screen.width, rows, hurdle=hurdle, drawing=drawn, end=end)
 
         return drawing.beside(laid, screen, wanted=self.drawn)
 

@@ -37,6 +37,14 @@ class Drawing(Struct, frozen=True):
         except Exception:  # its code fails: who asks for a picture is told
             return False
 
+    def hurdle(self, width: int | None) -> list[Line]:
+        """What keeps the submission from running at all, if anything does."""
+        if self.result.hurdle is None:
+            return []
+        from judge.report.hurdle import hurdle_lines
+
+        return hurdle_lines(self.result, self.result.hurdle, self.problem, width)
+
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
         failure = self.result.failure
@@ -60,7 +68,7 @@ class Drawing(Struct, frozen=True):
 
     def lines(self, screen: Screen, rows: int | None = None) -> list[Line]:
         """The drawing for a terminal, in about so many rows; nothing where it cannot be shown."""
-        if self.result.failure is None:
+        if self.result.failure is None or self.result.hurdle is not None:
             return []
         from judge.report.picture import has_room, picture_lines
 

@@ -22,7 +22,7 @@ from judge.kata.stub import file_name
 from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.problem import Verdict
 from judge.report.hint import hint_text
-from judge.report.layout import Style, line
+from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
 from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
@@ -218,11 +218,12 @@ class _WatchScreen:
         if isinstance(self._found, str):
             return note_text(self._found, screen)
         found, spare = self._found, _BELOW + self._notes.count("\n")
-        rows = height(screen) - spare
-        lines = found.beside(
-            lambda drawn: report_lines(found.result, screen, rows, drawn), screen, spare=spare
-        )
-        return screen.text(lines)
+        rows, hurdle = height(screen) - spare, found.hurdle(screen.width)
+
+        def laid(drawn: Sequence[Line]) -> list[Line]:
+            return report_lines(found.result, screen, rows, drawn, hurdle)
+
+        return screen.text(found.beside(laid, screen, spare=spare))
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""

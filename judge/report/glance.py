@@ -67,15 +67,19 @@ def glance_lines(
     width: int | None,
     rows: int,
     *,
+    hurdle: Sequence[Line] = (),
     drawing: Iterable[Line] = (),
     end: Iterable[Line] = (),
     verdict: Sequence[Line] | None = None,
 ) -> list[Line]:
     """The report in at most so many rows, if that can be, a drawing of the failing case among them.
 
-    `end` comes before the verdict, and `verdict` in its place.
+    `end` comes before the verdict, and `verdict` in its place. Where there is a `hurdle`, there is nothing
+    else between them.
     """
     last = list(verdict_lines(result, width) if verdict is None else verdict)
+    if hurdle:
+        return [*_head(result, width), *hurdle, *last]
     ending, drawn = list(end), list(drawing)
     laid: list[Line] = []
     for cut in _CUTS:

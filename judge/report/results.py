@@ -262,7 +262,7 @@ def _summary_row(result: Result, *, several: bool) -> list[Cell]:
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),
         Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
-        failure_place(result.failure),
+        result.failure.message if result.hurdle and result.failure else failure_place(result.failure),
     ]
 
 

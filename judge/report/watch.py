@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from judge.problem import Verdict
 from judge.report.glance import glance_lines
@@ -21,9 +21,12 @@ _KEYS = {
 }
 
 
-def report_lines(result: Result, screen: Screen, rows: int, drawing: Iterable[Line] = ()) -> list[Line]:
+def report_lines(
+    result: Result, screen: Screen, rows: int, drawing: Iterable[Line] = (), hurdle: Sequence[Line] = ()
+) -> list[Line]:
     """The result in so many rows, with a drawing of its failing case."""
-    return glance_lines(result, screen.width, rows, drawing=drawing, end=_onward(result, screen))
+    end = _onward(result, screen)
+    return glance_lines(result, screen.width, rows, hurdle=hurdle, drawing=drawing, end=end)
 
 
 def note_text(text: str, screen: Screen, style: Style = Style.WARNING) -> str:

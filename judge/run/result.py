@@ -201,6 +201,30 @@ class Pitfall(Struct, frozen=True):
         return found
 
 
+class Obstacle(Enum):
+    """Why a submission can answer nothing at all, whatever the case."""
+
+    STUB = "the entry function is still to be written"
+    ARITY = "the entry function takes another number of arguments"
+    MODULE = "a module that it imports is not there"
+    IMPORT = "an exception ends its import"
+    NESTED = "the entry function stands in a class or another function"
+    MISNAMED = "there is a name like the entry function's"
+    NO_ENTRY = "there is no entry function, and nothing is read"
+
+
+class Hurdle(Struct, frozen=True):
+    """An obstacle in `line` of the file, 0 where it has none.
+
+    `name` is the module, or the name that is like the entry's; `takes` says how many arguments it takes.
+    """
+
+    kind: Obstacle
+    line: int = 0
+    name: str = ""
+    takes: str = ""
+
+
 class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
@@ -224,6 +248,7 @@ class Result(Struct, frozen=True):
     thresholds: tuple[Threshold, ...] = ()
     counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
+    hurdle: Hurdle | None = None  # not published: `failure` is
 
     def noting(self, *notes: str) -> Result:
         """The same with more notes; none stands twice."""
