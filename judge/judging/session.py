@@ -167,12 +167,14 @@ class Session:
                     on_progress=advance,
                 )
             result = judged.result
-            hurdle = hurdle_of(self.problem, result, box.inspect(), source)
-            if hurdle is not None:
-                return replace(result, hurdle=hurdle)
-            if terms.diagnosed and judged.runner is not None:
-                result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
-                result = with_thresholds(result, data, judged.runner, box)
+            runner = judged.runner
+            if runner is not None:
+                hurdle = hurdle_of(result, runner, box.inspect(), source)
+                if hurdle is not None:
+                    return replace(result, hurdle=hurdle)
+            if terms.diagnosed and runner is not None:
+                result = diagnosed(result, data, runner, box, self.containment.open_box)
+                result = with_thresholds(result, data, runner, box)
         return self.naming.named(result, source) if terms.named else result
 
     @contextmanager

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from judge.errors import nearest
+from judge.language import file_name
 from judge.problem import Problem
 from judge.report.layout import Line, Link, Span, Style, hanging
 from judge.run.result import Hurdle, Obstacle, Result
@@ -55,7 +56,7 @@ def hurdle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
 def _missing_module(result: Result, name: str) -> str:
     top = name.partition(".")[0]
     beside = Path(result.submission).parent / top
-    if any(os.path.lexists(path) for path in (beside, f"{beside}.py")):
+    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
         return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
     meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])
     if meant:

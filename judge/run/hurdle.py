@@ -10,7 +10,8 @@ import re
 
 from judge.problem import Problem, Verdict
 from judge.run.program import missing_entry
-from judge.run.result import Hurdle, Mode, Obstacle, Result
+from judge.run.result import Hurdle, Obstacle, Result
+from judge.run.runner import Runner
 from judge.sandbox.boundary import IMPORTING, Defined, Inspection
 
 _MISSING = re.compile(
@@ -19,11 +20,11 @@ _MISSING = re.compile(
 _LINE = re.compile(r"\(line (\d{1,9})\)")
 
 
-def hurdle_of(problem: Problem, result: Result, inspection: Inspection, source: bytes) -> Hurdle | None:
+def hurdle_of(result: Result, runner: Runner, inspection: Inspection, source: bytes) -> Hurdle | None:
     """What keeps a submission that compiles from running at all; None where it runs."""
     if result.verdict is Verdict.AC or not result.groups or result.failure is None:
         return None
-    called = result.mode is Mode.FUNCTION
+    problem, called = runner.problem, runner.calls
     entry = next((each for each in inspection.functions if each.name == problem.entry), None)
     if called and entry is not None and entry.empty:
         return Hurdle(Obstacle.STUB, entry.line)
