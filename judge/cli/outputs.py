@@ -74,7 +74,7 @@ class OnScreen(Struct, frozen=True):
         """Where to go from an accepted submission."""
         from judge.report.kata import pointer_lines
 
-        if not self.pointing or several or drawing.result.exit_code is not ExitCode.ACCEPTED:
+        if not self.pointing or several or not drawing.result.solved:
             return []
         return pointer_lines(drawing.result.problem, screen)
 

@@ -20,7 +20,6 @@ from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
 from judge.mistakes.told import aimed_groups, told_mistakes
-from judge.problem import Verdict
 from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
@@ -156,7 +155,7 @@ class _WatchScreen:
     def _next(self, *, confirmed: bool) -> Kata | None:
         """The kata to go on to; one that is not solved is only left when that is asked for twice."""
         problem = self._kata.problem
-        if self._verdict() is not Verdict.AC and not confirmed:
+        if not (confirmed or self._solved()):
             self._asked = "n"
             self._say(f"{problem.id} is not solved yet; n once more leaves it for now")
             return None
@@ -231,8 +230,8 @@ class _WatchScreen:
             return note_text(self._found, screen)
         return screen.text(verdict_lines(self._found.result, screen.width, alone=True))
 
-    def _verdict(self) -> Verdict | None:
-        return None if isinstance(self._found, str) else self._found.result.verdict
+    def _solved(self) -> bool:
+        return not isinstance(self._found, str) and self._found.result.solved
 
     def _say(self, text: str, style: Style = Style.WARNING) -> None:
         self._show(lambda screen: note_text(text, screen, style))

@@ -166,7 +166,8 @@ class Session:
                     groups=groups,
                     on_progress=advance,
                 )
-            result = judged.result
+            left_out = len(self.problem.groups) > len(judged.result.groups) > 0
+            result = replace(judged.result, out_of=len(self.problem.groups) if left_out else 0)
             runner = judged.runner
             if runner is not None:
                 hurdle = hurdle_of(result, runner, box.inspect(), source)

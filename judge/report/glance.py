@@ -28,7 +28,7 @@ from judge.report.screen import Screen, is_terminal
 from judge.report.terminal import height
 from judge.report.thresholds import threshold_lines
 from judge.report.values import counted
-from judge.run.result import Failure, GroupResult, Result
+from judge.run.result import Failure, Result
 
 _ROWS = 23  # of a screen of 24, whose last one the prompt takes
 
@@ -128,7 +128,7 @@ def _head(result: Result, width: int | None) -> list[Line]:
 def _parts(result: Result, width: int | None, cut: Cut, drawn: list[Line]) -> list[list[Line]]:
     parts = []
     if result.groups:
-        parts.append(list(_groups(result.groups, width, cut.groups)))
+        parts.append(list(_groups(result, width, cut.groups)))
     parts.append(list(case_lines(result, width, cut.rows, again=cut.again)))
     parts.append(drawn)
     if result.pitfall:
@@ -139,14 +139,16 @@ def _parts(result: Result, width: int | None, cut: Cut, drawn: list[Line]) -> li
     return parts
 
 
-def _groups(groups: Sequence[GroupResult], width: int | None, most: int) -> Iterator[Line]:
+def _groups(result: Result, width: int | None, most: int) -> Iterator[Line]:
     """The first groups that were rejected, and how many there are besides."""
+    groups = result.groups
     rejected = [group for group in groups if group.verdict is not Verdict.AC]
     if rejected:
         yield from group_table(rejected[:most]).lines(width)
     more = [f"{len(rejected) - most} more rejected"] if len(rejected) > most else []
     accepted = len(groups) - len(rejected)
     said = [*more, *([f"{counted(accepted, 'group')} accepted"] if accepted else [])]
+    said += [f"{result.out_of - len(groups)} not run"] if result.out_of else []
     if said:
         yield line("  ", Span(", ".join(said), Style.FAINT))
 

@@ -7,6 +7,7 @@ from datetime import date, datetime
 
 from judge.kata.changes import Change
 from judge.kata.history import Run
+from judge.problem.verdict import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
@@ -57,8 +58,14 @@ def _row(run: Run) -> list[Cell]:
         verdict_span(run.verdict),
         Span(str(run.score), Style.FAINT),
         Span(_times(run.ratio), Style.FAINT),
-        run.mistake or (run.failed[0] if run.failed else ""),
+        run.mistake or (run.failed[0] if run.failed else _left_out(run)),
     ]
+
+
+def _left_out(run: Run) -> str:
+    """That a run which passed was judged on some of the groups only."""
+    partial = run.verdict is Verdict.AC and not run.whole
+    return f"only {', '.join(run.passed)}" if partial else ""
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:

@@ -205,6 +205,7 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         parts = [f"{result.verdict.meaning}: {result.failure.message}"]
     if result.groups:
         passed, cases = _cases(result)
+        parts += [f"on {result.partial} only"] if result.partial else []
         parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
         parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
         if result.time.ratio:
@@ -251,7 +252,9 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
     yield from Table(tuple(columns[:shown]), rows).lines(width)
     yield line()
     style = Style.GOOD if all_right else Style.BAD
-    yield from beside(Span(f"{accepted} of {len(results)} accepted", style), ", ".join(problems), width)
+    partial = list(dict.fromkeys(result.partial for result in results if result.partial))
+    text = f"{accepted} of {len(results)} accepted" + (f" on {', '.join(partial)} only" if partial else "")
+    yield from beside(Span(text, style), ", ".join(problems), width)
 
 
 def _summary_row(result: Result, *, several: bool) -> list[Cell]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from judge.problem import Verdict
 from judge.report.glance import glance_lines
 from judge.report.layout import Line, Span, Style, hanging, line
 from judge.report.screen import Screen
@@ -48,7 +47,7 @@ def prompt_text(screen: Screen) -> str:
 
 
 def _onward(result: Result, screen: Screen) -> list[Line]:
-    if result.verdict is not Verdict.AC:
+    if not result.solved:
         return []
     text = f"n goes on to the next kata, judge solution {result.problem} explains a model solution"
     return hanging(Span("then", Style.FAINT), Span(text), screen.width, indent=2, column=8)

@@ -249,6 +249,17 @@ class Result(Struct, frozen=True):
     counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
     hurdle: Hurdle | None = None  # not published: `failure` is
+    out_of: int = 0  # how many groups the problem has, where some were left out; not published
+
+    @property
+    def partial(self) -> str:
+        """`1 of 18 groups` where some were left out by request, else nothing."""
+        return f"{len(self.groups)} of {self.out_of} groups" if self.out_of else ""
+
+    @property
+    def solved(self) -> bool:
+        """Whether it was accepted with no group left out."""
+        return self.verdict is Verdict.AC and not self.out_of
 
     def noting(self, *notes: str) -> Result:
         """The same with more notes; none stands twice."""
