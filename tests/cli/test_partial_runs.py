@@ -57,4 +57,3 @@ def test_a_kata_of_the_path_is_tried_and_no_more(judge, submit):
     assert judge("run", "-q", "count", submit(right), "--group", "grid").status == 0
     problems = json.loads(judge("practice", "--json").out)["problems"]
     assert [each["state"] for each in problems if each["problem"] == "count"] == ["tried"]
-    assert json.loads(judge("next", "--json").out)["problem"] == "count"
