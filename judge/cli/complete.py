@@ -71,6 +71,8 @@ def offering(command: click.Command) -> click.Command:
 
 def _offering(parameter: click.Parameter) -> click.Parameter:
     offer = _OFFERS.get((parameter.param_type_name, _name(parameter)))
+    if (parameter.metavar or "").startswith(_OR_A_FILE):
+        offer = _problems_and_files
     if offer is None:
         return parameter
     parameter = copy.copy(parameter)
@@ -79,8 +81,8 @@ def _offering(parameter: click.Parameter) -> click.Parameter:
 
 
 def _name(parameter: click.Parameter) -> str:
-    """What the help calls it: PROBLEM of `[PROBLEM]...` and of `[PROBLEM FILE...]`."""
-    return (parameter.metavar or "").strip("[].")
+    """What the help calls it: PROBLEM of `[PROBLEM]...`, of `[[PROBLEM] FILE...]` and of `PROBLEM|FILE`."""
+    return (parameter.metavar or "").strip("[].").partition("|")[0]
 
 
 class _Offered(_ParamType):
@@ -119,16 +121,21 @@ def _problems(ctx: click.Context, parameter: click.Parameter, incomplete: str) -
     return []
 
 
+def _problems_and_files(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> Items:
+    """Where a file tells its problem: either."""
+    return [*_problems(ctx, parameter, incomplete), CompletionItem(incomplete, type=_KIND)]
+
+
 def _groups(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
     """The test groups of the problem that was typed before."""
-    from judge.problem.find import find_problem
+    from judge.cli.fitting import problem_meant
 
     typed = [ctx.params.get(each.name or "") for each in ctx.command.params if _name(each) == "PROBLEM"]
     # Behind an option that still lacks its value click has not looked: there the words are as they came.
     names = [name for name in (*typed, *ctx.args) if isinstance(name, str)]
     if not names:
         return []
-    problem = find_problem(names[0], ctx.params.get("folders") or ())
+    problem = problem_meant(names[0], "run", ctx.params.get("folders") or (), ctx.params.get("db"))
     return among([(group.name, group.about) for group in problem.groups], incomplete)
 
 
@@ -149,6 +156,7 @@ def _kind(kind: str) -> Offer:
     return lambda _ctx, _parameter, incomplete: [CompletionItem(incomplete, type=kind)]
 
 
+_OR_A_FILE = ("[[PROBLEM]", "PROBLEM|FILE", "[PROBLEM|FILE")  # what may be a file as well
 _KIND = SUFFIX.removeprefix(".")  # of what is to be completed: a program's file
 _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "PROBLEM"): _problems,

@@ -48,6 +48,12 @@ svg_option: Callable[[F], F] = click.option(
     type=click.Path(path_type=Path),
     help="Draw the failing case of a submission into an SVG file.",
 )
+all_option: Callable[[F], F] = click.option(
+    "--all", "whole", is_flag=True, help="Show all there is, the table of every test group too."
+)
+picture_option: Callable[[F], F] = click.option(
+    "--picture", "pictured", is_flag=True, help="Draw the failing case, on a terminal that is not tall, too."
+)
 format_option: Callable[[F], F] = click.option(
     "--format",
     "form",

@@ -17,31 +17,81 @@ from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
 
 if TYPE_CHECKING:
+    from judge.cli.fitting import Task
     from judge.cli.picture import Drawing
+    from judge.report.layout import Line
+    from judge.report.screen import Screen
     from judge.run.result import Result
 
 
 class OnScreen(Struct, frozen=True):
-    """Results for a person: the verdict, or the table of them, last."""
+    """Results for a person: the verdict, or the table of them, last.
+
+    `brief` shows nothing but verdicts, `whole` all there is; between them is what fits on a screen. `drawn`
+    asks for the picture of the failing case where there would be no room for it.
+    """
 
     brief: bool
     pointing: bool  # to what comes after an accepted submission
+    whole: bool = False
+    drawn: bool = False
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several."""
-        from judge.report.kata import pointer_lines
         from judge.report.layout import line
-        from judge.report.results import lines_beside, result_lines, verdict_lines
+        from judge.report.results import verdict_lines
         from judge.report.screen import out
 
         screen = out()
         if not self.brief:
-            drawn = drawing.lines(screen, beside=lines_beside(result, screen.width))
-            if self.pointing and not several and result.exit_code is ExitCode.ACCEPTED:
-                drawn = pointer_lines(result.problem, screen)
-            screen.show([*result_lines(result, screen.width, drawn), *([line()] if several else [])])
+            show = self._whole if self.whole else self._glance
+            laid = show(drawing, screen, several=several)
+            screen.show([*laid, *([line()] if several else [])])
         elif not several:
             screen.show(verdict_lines(result, screen.width, alone=True))
+
+    def _whole(self, drawing: Drawing, screen: Screen, *, several: bool) -> list[Line]:
+        from judge.report.glance import rows_beside, screen_rows
+        from judge.report.results import result_lines
+
+        left = screen_rows(screen) - rows_beside(drawing.result, screen.width)
+        drawn = self._pointer(drawing, screen, several=several) or drawing.lines(screen, left)
+        return list(result_lines(drawing.result, screen.width, drawn))
+
+    def _glance(self, drawing: Drawing, screen: Screen, *, several: bool) -> list[Line]:
+        from judge.report.glance import glance_lines, more_lines, screen_rows
+
+        result, rows, hurdle = drawing.result, screen_rows(screen), drawing.hurdle(screen.width)
+
+        def laid(drawn: Sequence[Line]) -> list[Line]:
+            more = more_lines(self._more(drawing, drawn=bool(drawn)), screen.width)
+            end = more or self._pointer(drawing, screen, several=several)
+            return glance_lines(result, screen.width, rows, hurdle=hurdle, drawing=drawn, end=end)
+
+        return drawing.beside(laid, screen, wanted=self.drawn)
+
+    def _pointer(self, drawing: Drawing, screen: Screen, *, several: bool) -> list[Line]:
+        """Where to go from an accepted submission."""
+        from judge.report.kata import pointer_lines
+
+        if not self.pointing or several or not drawing.result.solved:
+            return []
+        return pointer_lines(drawing.result.problem, screen)
+
+    def _more(self, drawing: Drawing, *, drawn: bool) -> list[str]:
+        """The commands and options that show more of a failure."""
+        result = drawing.result
+        if result.failure is None or not result.groups:
+            return []
+        group = f" {result.failure.group}" if result.failure.group else ""
+        commands = [f"judge why {result.problem}{group}"]
+        if drawing.problem.has_hints:
+            commands.append(f"judge hint {result.problem}")
+        return [
+            *commands,
+            "--all",
+            *(["--picture"] if drawing.drawable and not (drawn or self.drawn) else []),
+        ]
 
     def close(self, results: Sequence[Result]) -> None:
         """The table of several."""
@@ -61,7 +111,7 @@ def show_result(drawing: Drawing) -> None:
 class Outputs:
     """Receives each result and hands it on: to `screen`, or as what `form` asks for, and into a JUnit file.
 
-    `expected` are the submissions that results are to come of, once they have been read. Raises UsageError,
+    `expect` says which submissions results are to come of, once they have been read. Raises UsageError,
     before anything is judged, where the JUnit file cannot be written.
     """
 
@@ -70,10 +120,14 @@ class Outputs:
         if self._junit:
             self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else
-        self.expected: Sequence[Submission] = ()
+        self._expected: list[tuple[str, Submission]] = []  # with the problem's name
         self._form = form
         self._screen = screen
         self._results: list[Result] = []
+
+    def expect(self, tasks: Sequence[Task]) -> None:
+        """Results are to come of these submissions, in their order."""
+        self._expected = [(task.problem.id, each) for task in tasks for each in task.submissions]
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several, in the order of the submissions."""
@@ -91,8 +145,8 @@ class Outputs:
             return
         from judge.run.execute import judge_fault
 
-        self.expected = self.expected or read_submissions(files)
-        for submission in self.expected[len(self._results) :]:
+        self._expected = self._expected or [(problem, each) for each in read_submissions(files)]
+        for problem, submission in self._expected[len(self._results) :]:
             self._write(judge_fault(problem, submission.name, told(fault)), "")
         self._save()
 
@@ -107,7 +161,7 @@ class Outputs:
 
     def _write(self, result: Result, entry: str) -> None:
         """Keep one more result for the file, and write it where a script reads."""
-        source = self.expected[len(self._results)].source
+        source = self._expected[len(self._results)][1].source
         self._results.append(result)
         if self._form == JSON:
             write_json(result.as_json())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from judge.problem import Problem
 from judge.problem.model import case_of
 from judge.problem.topic import Shown
 from judge.report.layout import Line
-from judge.report.screen import Screen, note
+from judge.report.screen import Screen, is_terminal, note
 from judge.run.result import Result
 
 if TYPE_CHECKING:
@@ -27,6 +28,22 @@ class Drawing(Struct, frozen=True):
     problem: Problem
     data: ProblemData
     result: Result
+
+    @property
+    def drawable(self) -> bool:
+        """Whether the problem has pictures of its cases."""
+        try:
+            return self.data.module.topic.picture is not None
+        except Exception:  # its code fails: who asks for a picture is told
+            return False
+
+    def hurdle(self, width: int | None) -> list[Line]:
+        """What keeps the submission from running at all, if anything does."""
+        if self.result.hurdle is None:
+            return []
+        from judge.report.hurdle import hurdle_lines
+
+        return hurdle_lines(self.result, self.result.hurdle, self.problem, width)
 
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
@@ -49,22 +66,41 @@ class Drawing(Struct, frozen=True):
         exact, _ = self.data.exact(case_of(values), group)
         return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
 
-    def lines(self, screen: Screen, *, beside: int) -> list[Line]:
-        """The drawing for a terminal, low enough that so many other lines are seen with it.
-
-        Nothing where it cannot be shown.
-        """
-        if self.result.failure is None:
+    def lines(self, screen: Screen, rows: int | None = None) -> list[Line]:
+        """The drawing for a terminal, in about so many rows; nothing where it cannot be shown."""
+        if self.result.failure is None or self.result.hurdle is not None:
             return []
         from judge.report.picture import has_room, picture_lines
-        from judge.report.terminal import height
 
         try:
             picture = self.picture() if has_room(screen) else None
         except Exception as fault:  # the verdict is known, and worth more
             note(f"the failing case is not drawn: {told(fault)}")
             return []
-        return list(picture_lines(picture, height(screen) - beside)) if picture else []
+        return list(picture_lines(picture, rows)) if picture else []
+
+    def beside(
+        self,
+        laid: Callable[[Sequence[Line]], list[Line]],
+        screen: Screen,
+        *,
+        wanted: bool = False,
+        spare: int = 1,
+    ) -> list[Line]:
+        """What `laid` makes of the drawing: all that is shown.
+
+        There is one where the screen has room for both and so many rows more, and where it is `wanted`.
+        """
+        from judge.report.glance import taken
+        from judge.report.picture import LEAST_ROWS
+        from judge.report.terminal import height
+
+        bare = laid(())
+        left = height(screen) - spare - taken(bare, screen.width) - 1
+        if not wanted and (left < LEAST_ROWS or not is_terminal(screen.stream)):
+            return bare
+        drawn = self.lines(screen, left)
+        return laid(drawn) if drawn else bare
 
     def save(self, path: Path | None) -> None:
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""

@@ -20,15 +20,14 @@ from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
 from judge.mistakes.told import aimed_groups, told_mistakes
-from judge.problem import Verdict
 from judge.report.hint import hint_text
-from judge.report.layout import Style, line
+from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
 from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
 from judge.report.screen import Screen, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
-from judge.report.watch import note_text, prompt_text, report_text
+from judge.report.watch import note_text, prompt_text, report_lines
 from judge.report.why import why_lines
 
 _SAVED, _RESIZED = "saved", "resized"
@@ -156,7 +155,7 @@ class _WatchScreen:
     def _next(self, *, confirmed: bool) -> Kata | None:
         """The kata to go on to; one that is not solved is only left when that is asked for twice."""
         problem = self._kata.problem
-        if self._verdict() is not Verdict.AC and not confirmed:
+        if not (confirmed or self._solved()):
             self._asked = "n"
             self._say(f"{problem.id} is not solved yet; n once more leaves it for now")
             return None
@@ -205,7 +204,7 @@ class _WatchScreen:
         def drawn(screen: Screen) -> str:
             if not has_room(screen):
                 return note_text("a picture wants a terminal of 60 columns that knows braille", screen)
-            lines = [] if isinstance(found, str) else found.lines(screen, beside=_BELOW)
+            lines = [] if isinstance(found, str) else found.lines(screen, height(screen) - _BELOW - 2)
             return screen.text(lines) if lines else note_text("there is no failing case to draw", screen)
 
         return drawn
@@ -217,7 +216,13 @@ class _WatchScreen:
     def _report(self, screen: Screen) -> str:
         if isinstance(self._found, str):
             return note_text(self._found, screen)
-        return report_text(self._found.result, screen, height(screen) - _BELOW - self._notes.count("\n"))
+        found, spare = self._found, _BELOW + self._notes.count("\n")
+        rows, hurdle = height(screen) - spare, found.hurdle(screen.width)
+
+        def laid(drawn: Sequence[Line]) -> list[Line]:
+            return report_lines(found.result, screen, rows, drawn, hurdle)
+
+        return screen.text(found.beside(laid, screen, spare=spare))
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""
@@ -225,8 +230,8 @@ class _WatchScreen:
             return note_text(self._found, screen)
         return screen.text(verdict_lines(self._found.result, screen.width, alone=True))
 
-    def _verdict(self) -> Verdict | None:
-        return None if isinstance(self._found, str) else self._found.result.verdict
+    def _solved(self) -> bool:
+        return not isinstance(self._found, str) and self._found.result.solved
 
     def _say(self, text: str, style: Style = Style.WARNING) -> None:
         self._show(lambda screen: note_text(text, screen, style))

@@ -14,6 +14,8 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from threading import Lock
 
+from msgspec.structs import replace
+
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, shortage, told
@@ -23,6 +25,7 @@ from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming, has_choices
 from judge.problem import Problem, Verdict
 from judge.run.execute import judge_fault, run_in
+from judge.run.hurdle import hurdle_of
 from judge.run.parallel import Turnstile
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
@@ -163,10 +166,16 @@ class Session:
                     groups=groups,
                     on_progress=advance,
                 )
-            result = judged.result
-            if terms.diagnosed and judged.runner is not None:
-                result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
-                result = with_thresholds(result, data, judged.runner, box)
+            left_out = len(self.problem.groups) > len(judged.result.groups) > 0
+            result = replace(judged.result, out_of=len(self.problem.groups) if left_out else 0)
+            runner = judged.runner
+            if runner is not None:
+                hurdle = hurdle_of(result, runner, box.inspect(), source)
+                if hurdle is not None:
+                    return replace(result, hurdle=hurdle)
+            if terms.diagnosed and runner is not None:
+                result = diagnosed(result, data, runner, box, self.containment.open_box)
+                result = with_thresholds(result, data, runner, box)
         return self.naming.named(result, source) if terms.named else result
 
     @contextmanager

@@ -158,6 +158,11 @@ class Problem(Struct, frozen=True):
         """Its groups of that level."""
         return tuple(group for group in self.groups if group.level is level)
 
+    @property
+    def has_hints(self) -> bool:
+        """Whether there is anything that `judge hint` could give."""
+        return (self.folder / "hints.md").is_file()
+
     def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""
         return group.limits or self.limits

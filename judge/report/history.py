@@ -8,6 +8,7 @@ from datetime import date, datetime
 from judge.errors import HistoryError
 from judge.kata.changes import Change
 from judge.kata.history import Run
+from judge.problem.verdict import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
@@ -63,13 +64,21 @@ def _row(run: Run) -> list[Cell]:
 
 
 def _remark(run: Run) -> str:
-    """The level that it passed without passing the other, and its mistake or the first group that failed."""
+    """The level that it passed without passing the other, and its mistake, the first group that failed, or
+    that it was judged on some of the groups only.
+    """
     try:
         passed = () if run.whole else run.levels
     except HistoryError:  # of a damaged result the other columns are still true
         passed = ()
-    why = run.mistake or (run.failed[0] if run.failed else "")
+    why = run.mistake or (run.failed[0] if run.failed else _left_out(run))
     return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
+
+
+def _left_out(run: Run) -> str:
+    """That a run which passed was judged on some of the groups only."""
+    partial = run.verdict is Verdict.AC and not run.whole
+    return f"only {', '.join(run.passed)}" if partial else ""
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from judge.drawing import Picture
-from judge.drawing.braille import COLUMNS, to_braille
+from judge.drawing.braille import COLUMNS, ROWS, to_braille
+from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.shapes import Role
 from judge.report.layout import Line, Span, Style, line
 from judge.report.screen import Screen, is_terminal
@@ -29,9 +30,9 @@ def has_room(screen: Screen) -> bool:
     return True
 
 
-def picture_lines(picture: Picture, rows: int) -> Iterator[Line]:
+def picture_lines(picture: Picture, rows: int | None = None) -> Iterator[Line]:
     """The drawing in about so many rows, coloured by what is wanted and what was given."""
-    for row in to_braille(picture, rows):
+    for row in to_braille(picture, ROWS if rows is None else rows):
         yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
 
 

@@ -15,11 +15,9 @@ from judge.report.layout import (
     Style,
     Table,
     beside,
-    cells,
     hanging,
     line,
     pad,
-    printable,
 )
 from judge.report.levels import levels_text
 from judge.report.names import shown_command, shown_name
@@ -38,7 +36,6 @@ _STYLES = {
     Verdict.MLE: Style.WARNING,
     Verdict.OLE: Style.WARNING,
 }
-_FEW = 6  # rejected groups in a brief report
 _LABELS = 12  # the column where what follows a label begins
 
 
@@ -47,12 +44,10 @@ def verdict_span(verdict: Verdict) -> Span:
     return Span(verdict.value, _STYLES[verdict])
 
 
-def result_lines(
-    result: Result, width: int | None, drawing: Iterable[Line] = (), *, brief: bool = False
-) -> Iterator[Line]:
-    """One submission's report, with a drawing of its failing case if there is one; the verdict is last.
+def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
+    """Everything of one submission's report, with a drawing of its failing case if there is one.
 
-    A brief one names only the first groups that were rejected and counts the others.
+    The verdict is last. `judge.report.glance` shows what fits on a screen.
     """
     mode = "" if result.verdict in (Verdict.CE, Verdict.JE) else f", {HOW_RUN[result.mode.value]}"
     link = Link(result.submission)
@@ -61,7 +56,7 @@ def result_lines(
     )
     yield line()
     if result.groups:
-        yield from _brief_groups(result.groups, width) if brief else group_table(result.groups).lines(width)
+        yield from group_table(result.groups).lines(width)
         yield line()
     if result.failure:
         yield from failure_lines(result.failure, width)
@@ -81,28 +76,6 @@ def result_lines(
     yield from verdict_lines(result, width)
 
 
-def lines_beside(result: Result, width: int | None) -> int:
-    """How many lines are to be seen together with the drawing of the failing case, and a prompt below them.
-
-    The smallest case, the mistake and the verdict; what is above them may have scrolled away.
-    """
-    parts = [verdict_lines(result, width)]
-    if result.counterexample:
-        parts.append(list(counterexample_lines(result, result.counterexample, width)))
-    elif result.failure:
-        parts.append([*failure_lines(result.failure, width), *place_lines(result, width)])
-    if result.pitfall:
-        parts.append(list(pitfall_lines(result.pitfall, width)))
-    parts.append(list(threshold_lines(result, width)))
-    return sum(_rows(laid, width) for part in parts for laid in part) + sum(map(bool, parts)) + 1
-
-
-def _rows(laid: Line, width: int | None) -> int:
-    """How many rows of a terminal a line takes: a command is not broken into lines, and may take several."""
-    taken = sum(cells(printable(span.text)) for span in laid)
-    return max(1, -(-taken // width)) if width else 1
-
-
 HOW_RUN = {"function": "its function called", "program": "run as a program"}  # by the mode's name
 
 
@@ -110,16 +83,6 @@ def group_table(groups: Sequence[GroupResult]) -> Table:
     """One row a group: its verdict, the cases it passed, the points it earned."""
     columns = (Column("group"), Column("verdict"), Column("passed", right=True), Column("points", right=True))
     return Table(columns, [_group_row(group) for group in groups])
-
-
-def _brief_groups(groups: Sequence[GroupResult], width: int | None) -> Iterator[Line]:
-    """The first groups that were rejected, and how many there are besides."""
-    rejected = [group for group in groups if group.verdict is not Verdict.AC]
-    if rejected:
-        yield from group_table(rejected[:_FEW]).lines(width)
-    more = [f"{len(rejected) - _FEW} more rejected"] if len(rejected) > _FEW else []
-    accepted = f"{counted(len(groups) - len(rejected), 'group')} accepted"
-    yield line("  ", Span(", ".join([*more, accepted]), Style.FAINT))
 
 
 def _group_row(group: GroupResult) -> list[Cell]:
@@ -134,9 +97,14 @@ def _group_row(group: GroupResult) -> list[Cell]:
     ]
 
 
-def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
-    """The failing case: where it is, what went in, what was wanted and got, and why: how far off it is."""
-    if failure.group is not None:
+def failure_lines(
+    failure: Failure, width: int | None, *, most: int | None = None, titled: bool = True
+) -> Iterator[Line]:
+    """The failing case: where it is, what went in, what was wanted and got, and why: how far off it is.
+
+    Each of these in at most so many rows; its place only where it is `titled`.
+    """
+    if failure.group is not None and titled:
         yield line("  ", Span(failure_place(failure), Style.STRONG))
     rows = [
         ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
@@ -146,7 +114,8 @@ def failure_lines(failure: Failure, width: int | None) -> Iterator[Line]:
     ]
     for label, text, style in rows:
         if text:
-            yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+            laid = hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
+            yield from clipped(laid, most)
 
 
 def place_lines(result: Result, width: int | None) -> Iterator[Line]:
@@ -183,22 +152,44 @@ def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) 
         yield from failure_lines(smallest, width)
 
 
-def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
-    """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead."""
+def again_line(submission: str, replay: str) -> Line:
+    """The command that judges that case alone, which is never broken into lines."""
+    label = pad("again", _LABELS - 4)
+    return line("    ", Span(label, Style.FAINT), shown_command("judge", "replay", replay, file=submission))
+
+
+def pitfall_lines(
+    pitfall: Pitfall, width: int | None, *, spoilt: bool = True, most: int | None = None
+) -> Iterator[Line]:
+    """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead.
+
+    The lines that it spoils are left out unless asked for; each advice has at most so many rows.
+    """
     several = len(pitfall.names) > 1
     what = "two mistakes: " if several else ""
     perhaps = f", or perhaps {' or '.join(pitfall.perhaps)}" if pitfall.perhaps else ""
     yield from beside(
         Span(f"  {what}{pitfall.name}{perhaps}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
     )
-    if pitfall.lines:
+    if pitfall.lines and spoilt:
         fit = "programs with it fail on just these cases; such a program has"
         yield from hanging(Span(""), Span(fit, Style.FAINT), width, indent=4, column=4)
         for wrong, right in pitfall.lines:
             yield from _spoilt(wrong, right, width)
     for name, advice in zip(pitfall.names, pitfall.advice, strict=True):
         text = f"{name}: {advice}" if several else advice
-        yield from hanging(Span(""), Span(text), width, indent=4, column=4)
+        yield from clipped(hanging(Span(""), Span(text), width, indent=4, column=4), most)
+
+
+def clipped(laid: Sequence[Line], most: int | None) -> list[Line]:
+    """At most so many of the lines, the last of them ending in `…` where some are left out."""
+    if most is None or len(laid) <= most:
+        return list(laid)
+    if not most:
+        return []
+    *before, last = laid[:most]
+    cut = last[-1]
+    return [*before, (*last[:-1], Span(f"{cut.text[:-2].rstrip(' ,')} …", cut.style, cut.link))]
 
 
 def _spoilt(wrong: str, right: str, width: int | None) -> Iterator[Line]:
@@ -224,6 +215,7 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         parts = [f"{result.verdict.meaning}: {result.failure.message}"]
     if result.groups:
         passed, cases = _cases(result)
+        parts += [f"on {result.partial} only"] if result.partial else []
         parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
         parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
         if result.time.ratio:
@@ -257,8 +249,10 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
     """Several submissions: a row each, and how many were accepted on the last line."""
     accepted = sum(result.verdict is Verdict.AC for result in results)
     all_right = accepted == len(results)
+    problems = list(dict.fromkeys(result.problem for result in results))
     columns = [
         Column("submission"),
+        *([Column("problem")] if len(problems) > 1 else []),
         Column("verdict"),
         Column("points", right=True),
         Column("CPU", right=True),
@@ -266,21 +260,24 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
         Column("first failure", flexible=True),
     ]
     shown = len(columns) - all_right
-    rows = [_summary_row(result)[:shown] for result in results]
+    rows = [_summary_row(result, several=len(problems) > 1)[:shown] for result in results]
     yield from Table(tuple(columns[:shown]), rows).lines(width)
     yield line()
     style = Style.GOOD if all_right else Style.BAD
-    yield from beside(Span(f"{accepted} of {len(results)} accepted", style), results[0].problem, width)
+    partial = list(dict.fromkeys(result.partial for result in results if result.partial))
+    text = f"{accepted} of {len(results)} accepted" + (f" on {', '.join(partial)} only" if partial else "")
+    yield from beside(Span(text, style), ", ".join(problems), width)
 
 
-def _summary_row(result: Result) -> list[Cell]:
+def _summary_row(result: Result, *, several: bool) -> list[Cell]:
     return [
         Span(shown_name(result.submission), link=Link(result.submission)),
+        *([result.problem] if several else []),
         verdict_span(result.verdict),
         Span(str(result.score), Style.FAINT),
         Span(seconds(result.time.cpu_seconds), Style.FAINT),
         Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
-        failure_place(result.failure),
+        result.failure.message if result.hurdle and result.failure else failure_place(result.failure),
     ]
 
 

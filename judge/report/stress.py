@@ -2,42 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+
+from msgspec.structs import replace
 
 from judge.problem import Verdict
-from judge.report.layout import Line, Span, Style, beside, hanging, line
-from judge.report.names import shown_name
-from judge.report.results import (
-    HOW_RUN,
-    counterexample_lines,
-    failure_lines,
-    pitfall_lines,
-    place_lines,
-    verdict_span,
-)
-from judge.report.thresholds import threshold_lines
+from judge.report.glance import glance_lines
+from judge.report.layout import Line, Span, Style, hanging
+from judge.report.results import verdict_span
 from judge.report.values import counted, seconds
 from judge.run.stress import Stressed
 
 
-def stress_lines(stressed: Stressed, width: int | None, drawing: Iterable[Line] = ()) -> Iterator[Line]:
+def stress_lines(
+    stressed: Stressed, width: int | None, rows: int, drawing: Iterable[Line] = ()
+) -> list[Line]:
     """The report: what broke it with its smallest case, and last how many cases it came to."""
-    result = stressed.result
-    mode = "" if result.verdict is Verdict.CE else f", {HOW_RUN[result.mode.value]}"
-    yield from beside(Span(shown_name(result.submission), Style.STRONG), f"{result.problem}{mode}", width)
-    yield line()
-    if result.failure:
-        yield from (*failure_lines(result.failure, width), *place_lines(result, width), line())
-    if result.counterexample:
-        yield from (*counterexample_lines(result, result.counterexample, width), line())
-    drawn = list(drawing)
-    if drawn:
-        yield from (*drawn, line())
-    if result.pitfall:
-        yield from (*pitfall_lines(result.pitfall, width), line())
-    if told := list(threshold_lines(result, width)):
-        yield from (*told, line())
-    yield from _verdict_lines(stressed, width)
+    result = replace(stressed.result, groups=())  # they say nothing about fresh cases
+    return glance_lines(result, width, rows, drawing=drawing, verdict=_verdict_lines(stressed, width))
 
 
 def _verdict_lines(stressed: Stressed, width: int | None) -> list[Line]:
@@ -45,6 +27,8 @@ def _verdict_lines(stressed: Stressed, width: int | None) -> list[Line]:
     label, what = verdict_span(verdict), verdict.meaning
     if verdict is Verdict.AC:
         label, what = (Span("interrupted", Style.WARNING) if stressed.interrupted else label), "nothing broke"
+    group = stressed.result.failure.group if stressed.result.failure else None
+    what += f" in {group}" if group else ""
     parts = [what] if verdict is Verdict.CE else [f"{what}: {_amount(stressed)}", *_origin(stressed)]
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
 

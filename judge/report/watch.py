@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from judge.problem import Verdict
+from collections.abc import Iterable, Sequence
+
+from judge.report.glance import glance_lines
 from judge.report.layout import Line, Span, Style, hanging, line
-from judge.report.results import result_lines
 from judge.report.screen import Screen
 from judge.run.result import Result
 
@@ -19,14 +20,12 @@ _KEYS = {
 }
 
 
-def report_text(result: Result, screen: Screen, room: int) -> str:
-    """The result, with the groups that were accepted only where all of it can be seen at once."""
+def report_lines(
+    result: Result, screen: Screen, rows: int, drawing: Iterable[Line] = (), hurdle: Sequence[Line] = ()
+) -> list[Line]:
+    """The result in so many rows, with a drawing of its failing case."""
     end = _onward(result, screen)
-    for brief in (False, True):
-        lines = list(result_lines(result, screen.width, end, brief=brief))
-        if len(lines) <= room:
-            break
-    return screen.text(lines)
+    return glance_lines(result, screen.width, rows, hurdle=hurdle, drawing=drawing, end=end)
 
 
 def note_text(text: str, screen: Screen, style: Style = Style.WARNING) -> str:
@@ -48,7 +47,7 @@ def prompt_text(screen: Screen) -> str:
 
 
 def _onward(result: Result, screen: Screen) -> list[Line]:
-    if result.verdict is not Verdict.AC:
+    if not result.solved:
         return []
     text = f"n goes on to the next kata, judge solution {result.problem} explains a model solution"
     return hanging(Span("then", Style.FAINT), Span(text), screen.width, indent=2, column=8)

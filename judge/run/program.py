@@ -132,20 +132,39 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
     return Breakdown(VERDICTS[result.stop], result.detail, min(len(lines), count - 1), so_far=so_far)
 
 
-def _why_a_program(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> str:
-    """Why a source was taken for a program that may not be meant as one; nothing where it reads its input."""
+class MissingEntry(Struct, frozen=True):
+    """A source was taken for a program only because it defines no entry function at its top level.
+
+    `nested` says that the function is there, within a class or another function; `close` is a name like the
+    entry's that it binds in `line`.
+    """
+
+    nested: bool
+    close: str = ""
+    line: int = 0
+
+
+def missing_entry(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> MissingEntry | None:
+    """What a source that may not be meant as a program has for an entry; None where it is meant as one."""
     nested = f"def {entry}(".encode() in source
     reads = any(word in source for word in _READS)
     # In what reads its input a variable of a name like the entry's means nothing.
     close = nearest(entry, (name for name, _ in names if not reads or f"def {name}(".encode() in source))
     if close is None and not nested and reads:
+        return None
+    return MissingEntry(nested, close or "", dict(names).get(close or "", 0))
+
+
+def _why_a_program(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> str:
+    """Why a source was taken for a program that may not be meant as one; nothing where it reads its input."""
+    missing = missing_entry(entry, names, source)
+    if missing is None:
         return ""
     note = f"it was run as a program because it defines no {entry}"
-    if nested:
+    if missing.nested:
         return f"{note} at its top level: move it out of the class or function it stands in"
-    if close:
-        line = next(line for name, line in names if name == close)
-        return f"{note}; is {close} (line {line}) meant to be it?"
+    if missing.close:
+        return f"{note}; is {missing.close} (line {missing.line}) meant to be it?"
     return note
 
 

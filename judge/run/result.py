@@ -228,6 +228,30 @@ class Pitfall(Struct, frozen=True):
         return found
 
 
+class Obstacle(Enum):
+    """Why a submission can answer nothing at all, whatever the case."""
+
+    STUB = "the entry function is still to be written"
+    ARITY = "the entry function takes another number of arguments"
+    MODULE = "a module that it imports is not there"
+    IMPORT = "an exception ends its import"
+    NESTED = "the entry function stands in a class or another function"
+    MISNAMED = "there is a name like the entry function's"
+    NO_ENTRY = "there is no entry function, and nothing is read"
+
+
+class Hurdle(Struct, frozen=True):
+    """An obstacle in `line` of the file, 0 where it has none.
+
+    `name` is the module, or the name that is like the entry's; `takes` says how many arguments it takes.
+    """
+
+    kind: Obstacle
+    line: int = 0
+    name: str = ""
+    takes: str = ""
+
+
 class Result(Struct, frozen=True):
     """The outcome of one submission on one problem.
 
@@ -253,6 +277,18 @@ class Result(Struct, frozen=True):
     counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
     levels: tuple[LevelResult, ...] = ()
+    hurdle: Hurdle | None = None  # not published: `failure` is
+    out_of: int = 0  # how many groups the problem has, where some were left out; not published
+
+    @property
+    def partial(self) -> str:
+        """`1 of 18 groups` where some were left out by request, else nothing."""
+        return f"{len(self.groups)} of {self.out_of} groups" if self.out_of else ""
+
+    @property
+    def solved(self) -> bool:
+        """Whether it was accepted with no group left out."""
+        return self.verdict is Verdict.AC and not self.out_of
 
     def noting(self, *notes: str) -> Result:
         """The same with more notes; none stands twice."""

@@ -12,6 +12,7 @@ from enum import Enum
 from typing import Any, NamedTuple, Protocol
 
 from judge.sandbox.encode import MOST_ITEMS
+from judge.sandbox.inside.wire import IMPORTING as IMPORTING
 
 BoxFactory = Callable[[bytes, str], "Box"]  # from a source and its file's name
 
@@ -75,11 +76,26 @@ class SourceFault(NamedTuple):
     text: str = ""
 
 
+class Defined(NamedTuple):
+    """A function that a source defines at its top level, and binds to nothing else."""
+
+    name: str
+    line: int
+    least: int  # arguments that a call must have
+    most: int  # and may have; -1: any number
+    empty: bool  # nothing is written in it yet
+
+    def takes(self, count: int) -> bool:
+        """Whether it can be called with so many arguments."""
+        return self.least <= count and (self.most < 0 or count <= self.most)
+
+
 class Inspection(NamedTuple):
     """What a source is, found inside the containment without running it."""
 
     fault: SourceFault | None
     names: tuple[tuple[str, int], ...] = ()  # what it binds at module level, each with its line
+    functions: tuple[Defined, ...] = ()  # of these, those that are plain functions
 
     def defines(self, name: str) -> bool:
         """Whether the module binds `name` at its top level."""

@@ -16,6 +16,7 @@ from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, s
 from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
+    Defined,
     Inspection,
     Limits,
     ProgramResult,
@@ -112,7 +113,8 @@ class ForkServerBox:
         found = outcome.parse_inspection(replies)
         self._modules = imports.to_import(found["modules"])
         fault = SourceFault(*found["fault"]) if found["fault"] else None
-        return Inspection(fault, tuple((name, line) for name, line in found["names"]))
+        functions = tuple(Defined(*each) for each in found["functions"])
+        return Inspection(fault, tuple((name, line) for name, line in found["names"]), functions)
 
     def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
         """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""
@@ -185,7 +187,7 @@ class ForkServerBox:
             detail = outcome.end_of(done, note)[1]
             stop = Stop.EXITED  # in mid-call, whatever its status
             if not self._holder.here().region.words[wire.IMPORTED]:
-                detail += ", while the module was imported"
+                detail += wire.IMPORTING
         # of a limit that the calls of a series passed together, its last call hears
         return [*replies[: max(0, count - 1)], Reply(stop, detail=detail)]
 

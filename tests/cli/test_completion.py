@@ -50,9 +50,10 @@ def test_options():
     ["run", "watch", "init", "hint", "solution", "stress", "history", "show", "why", "data", "verify"],
 )
 def test_problems(command):
-    assert offered(command, "") == ["count", "exact-count", "middle", "ray-nearest", "segment"]
-    assert offered(command, "mi") == ["middle"]
-    assert offered(command, "nothing-like-it") == []
+    files = ["<py>"] if command in ("run", "watch", "hint", "stress", "why") else []
+    assert offered(command, "") == ["count", "exact-count", "middle", "ray-nearest", "segment", *files]
+    assert offered(command, "mi") == ["middle", *files]
+    assert offered(command, "nothing-like-it") == files
 
 
 def test_a_problem_that_was_named_is_not_offered_again():

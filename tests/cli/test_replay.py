@@ -40,7 +40,8 @@ def test_the_counterexample_and_its_replay(source, judge, submit):
 
 def test_the_screen_shows_it_after_the_failing_case_with_the_verdict_last(judge, submit):
     name = submit(FLOOR, "my file.py")
-    ended = judge("run", "middle", name)
+    assert "  examples, case 1" not in judge("run", "middle", name).lines
+    ended = judge("run", "middle", name, "--all")
     at = ended.lines.index("  smallest case found")
     assert at > ended.lines.index("  examples, case 1")
     assert ended.lines[at + 1].split() == ["input", "a=0,", "b=1"]
@@ -53,7 +54,7 @@ def test_the_screen_shows_it_after_the_failing_case_with_the_verdict_last(judge,
 def test_a_replay_looks_as_a_run_does(judge, submit):
     replay = counterexample(judge, submit(FLOOR))["replay"]
     ended = judge("replay", replay, "mine.py")
-    assert ended.lines[0] == "mine.py  middle, its function called"
+    assert ended.lines[0] == "WA  mine.py  middle, its function called"
     assert ended.lines[-1].startswith("WA  wrong answer, 0 of 100 points, 0 of 1 case")
     assert judge("replay", replay, submit("x = (\n", "broken.py")).lines[-1].startswith("CE")
 

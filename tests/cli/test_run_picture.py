@@ -64,7 +64,7 @@ def test_nothing_is_written_where_nothing_is_to_be_drawn(judge, submit, tmp_path
 @pytest.mark.parametrize(("columns", "drawn"), [(59, False), (60, True), (100, True)])
 def test_a_terminal_that_is_wide_enough_shows_it(columns, drawn, submit, tmp_path):
     submit(ALWAYS_ONE)
-    words = ("run", "count", tmp_path / "mine.py", *WHERE)
+    words = ("run", "count", tmp_path / "mine.py", "--picture", *WHERE)
     status, written = on_a_terminal(*words, columns=columns, NO_COLOR="1")
     assert status == 1
     assert bool(braille(written)) is drawn
@@ -76,11 +76,21 @@ def test_a_terminal_that_is_wide_enough_shows_it(columns, drawn, submit, tmp_pat
 def test_the_smallest_case_is_seen_with_its_picture(submit):
     """On a terminal of 24 rows, the last of which the shell's prompt takes."""
     submit(ALWAYS_ONE)
-    status, written = on_a_terminal("run", "count", "mine.py", *WHERE, NO_COLOR="1")
-    assert status == 1
-    below = written[written.index("  smallest case found") :].splitlines()
-    assert sum(-(-max(len(row), 1) // 80) for row in below) <= 23
-    assert braille("".join(below))
+    for words in (["--picture"], ["--all"]):
+        status, written = on_a_terminal("run", "count", "mine.py", *words, *WHERE, NO_COLOR="1")
+        assert status == 1
+        below = written[written.index("  smallest case found") :].splitlines()
+        assert sum(-(-max(len(row), 1) // 80) for row in below) <= 23
+        assert braille("".join(below))
+
+
+@pytest.mark.parametrize(("rows", "drawn"), [(24, False), (40, True)])
+def test_a_tall_terminal_shows_it_unasked(rows, drawn, submit):
+    submit(ALWAYS_ONE)
+    status, written = on_a_terminal("run", "count", "mine.py", *WHERE, rows=rows, NO_COLOR="1")
+    assert (status, bool(braille(written))) == (1, drawn)
+    assert len(written.splitlines()) < rows
+    assert ("--picture" in written) is not drawn
 
 
 def test_a_terminal_without_the_characters_does_without(submit, tmp_path):

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 ESCAPE = "\x1b"
 
 
-def on_a_terminal(*words: str, columns: int = 80, **settings: str) -> tuple[int, str]:
+def on_a_terminal(*words: str, columns: int = 80, rows: int = 24, **settings: str) -> tuple[int, str]:
     """Run the command on a terminal of its own; its status and all that was written there."""
     pty = pytest.importorskip("pty")
     ours, theirs = pty.openpty()
@@ -25,7 +25,7 @@ def on_a_terminal(*words: str, columns: int = 80, **settings: str) -> tuple[int,
     import struct
     import termios
 
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
     with subprocess.Popen(command, stdin=theirs, stdout=theirs, stderr=theirs, env=environment) as running:
         os.close(theirs)
         written = _everything(ours)
@@ -52,6 +52,8 @@ def _everything(terminal: int) -> str:
 def test_an_accepted_submission(judge, submit):
     ended = judge("run", "middle", submit(MEAN))
     assert (ended.status, ended.err) == (0, "")
+    assert ended.lines[:3] == ["AC  mine.py  middle, its function called", "", "  3 groups accepted"]
+    ended = judge("run", "middle", "mine.py", "--all")
     first, *_, last = ended.lines
     assert first == "mine.py  middle, its function called"
     assert last.startswith("AC  accepted, 100 of 100 points, 52 cases, ")
@@ -64,7 +66,7 @@ def test_an_accepted_submission(judge, submit):
 
 
 def test_a_wrong_one_shows_the_failing_case_and_the_verdict_last(judge, submit):
-    ended = judge("run", "middle", submit(FLOOR))
+    ended = judge("run", "middle", submit(FLOOR), "--all")
     assert ended.status == 1
     at = ended.lines.index("  examples, case 1")
     assert [line.split(None, 1) for line in ended.lines[at + 1 : at + 5]] == [
@@ -110,7 +112,7 @@ def test_quietly_only_the_verdicts(judge, submit):
         ("def middle(a, b)\n", "CE", "line 1"),
         (b"s = '\xff'\n", "CE", "not UTF-8"),
         ("def middle(a, b):\n    return a / 0\n", "RTE", "ZeroDivisionError"),
-        ("def midle(a, b):\n    return a\n", "WA", "is midle (line 1) meant to be it?"),
+        ("def midle(a, b):\n    return a\n", "WA", "line 1  there is no middle; is midle meant to be it?"),
         ("def middle(a, b):\n    return str(a)\n", "WA", "str"),
         ("def middle(a, b):\n    while True: pass\n", "TLE", "limit"),
     ],

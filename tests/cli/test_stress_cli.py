@@ -23,7 +23,7 @@ def found_by(ended):
 def test_a_right_one_survives_until_the_time_is_up(judge, submit):
     ended = judge("stress", "middle", submit(MEAN), *SHORT)
     assert (ended.status, ended.err) == (0, "")
-    assert ended.lines[0].split() == ["mine.py", "middle,", "its", "function", "called"]
+    assert ended.lines[0].split() == ["AC", "mine.py", "middle,", "its", "function", "called"]
     assert ended.lines[-1].startswith("AC  nothing broke: ")
     assert " from 2 groups, again with --seed " in ended.lines[-1]
 
@@ -32,7 +32,7 @@ def test_a_wrong_one_is_broken_shrunk_and_its_case_can_be_replayed(judge, submit
     name = submit(FLOOR)
     ended = judge("stress", "middle", name, "--for", "60", "--no-name")
     assert ended.status == 1
-    assert "  half, case " in ended.out
+    assert "WA  wrong answer in half: " in ended.out
     assert "smallest case found" in ended.out
     (again,) = [line for line in ended.lines if "judge replay" in line]
     assert judge("replay", again.split()[-2], name).status == 1

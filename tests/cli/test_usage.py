@@ -25,7 +25,7 @@ def refused(ended, *words):
         (["qqq"], "the commands are init, run"),
         (["--hepl"], "did you mean '--help'?"),
         (["run"], "begin one with 'judge init PROBLEM'"),
-        (["run", "middle"], "missing argument 'FILE...'"),
+        (["run", "middle"], "missing argument 'FILE'"),
         (["run", "middle", "mine.py", "--jsn"], "did you mean '--json'?"),
         (["run", "middle", "mine.py", "--seed", "x"], "'x' is not a valid integer"),
         (["run", "middel", "mine.py"], "did you mean 'middle'?"),

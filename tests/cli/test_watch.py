@@ -126,7 +126,7 @@ def last(lines):
 def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
     terminal = watch("middle", submit(FLOOR))
     lines = terminal.sees("WA  wrong answer")
-    assert lines[0] == "mine.py  middle, its function called"
+    assert lines[0] == "WA  mine.py  middle, its function called"
     assert last(lines).startswith("WA  wrong answer, 40 of 100 points")
     submit(MEAN)
     lines = terminal.sees("AC  accepted")
@@ -182,7 +182,7 @@ def test_the_keys(watch, submit):
     terminal.press("n")
     assert last(terminal.sees("middle is not solved yet; n once more leaves it for now")).startswith("WA  ")
     terminal.press("\n")
-    terminal.sees("examples, case 1", without=["once more"])
+    terminal.sees("smallest case found", without=["once more"])
     terminal.press("Q")
     assert terminal.ends() == 0
     with History.open() as history:
@@ -216,10 +216,10 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
 def test_another_size_is_drawn_anew(watch, submit):
     terminal = watch("middle", submit(FLOOR), rows=12)
     lines = terminal.sees("WA  wrong answer")
-    assert "  1 group accepted" in lines
+    assert "  1 more rejected, 1 group accepted" in lines
     terminal.resize(200, 60)
-    lines = terminal.sees("whole     AC")
-    assert "  1 group accepted" not in lines
+    lines = terminal.sees("half      WA")
+    assert "  1 group accepted" in lines
     terminal.press("q")
     assert terminal.ends() == 0
 
@@ -338,7 +338,7 @@ def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
     [
         ([], "there is no kata in hand"),
         (["middle"], "missing argument 'FILE'"),
-        (["mine.py"], "the problem comes first"),
+        (["none.py"], "none.py: no such file"),
         (["middle", "none.py"], "none.py: no such file; 'judge init middle none.py' begins it"),
         (["middle", "nowhere/none.py"], "there is no folder nowhere"),
         (["middle", "."], ".: this is a folder; name the file to watch"),

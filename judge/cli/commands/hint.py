@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from judge.cli.fitting import problem_meant
 from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
@@ -19,7 +20,7 @@ SCHEMA = 1
 
 
 @click.command("hint")
-@click.argument("name", metavar="[PROBLEM]", required=False)
+@click.argument("name", metavar="[PROBLEM|FILE]", required=False)
 @click.option("--again", is_flag=True, help="The last one you have seen, once more.")
 @click.option("--step", type=int, metavar="N", help="This one, the first being 1.")
 @click.option("--all", "every", is_flag=True, help="All of them.")
@@ -37,12 +38,12 @@ def command(
 ) -> ExitCode:
     """Give the next hint.
 
-    To that problem, or to the kata in hand. The first is a nudge, the last nearly everything. Which ones you
-    have seen is remembered.
+    To that problem, to the one that a file is to solve, or to the kata in hand. The first is a nudge, the
+    last nearly everything. Which ones you have seen is remembered.
     """
     if again + every + (step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
-    problem = problem_in_hand(name, folders, db)
+    problem = problem_in_hand(name, folders, db) if name is None else problem_meant(name, "hint", folders, db)
     hints = hints_of(problem)
     if again:
         chosen = [hints[_last_seen(problem, hints, db) - 1]]

@@ -5,29 +5,40 @@ from __future__ import annotations
 from pathlib import Path
 
 import click
+from msgspec.structs import replace
 
+from judge.cli.fitting import usual_file
 from judge.cli.judging_options import isolation_option
-from judge.cli.options import json_option, problems_option, write_json
+from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, UsageError
 from judge.judging.job import Terms
 from judge.judging.session import Session
 from judge.problem.find import find_problem
-from judge.report.results import result_lines
+from judge.report.glance import glance_lines, screen_rows
+from judge.report.results import verdict_lines
 from judge.report.screen import Notes, out
 
 
 @click.command("replay")
 @click.argument("replay", metavar="ID")
-@click.argument("file", metavar="FILE")
+@click.argument("file", metavar="[FILE]", required=False)
 @json_option
 @isolation_option
+@db_option
 @problems_option
-def command(replay: str, file: str, as_json: bool, level: str | None, folders: tuple[Path, ...]) -> ExitCode:
+def command(
+    replay: str,
+    file: str | None,
+    as_json: bool,
+    level: str | None,
+    db: Path | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
     """Judge a submission on one case, by its replay id.
 
     `judge run` shows the id of the smallest case that breaks a submission; it works on any machine with the
-    same version of the problem.
+    same version of the problem. Without a FILE, the problem's usual one here or that of the kata in hand.
 
     Exit status: as that of `judge run`.
     """
@@ -35,6 +46,7 @@ def command(replay: str, file: str, as_json: bool, level: str | None, folders: t
     from judge.judging.replaying import replayed
 
     name = problem_name(replay)
+    file = file or usual_file(name, "replay ID", db)
     submissions = read_submissions([file])
     if len(submissions) > 1:
         raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
@@ -47,5 +59,7 @@ def command(replay: str, file: str, as_json: bool, level: str | None, folders: t
         write_json(result.as_json())
     else:
         screen = out()
-        screen.show(result_lines(result, screen.width))
+        last = verdict_lines(result, screen.width)
+        alone = replace(result, groups=())  # a table of one row
+        screen.show(glance_lines(alone, screen.width, screen_rows(screen), verdict=last))
     return result.exit_code

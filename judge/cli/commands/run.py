@@ -7,7 +7,9 @@ from pathlib import Path
 
 import click
 
+from judge.cli.fitting import assigned, split
 from judge.cli.judging_options import (
+    all_option,
     chosen_format,
     format_option,
     isolation_option,
@@ -16,6 +18,7 @@ from judge.cli.judging_options import (
     no_history_option,
     no_name_option,
     no_shrink_option,
+    picture_option,
     save_regression_option,
     svg_option,
 )
@@ -32,18 +35,20 @@ from judge.cli.outputs import OnScreen, Outputs
 from judge.cli.submissions import read_submissions
 from judge.cli.target import check_svg
 from judge.cli.wish import Wish, named_problem
-from judge.errors import ExitCode, UsageError
+from judge.errors import ExitCode
 from judge.judging.job import Terms
 from judge.problem.choose import chosen_groups
 
 
 @click.command("run")
-@click.argument("name", metavar="[PROBLEM", required=False)
-@click.argument("files", metavar="FILE...]", nargs=-1)
+@click.argument("first", metavar="[[PROBLEM]", required=False)
+@click.argument("rest", metavar="FILE...]", nargs=-1)
 @json_option
 @format_option
 @junit_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
+@all_option
+@picture_option
 @group_option
 @level_option
 @seed_option
@@ -57,12 +62,14 @@ from judge.problem.choose import chosen_groups
 @db_option
 @problems_option
 def command(
-    name: str | None,
-    files: tuple[str, ...],
+    first: str | None,
+    rest: tuple[str, ...],
     as_json: bool,
     form: str | None,
     junit: Path | None,
     quiet: bool,
+    whole: bool,
+    pictured: bool,
     groups: tuple[str, ...],
     kata_level: str | None,
     seed: int | None,
@@ -78,33 +85,43 @@ def command(
 ) -> ExitCode:
     """Judge submissions on a problem.
 
-    Without arguments, the file of the kata in hand. A FILE that defines the problem's entry function has it
-    called; any other is run as a program that reads standard input. A folder stands for the *.py in it.
+    Without arguments, the file of the kata in hand. A PROBLEM alone means its file here, count.py, and a FILE
+    alone tells its problem: by the entry function it defines, the line its stub begins with, or its name.
+    Files of several problems are each judged on their own. A first word that is a problem's name is the
+    problem; write ./count for a file that is called so. A folder stands for the *.py in it.
+
+    A FILE that defines the problem's entry function has it called; any other is run as a program that reads
+    standard input.
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
     from judge.cli.judging import judged
 
     current = None
-    if name is None:
+    if first is not None:
+        name, files = split((first, *rest), "run", folders, db)
+    else:
         current, file = file_in_hand(db)
         name, files = current.problem, (file,)
-    elif not files:
-        named_problem(name, folders)  # whose own complaint goes first
-        remedy = f"write judge run {name} FILE, or judge run alone for the kata in hand"
-        raise UsageError("missing argument 'FILE...'", remedy=remedy)
     form = chosen_format(form, as_json=as_json)
-    show = Outputs(form, OnScreen(brief=quiet, pointing=not unrecorded), junit)
+    show = Outputs(form, OnScreen(quiet, not unrecorded, whole, pictured), junit)
     try:
-        problem = problem_of(current, folders) if current else named_problem(name, folders)
-        submissions = show.expected = read_submissions(files)
+        problem = None
+        if name is not None:
+            problem = problem_of(current, folders) if current else named_problem(name, folders)
+        submissions = read_submissions(files)
+        tasks = assigned(submissions, problem, folders, db)
+        show.expect(tasks)
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
             agree_on(regression)
         if svg is not None:
             check_svg(svg, len(submissions))
-        chosen_groups(problem, groups, kata_level)  # a name that is none is told before anything is built
+        for task in tasks:
+            chosen_groups(
+                task.problem, groups, kata_level
+            )  # a name that is none is told before anything is built
         terms = Terms(
             groups,
             seed,
@@ -114,11 +131,12 @@ def command(
             level=kata_level,
         )
         wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db)
-        with closing(judged(problem, submissions, wish)) as drawings:
-            for drawing in drawings:
-                show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)
-                drawing.save(svg)
+        for task in tasks:
+            with closing(judged(task.problem, task.submissions, wish)) as drawings:
+                for drawing in drawings:
+                    show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)
+                    drawing.save(svg)
     except Exception as fault:
-        show.fail(name, files, fault)
+        show.fail(name or "", files, fault)
         raise
     return show.close()

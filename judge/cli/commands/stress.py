@@ -9,10 +9,12 @@ from pathlib import Path
 import click
 
 from judge.cli.duration import duration
+from judge.cli.fitting import problem_of_file, split
 from judge.cli.judging_options import (
     isolation_option,
     no_name_option,
     no_shrink_option,
+    picture_option,
     save_regression_option,
     svg_option,
 )
@@ -21,6 +23,7 @@ from judge.cli.picture import Drawing
 from judge.cli.regression import agree_on, save_regression
 from judge.cli.submissions import Submission, read_submissions
 from judge.cli.target import check_svg
+from judge.cli.wish import named_problem
 from judge.data.model import ProblemData
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.judging.job import Terms
@@ -28,9 +31,8 @@ from judge.judging.session import Session
 from judge.judging.stressing import Stressing
 from judge.problem import Verdict
 from judge.problem.choose import chosen_groups
-from judge.problem.find import find_problem
+from judge.report.glance import screen_rows
 from judge.report.progress import progress, stages
-from judge.report.results import lines_beside
 from judge.report.screen import Notes, out
 from judge.report.stress import stress_lines
 from judge.run.execute import judge_fault
@@ -40,8 +42,8 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 
 
 @click.command("stress")
-@click.argument("name", metavar="PROBLEM")
-@click.argument("file", metavar="FILE")
+@click.argument("first", metavar="PROBLEM|FILE")
+@click.argument("second", metavar="[FILE]", required=False)
 @click.option(
     "--for",
     "seconds",
@@ -52,6 +54,7 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
     help="How long: 30, 30s, 2m, 1h.",
 )
 @json_option
+@picture_option
 @group_option
 @level_option
 @click.option("--seed", type=int, metavar="N", help="Repeat the cases of this seed; without it, new ones.")
@@ -62,10 +65,11 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 @svg_option
 @problems_option
 def command(
-    name: str,
-    file: str,
+    first: str,
+    second: str | None,
     seconds: float,
     as_json: bool,
+    pictured: bool,
     groups: tuple[str, ...],
     kata_level: str | None,
     seed: int | None,
@@ -78,6 +82,8 @@ def command(
 ) -> ExitCode:
     """Judge a submission on fresh cases until the time is up or something breaks.
 
+    The file tells its problem, and a problem its usual file, as with judge run.
+
     The test groups take turns. Each time a group's builder makes cases from new parameters, drawn from the
     seed, and each of them is proved and solved exactly like the pinned ones; three of its mirror images
     follow it where the problem has them. What breaks is shrunk and shown as `judge run` does.
@@ -88,10 +94,15 @@ def command(
     problem's own fault, 130 interrupted before anything broke.
     """
     seed = random.randrange(_SEEDS) if seed is None else seed
+    words = (first,) if second is None else (first, second)
+    name, (file, *more) = split(words, "stress", folders, None)
+    if more:
+        raise UsageError("judge stress takes one file", where=more[0], remedy="name one FILE")
     submission: Submission | None = None
     try:
-        problem = find_problem(name, folders)
+        problem = named_problem(name, folders) if name is not None else None
         submission = _submission(file)
+        problem = problem or problem_of_file(submission, "stress", folders, None)
         if regression is not None:
             agree_on(regression)
         if svg is not None:
@@ -115,15 +126,19 @@ def command(
     except JudgeError as fault:
         if as_json and not isinstance(fault, UsageError):  # a script misses none
             judged = submission or _submission(file)
-            write_json(Stressed(judge_fault(name, judged.name, str(fault)), seed, 0.0).as_json())
+            write_json(Stressed(judge_fault(name or "", judged.name, str(fault)), seed, 0.0).as_json())
         raise
     drawing = Drawing(problem, data, stressed.result)
     if as_json:
         write_json(stressed.as_json())
     else:
         screen = out()
-        drawn = drawing.lines(screen, beside=lines_beside(stressed.result, screen.width))
-        screen.show(stress_lines(stressed, screen.width, drawn))
+        rows = screen_rows(screen)
+        screen.show(
+            drawing.beside(
+                lambda drawn: stress_lines(stressed, screen.width, rows, drawn), screen, wanted=pictured
+            )
+        )
     drawing.save(svg)
     if stressed.interrupted and stressed.result.verdict is Verdict.AC:
         return ExitCode.INTERRUPTED

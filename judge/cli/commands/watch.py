@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import stat
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from queue import SimpleQueue
@@ -12,6 +13,7 @@ from typing import NoReturn
 
 import click
 
+from judge.cli.fitting import problem_of_file, split
 from judge.cli.judging_options import (
     isolation_option,
     no_history_option,
@@ -44,7 +46,7 @@ _ENDINGS = ("SIGTERM", "SIGHUP")
 
 
 @click.command("watch")
-@click.argument("name", metavar="[PROBLEM", required=False)
+@click.argument("first", metavar="[[PROBLEM]", required=False)
 @click.argument("file", metavar="FILE]", required=False)
 @json_option
 @group_option
@@ -57,7 +59,7 @@ _ENDINGS = ("SIGTERM", "SIGHUP")
 @db_option
 @problems_option
 def command(
-    name: str | None,
+    first: str | None,
     file: str | None,
     as_json: bool,
     groups: tuple[str, ...],
@@ -72,16 +74,17 @@ def command(
 ) -> ExitCode:
     """Judge a file again on every save.
 
-    Without arguments, that of the kata in hand. On a terminal single keys give the next kata, a hint, a list,
+    Without arguments, that of the kata in hand. The file tells its problem, and a problem its usual file, as
+    with judge run. On a terminal single keys give the next kata, a hint, a list,
     the reasons of the failing test group, a picture of the failing case, another run, or end it. Elsewhere
     each result is written as judge run does.
     """
-    if name is None:
+    if first is None:
         current, file = file_in_hand(db)
         kata = _kata(problem_of(current, folders), file)
         folders = with_folder_of(current, folders)
     else:
-        kata = _kata(named_problem(name, folders), file)
+        kata = _named(first, file, folders, db)
     chosen_groups(kata.problem, groups, kata_level)  # a name that is none is told before anything else
     terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name, level=kata_level)
     wish = Wish(terms, kept=not unrecorded, db=db)
@@ -100,10 +103,19 @@ def _leave(number: int, _frame: FrameType | None) -> NoReturn:
     raise SystemExit(128 + number)
 
 
-def _kata(problem: Problem, file: str | None) -> Kata:
-    if file is None:
-        remedy = f"write judge watch {problem.id} FILE, or judge watch alone for the kata in hand"
-        raise UsageError("missing argument 'FILE'", remedy=remedy)
+def _named(first: str, file: str | None, folders: Sequence[Path], db: Path | None) -> Kata:
+    """The kata of a problem and a file, or of one of them."""
+    if file is not None:
+        return _kata(named_problem(first, folders), file)
+    name, (file, *_) = split((first,), "watch", folders, db)
+    if name is not None:
+        return _kata(named_problem(name, folders), file)
+    _check_watchable(Path(file), file)
+    (submission,) = read_submissions([file])
+    return _kata(problem_of_file(submission, "watch", folders, db), file)
+
+
+def _kata(problem: Problem, file: str) -> Kata:
     path = Path(file)
     _check_watchable(path, file)
     try:

@@ -8,12 +8,12 @@ from typing import Any
 
 import click
 
+from judge.cli.fitting import problem_meant
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.mistakes.told import Told, aimed_groups, told_mistakes
 from judge.problem import Group
 from judge.problem.choose import chosen_groups
-from judge.problem.find import find_problem
 from judge.problem.level import KataLevel
 from judge.report.screen import out
 from judge.report.why import only_there, why_lines
@@ -22,16 +22,16 @@ SCHEMA = 1
 
 
 @click.command("why")
-@click.argument("name", metavar="PROBLEM")
+@click.argument("name", metavar="PROBLEM|FILE")
 @click.argument("group", metavar="[GROUP]", required=False)
 @json_option
 @problems_option
 def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
     """Say what the test groups probe, and which mistakes they should catch.
 
-    With a GROUP, only that one.
+    With a GROUP, only that one. A FILE stands for the problem that it is to solve.
     """
-    problem = find_problem(name, folders)
+    problem = problem_meant(name, "why", folders, None)
     groups = aimed_groups(problem, tuple(chosen_groups(problem, (group,) if group else ())))
     mistakes = told_mistakes(problem)
     if as_json:

@@ -25,6 +25,8 @@ _MOST_LEVELS = 6
 
 def ratio_plot(name: str, runs: Sequence[Run], limit: float | None) -> Plot | None:
     """The plot of these runs, oldest first, or None where none of them was timed. `name` begins its ids."""
+    # What passed on some groups only took the time of these.
+    runs = [run for run in runs if run.whole or run.verdict is not Verdict.AC]
     timed = [run for run in runs if run.ratio is not None and run.ratio > 0]
     shown = timed[-MOST:]
     if not shown:

@@ -98,7 +98,7 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         _note_memory(region, error, name)
         os._exit(1)
     except BaseException as error:
-        replies.all_raised(f"{_described(error, name)}, while the module was imported", count)
+        replies.all_raised(f"{_described(error, name)}{wire.IMPORTING}", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
     if entry in module.__dict__:

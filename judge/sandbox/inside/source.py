@@ -21,7 +21,8 @@ _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.Gene
 def inspect(source: bytes, name: str) -> dict[str, Any]:
     """What is wrong with the source, what it binds, what it imports, JSON-able.
 
-    {"fault": [message, line, column, text] | None, "names": [[name, line], …], "modules": [module, …]}
+    {"fault": [message, line, column, text] | None, "names": [[name, line], …], "modules": [module, …],
+     "functions": [[name, line, least, most, empty], …]}, see `_functions`
     """
     try:
         tree: Any = compile(source, name, "exec", _ast.PyCF_ONLY_AST, dont_inherit=True)
@@ -34,11 +35,16 @@ def inspect(source: bytes, name: str) -> dict[str, Any]:
     except (RecursionError, MemoryError):
         return _fault("too deeply nested or too large for the compiler", 0, 0, "")
     names = list(_bound(tree.body).items())[:MOST_NAMES]
-    return {"fault": None, "names": names, "modules": sorted(_imported(tree))[:MOST_NAMES]}
+    return {
+        "fault": None,
+        "names": names,
+        "modules": sorted(_imported(tree))[:MOST_NAMES],
+        "functions": _functions(tree.body)[:MOST_NAMES],
+    }
 
 
 def _fault(message: str, line: int, column: int, text: str) -> dict[str, Any]:
-    return {"fault": [message, line, column, text], "names": [], "modules": []}
+    return {"fault": [message, line, column, text], "names": [], "modules": [], "functions": []}
 
 
 def _bound(body: list[Any]) -> dict[str, int]:
@@ -57,6 +63,40 @@ def _bound(body: list[Any]) -> dict[str, int]:
         elif not isinstance(node, _OWN_SCOPE):
             waiting += _children(node)[::-1]
     return names
+
+
+def _functions(body: list[Any]) -> list[list[Any]]:
+    """The functions that the module's own statements define for good: nothing binds their names again.
+
+    Each with its line, how many arguments a call may have (the most is -1 where there is no end), and whether
+    nothing is written in it yet. One that is decorated, or that wants arguments by name, may take anything.
+    """
+    found: dict[str, list[Any]] = {}
+    for node in body:
+        for name in _bound([node]):
+            found.pop(name, None)
+        if isinstance(node, _ast.FunctionDef) and not node.decorator_list:
+            given = node.args
+            if any(default is None for default in given.kw_defaults):
+                continue
+            most = len(given.posonlyargs) + len(given.args)
+            least = most - len(given.defaults)
+            found[node.name] = [node.name, node.lineno, least, -1 if given.vararg else most, _is_empty(node)]
+    return list(found.values())
+
+
+def _is_empty(function: _ast.FunctionDef) -> bool:
+    """Whether its body is a docstring, `pass`, `...` and `raise NotImplementedError` and no more."""
+    for node in function.body:
+        if isinstance(node, _ast.Raise):
+            raised = node.exc.func if isinstance(node.exc, _ast.Call) else node.exc
+            if not (isinstance(raised, _ast.Name) and raised.id == "NotImplementedError"):
+                return False
+        elif not isinstance(node, _ast.Pass) and not (
+            isinstance(node, _ast.Expr) and isinstance(node.value, _ast.Constant)
+        ):
+            return False
+    return True
 
 
 def _imported(tree: Any) -> set[str]:

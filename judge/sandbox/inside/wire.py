@@ -55,6 +55,8 @@ FOR_STOPPING = 4  # it stopped itself where no series ends
 FOR_OUTPUT = 5  # it wrote more in a series than it may
 FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
+IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
+
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
 PAYLOAD_AT = 4096

@@ -1,0 +1,117 @@
+"""Which problem a file is meant to solve, told from its text: neither it nor any problem.py is run.
+
+Asked in this order, until exactly one problem is left:
+
+    the functions that the file defines at its top level: a problem's entry
+    the line that a stub begins with (`count: …`), or the file's name (count.py)
+    a function inside a class or another function, which the verdict then says to move out
+
+The text is searched and not parsed: a file that does not compile has its problem too, and no text, however
+it was made, takes longer than reading it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path, PurePath
+
+from msgspec import Struct
+
+from judge.errors import nearest
+from judge.problem.find import near_problem_folders, problem_folders
+from judge.problem.load import load_problem
+from judge.problem.model import Problem
+
+_READ = 2**20  # characters of a file that are looked at
+_QUIET = re.compile(  # comments and strings, in which nothing is defined; one without an end goes to the end
+    r"""\#[^\n]*
+    | (\"\"\"|''') (?: \\. | (?!\1). )* (?: \1 | \Z )
+    | "(?: \\. | [^"\\\n] )*"?
+    | '(?: \\. | [^'\\\n] )*'?""",
+    re.DOTALL | re.VERBOSE,
+)
+_DEFINED = re.compile(
+    r"^(?:async[ \t]+def|def|class)[ \t]+(\w+)|^(\w+)[ \t]*(?::[^=\n]*)?=(?!=)", re.MULTILINE
+)
+_NESTED = re.compile(r"^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)", re.MULTILINE)
+_STUB = re.compile(r"\s*(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')\s*([a-z][a-z0-9-]*): ")
+_ENTRY = re.compile(r"""^[ \t]*["']?entry["']?[ \t]*=[ \t]*["'](\w+)["']""", re.MULTILINE)
+
+
+class Signs(Struct, frozen=True):
+    """What of a file tells its problem."""
+
+    defined: frozenset[str]  # at its top level
+    nested: frozenset[str]  # functions below it
+    stub: str  # the problem's id in the first line, or nothing
+    stem: str  # the id that the file's name stands for
+
+
+def signs(source: bytes, name: str) -> Signs:
+    """The signs of a file with this text and name."""
+    text = source[:_READ].decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")
+    stub = _STUB.match(text)
+    bare = _QUIET.sub(" ", text)
+    return Signs(
+        frozenset(one or other for one, other in _DEFINED.findall(bare)),
+        frozenset(_NESTED.findall(bare)),
+        stub[1] if stub else "",
+        PurePath(name).stem.lower().replace("_", "-"),
+    )
+
+
+def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
+    """The problems that the signs fit equally well: none, one or several; `extra` folders come first.
+
+    Installed packs are searched only where no nearer problem fits, or the stub's line names none of them.
+    Raises as `find_problem` does.
+    """
+    near = _entries(near_problem_folders(extra))
+    fitting = _fitting(found, near)
+    if not fitting or (found.stub and found.stub not in [folder.name for folder in near]):
+        every = _fitting(found, _entries(problem_folders(extra)))
+        if not fitting or [folder.name for folder in every] == [found.stub]:
+            fitting = every
+    return [load_problem(folder) for folder in fitting]
+
+
+def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
+    """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
+    entries = _entries(near_problem_folders(extra))
+    names = {entry: folder.name for folder, entry in entries.items()}
+    for name in sorted(found.defined | found.nested):
+        entry = nearest(name, names)
+        if entry:
+            return name, entry, names[entry]
+    return None
+
+
+def _fitting(found: Signs, entries: dict[Path, str]) -> list[Path]:
+    hinted = [[folder for folder in entries if folder.name == name] for name in (found.stub, found.stem)]
+    for names in (found.defined, found.nested):
+        fitting = [folder for folder, entry in entries.items() if entry in names]
+        if len(fitting) > 1:  # the stub's line or the file's name says which
+            fitting = next((hint for hint in hinted if hint and hint[0] in fitting), fitting)
+        if fitting:
+            return fitting
+        if names is found.defined and any(hinted):
+            return next(hint for hint in hinted if hint)
+    return []
+
+
+def _entries(folders: Iterable[Path]) -> dict[Path, str]:
+    """The entry function of each problem, one problem of each name, as its problem.toml seems to have it."""
+    entries: dict[Path, str] = {}
+    seen = set()
+    for folder in folders:
+        if folder.name in seen:
+            continue
+        seen.add(folder.name)
+        try:
+            found = _ENTRY.search((folder / "problem.toml").read_text(encoding="utf-8", errors="replace"))
+        except OSError:  # whoever asks for this one is told
+            continue
+        if found:
+            entries[folder] = found[1]
+    return entries

@@ -1,0 +1,65 @@
+"""A file that cannot be run at all: what is in the way, and what to do, in three lines at most."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from pathlib import Path
+
+from judge.errors import nearest
+from judge.language import file_name
+from judge.problem import Problem
+from judge.report.layout import Line, Link, Span, Style, hanging
+from judge.run.result import Hurdle, Obstacle, Result
+from judge.sandbox.boundary import IMPORTING
+
+_ONE_FILE = "a submission is one file"
+_KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
+
+
+def hurdle_lines(result: Result, hurdle: Hurdle, problem: Problem, width: int | None) -> list[Line]:
+    """The obstacle, with its line in the file, and the remedy."""
+    label = f"line {hurdle.line}" if hurdle.line else "cause"
+    column = 2 + len(label) + 2
+    place = Span(label, Style.FAINT, Link(result.submission, hurdle.line))
+    return hanging(place, Span(hurdle_text(result, hurdle, problem)), width, indent=2, column=column)
+
+
+def hurdle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
+    """The obstacle and the remedy in a sentence or two."""
+    entry = problem.entry
+    call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
+    match hurdle.kind:
+        case Obstacle.STUB:
+            hint = f"; 'judge hint {problem.id}' gives a hint" if problem.has_hints else ""
+            return f"{entry} is still to be written: fill in its body{hint}"
+        case Obstacle.ARITY:
+            count = len(problem.parameters)
+            return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
+        case Obstacle.MODULE:
+            return _missing_module(result, hurdle.name)
+        case Obstacle.IMPORT:
+            message = result.failure.message.removesuffix(IMPORTING) if result.failure else ""
+            return f"{message} ends the import; put what only you need below if __name__ == '__main__':"
+        case Obstacle.NESTED:
+            return f"{entry} stands in a class or another function: move it out, to the left margin"
+        case Obstacle.MISNAMED:
+            return f"there is no {entry}; is {hurdle.name} meant to be it? Rename it: def {call}"
+        case Obstacle.NO_ENTRY:
+            return (
+                f"there is no {entry}: write def {call}, which returns the answer; "
+                "a print at the top level answers nothing"
+            )
+
+
+def _missing_module(result: Result, name: str) -> str:
+    top = name.partition(".")[0]
+    beside = Path(result.submission).parent / top
+    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
+        return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
+    meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])
+    if meant:
+        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
+    install = shlex.join([sys.executable, "-m", "pip", "install", top])
+    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"
