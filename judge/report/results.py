@@ -132,9 +132,7 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
     yield from smallest_lines(result, found, width)
     if found["replay"] is None:
         return
-    label = pad("again", _LABELS - 4)
-    command = shown_command("judge", "replay", found["replay"], file=result.submission)
-    yield line("    ", Span(label, Style.FAINT), command)
+    yield again_line(result.submission, found["replay"])
 
 
 def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
