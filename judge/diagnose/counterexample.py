@@ -14,9 +14,9 @@ class Counterexample(Struct, frozen=True):
     """A case and how it fails.
 
     `input` maps a parameter's name to its value; `given` is the answer itself, as the
-    submission sent it; `group` is the test group whose tolerance
-    decides. `replay` is the id to judge just this case by; it is None where the case fails only after other
-    calls, and then `message` says so. `calls` counts what the search asked of the submission.
+    submission sent it; `group` is the test group whose tolerance decides. `replay` is the id to judge just
+    this case by; it is None where the case fails only after other calls, and then `message` says so. `calls`
+    counts what the search asked of the submission; `cut_short` says that it had not come to its end.
     """
 
     case: Case
@@ -28,6 +28,7 @@ class Counterexample(Struct, frozen=True):
     replay: str | None
     calls: int = 0
     given: Raw = None
+    cut_short: bool = False
 
     @classmethod
     def from_json(cls, found: dict[str, Any]) -> Counterexample:
@@ -36,11 +37,12 @@ class Counterexample(Struct, frozen=True):
         return cls(case, found["replay"].split(":")[1], **found)
 
     def as_json(self) -> dict[str, Any]:
-        """The counterexample's object in the published form."""
-        return {
+        """The counterexample's object in the published form; `cut_short` is there only where it is true."""
+        found = {
             "input": self.input,
             "expected": self.expected,
             "got": self.got,
             "message": self.message,
             "replay": self.replay,
         }
+        return found | ({"cut_short": True} if self.cut_short else {})

@@ -164,7 +164,8 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
         yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
         return
     same = result.failure is not None and result.failure.input == found["input"]
-    yield line("  ", Span("no smaller case found" if same else "smallest case found", Style.STRONG))
+    cut = ", the search was cut short" if found.get("cut_short") else ""
+    yield line("  ", Span(("no smaller case found" if same else "smallest case found") + cut, Style.STRONG))
     if not same:
         smallest = Failure(
             found["message"], input=found["input"], expected=found["expected"], got=found["got"]
