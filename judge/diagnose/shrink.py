@@ -210,6 +210,7 @@ class _Search:
             self._trial.budget.calls,
             best.given,
             cut_short=self._trial.budget.cut_short,
+            printed=best.printed,
         )
 
 

@@ -19,6 +19,7 @@ from judge.data.validate import Proof, Validator
 from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
+from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
@@ -50,6 +51,7 @@ class Finding(Struct, frozen=True):
     message: str
     kind: tuple[str, ...]  # in which way it fails: what is wanted and given, roughly
     given: Raw = None  # the answer itself, None where there is none
+    printed: str = ""  # what the function printed, where it was called alone
 
 
 class SearchBudget:
@@ -295,7 +297,8 @@ class Trial:
                 ended.append(self._rejected(case, target, group, outcome, reply.answer))
             else:
                 ended.append(None)
-        return ended
+        printed = text_of(replies.printed) if len(cases) == 1 and any(ended) else ""
+        return [_having_printed(each, printed) for each in ended] if printed else ended
 
     def _broken_down(self, breakdown: Breakdown, case: Case, target: Target, group: Group) -> Finding:
         """What a run on a single case that broke down says of it."""
@@ -325,6 +328,13 @@ class Trial:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
         wanted = self._runner.wanted(target)
         return Finding(case, group, self.measure(case), verdict, wanted, got, detail, way)
+
+
+def _having_printed(finding: Finding | None, printed: str) -> Finding | None:
+    if finding is None:
+        return None
+    message = message_of(finding.message, finding.got, printed)
+    return replace(finding, printed=printed, message=message)
 
 
 def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) -> tuple[str, ...]:

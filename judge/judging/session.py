@@ -24,6 +24,7 @@ from judge.judging.naming import Bars, Naming, has_choices
 from judge.problem import Problem, Verdict
 from judge.run.execute import judge_fault, run_in
 from judge.run.parallel import Turnstile
+from judge.run.printed import with_printed
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
 
@@ -164,6 +165,8 @@ class Session:
                     on_progress=advance,
                 )
             result = judged.result
+            if judged.runner is not None:
+                result = with_printed(result, data, judged.runner, box)
             if terms.diagnosed and judged.runner is not None:
                 result = diagnosed(result, data, judged.runner, box, self.containment.open_box)
                 result = with_thresholds(result, data, judged.runner, box)

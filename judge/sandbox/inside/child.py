@@ -101,6 +101,8 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         replies.all_raised(f"{_described(error, name)}, while the module was imported", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
+    _flushed(0)
+    region.words[wire.PRINTED_BEFORE] = os.fstat(1).st_size
     if entry in module.__dict__:
         for place in range(series):
             if place:

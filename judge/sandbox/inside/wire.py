@@ -16,7 +16,7 @@ Everything longer goes through the region, memory shared by the judge, the serve
 
     0      64       4096                       start                                  stop
     ├ words ┼ note ──┼ payload (judge → child) ──┼ replies, one JSON text per line ─────┤
-      USED NOTE_KIND NOTE_SIZE IMPORTED
+      USED NOTE_KIND NOTE_SIZE IMPORTED PRINTED_BEFORE
 
 The child appends a reply and then moves USED; nothing needs flushing, so what was answered survives the
 death of the process that answered, whatever kills it, and the call it died in is the one after the last
@@ -58,7 +58,7 @@ FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
 PAYLOAD_AT = 4096
-USED, NOTE_KIND, NOTE_SIZE, IMPORTED = range(4)  # places of the region's words
+USED, NOTE_KIND, NOTE_SIZE, IMPORTED, PRINTED_BEFORE = range(5)  # places of the region's words
 NOTE_BYTES = PAYLOAD_AT - WORDS
 
 REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them
