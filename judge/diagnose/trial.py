@@ -34,7 +34,7 @@ _PATIENCE = 1.0  # seconds for the case that is shown, where a call may never en
 _WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
 _BATCH = 100  # cases of one process
 _RUN_COSTS = 20  # calls that starting a process is worth
-_LOSS_COSTS = 3000  # calls that SHORT_SECONDS of a call in vain are worth
+_LOSS_COSTS = 5000  # calls that SHORT_SECONDS of a call in vain are worth
 _NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
@@ -258,14 +258,20 @@ class Trial:
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use: the same on every machine."""
         usual = self.problem.limits
-        cpu, wall, waiting = usual.cpu_seconds, usual.wall_seconds, 1e9
+        cpu, waiting = usual.cpu_seconds, 1e9
         if not whole:
             cpu = min(cpu, SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases))
             waiting = _WAITING + cpu
         elif self.verdict in LIMITED:
-            cpu, wall = min(cpu, _PATIENCE), min(wall, 3 * _PATIENCE)
+            cpu = min(cpu, _PATIENCE)
+            waiting = _WAITING + cpu
         return Limits(
-            cpu, wall, usual.memory_bytes, usual.output_bytes, waiting, items=self.problem.answer.items
+            cpu,
+            usual.wall_seconds,
+            usual.memory_bytes,
+            usual.output_bytes,
+            waiting,
+            items=self.problem.answer.items,
         )
 
     def _asked(

@@ -180,7 +180,7 @@ class ForkServerBox:
         count = sum(counts)
         data = self._holder.here().replies(payload, limits.output_bytes, len(counts))
         replies, kept_form = outcome.parse_series(data, done.marks, counts)
-        over = outcome.overrun(done, limits, printed, note)
+        over = outcome.overrun(done, limits, printed, note, self._stood_at())
         if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
             return replies
         if over:
@@ -232,7 +232,8 @@ class ForkServerBox:
         except Lost:
             return ProgramResult(Stop.TAMPERED, b"", b"", _LOST, Usage())
         note = self._note()
-        stop, detail = outcome.overrun(done, limits, printed, note) or outcome.end_of(done, note)
+        over = outcome.overrun(done, limits, printed, note, self._stood_at())
+        stop, detail = over or outcome.end_of(done, note)
         detail = "" if stop is Stop.ANSWERED else detail
         self._check_threads([detail])
         return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
@@ -291,6 +292,9 @@ class ForkServerBox:
         if self._share.short and any(NO_THREAD in detail for detail in details):
             what = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
             raise ShortageError(what, remedy=LIMIT_ON_TASKS)
+
+    def _stood_at(self) -> int:
+        return int(self._holder.here().region.words[wire.STOOD_AT])
 
     def _note(self) -> tuple[int, str]:
         return self._holder.here().region.note()
