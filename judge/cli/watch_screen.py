@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import signal
 import sys
-import threading
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack, redirect_stderr
 from io import StringIO
@@ -62,9 +60,6 @@ class _WatchScreen:
         self._view: View = self._report
         self._asked = ""  # the key before, where it asks for confirmation
         self._leaving = False
-        self._idle = threading.Event()  # not judging
-        self._idle.set()
-        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
 
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
@@ -72,7 +67,7 @@ class _WatchScreen:
             with ExitStack() as stack:
                 keys = stack.enter_context(Keys(sys.stdin.fileno(), self._pressed))
                 stack.enter_context(handled(self._signals(keys)))
-                stack.enter_context(Saves(self._kata.path, lambda: self._events.put(_SAVED)))
+                stack.enter_context(Saves(self._kata.path, self._saved))
                 return self._obey()
         except KeyboardInterrupt:
             if not self._leaving:
@@ -88,21 +83,18 @@ class _WatchScreen:
 
         return {"SIGWINCH": lambda *_: self._events.put(_RESIZED), "SIGCONT": go_on}
 
+    def _saved(self) -> None:
+        """Perhaps, as the thread tells that watches the file."""
+        self._events.put(_SAVED)
+        self._file.look()
+
     def _pressed(self, key: str) -> None:
         """A key, in the thread that reads them: the one that ends it does so in the middle of judging too."""
         if key in _END:
             self._leaving = True
-            while self._interrupt():  # again, if an import has swallowed it
-                self._idle.wait(_AGAIN)
+            while self._file.judging.break_off():  # again, if an import has swallowed it
+                self._file.judging.over(_AGAIN)
         self._events.put(key)
-
-    def _interrupt(self) -> bool:
-        """Break off judging, as Ctrl-C does; whether there was something to break off."""
-        with self._turn:
-            if self._idle.is_set():
-                return False
-            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-            return True
 
     def _obey(self) -> Kata | None:
         while not self._leaving:
@@ -126,15 +118,14 @@ class _WatchScreen:
             problem = self._kata.problem
             redraw(screen, note_text(f"{problem.id}: {problem.title}", screen, Style.STRONG) + "\n", busy)
         notes = StringIO()
-        self._idle.clear()
-        try:
+        found: Drawing | str | None = None
+        with self._file.judging:
             if not self._leaving:
                 with redirect_stderr(notes):  # which would be drawn over; a progress bar does without
-                    self._found = self._file.judge()
-        finally:
-            with self._turn:
-                self._idle.set()
-        self._notes = notes.getvalue()
+                    found = self._file.judge()
+        if found is None:  # what was judged is out of date: what is there now comes next
+            return
+        self._found, self._notes = found, notes.getvalue()
         self._view, self._asked = self._report, ""
         self._draw()
 

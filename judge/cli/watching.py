@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, contextmanager
 from queue import Empty, SimpleQueue
@@ -24,6 +25,47 @@ if TYPE_CHECKING:
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 
 
+class Judging:
+    """A context in which the main thread judges, and another may break that off as Ctrl-C does."""
+
+    def __init__(self) -> None:
+        self._idle = threading.Event()
+        self._idle.set()
+        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
+        self._outdated = False
+
+    def __enter__(self) -> None:
+        self._outdated = False
+        self._idle.clear()
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> bool:
+        """Judging is over; no error comes of breaking off what is out of date."""
+        try:
+            self._over()
+        except KeyboardInterrupt:  # it came at the last moment
+            self._over()
+            if not self._outdated:
+                raise
+        return kind is KeyboardInterrupt and self._outdated
+
+    def _over(self) -> None:
+        with self._turn:
+            self._idle.set()
+
+    def break_off(self, *, outdated: bool = False) -> bool:
+        """Interrupt the main thread if it is judging; whether there was something to break off."""
+        with self._turn:
+            if self._idle.is_set():
+                return False
+            self._outdated = outdated
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+            return True
+
+    def over(self, seconds: float) -> None:
+        """Wait so long until nothing is being judged."""
+        self._idle.wait(seconds)
+
+
 class WatchedFile:
     """A kata under watch: whether its file was saved since it was judged, and judging it."""
 
@@ -32,6 +74,12 @@ class WatchedFile:
         self._wish = wish
         self._seen: SavedMark | None = None
         self._looked = False
+        self.judging = Judging()
+
+    def look(self) -> None:
+        """Something has happened to the file: give up judging what stood in it before, from any thread."""
+        if mark(self.kata.path) != self._seen:
+            self.judging.break_off(outdated=True)
 
     def saved(self) -> bool:
         """Whether there is something new to judge or to tell; waits while the file is being written."""

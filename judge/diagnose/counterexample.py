@@ -14,9 +14,10 @@ class Counterexample(Struct, frozen=True):
     """A case and how it fails.
 
     `input` maps a parameter's name to its value; `given` is the answer itself, as the
-    submission sent it; `group` is the test group whose tolerance
-    decides. `replay` is the id to judge just this case by; it is None where the case fails only after other
-    calls, and then `message` says so. `calls` counts what the search asked of the submission.
+    submission sent it; `group` is the test group whose tolerance decides. `replay` is the id to judge just
+    this case by; it is None where the case fails only after other calls, and then `message` says so. `calls`
+    counts what the search asked of the submission; `cut_short` says that it had not come to its end.
+    `printed` is what the function printed on the case, as in `Failure`.
     """
 
     case: Case
@@ -28,6 +29,8 @@ class Counterexample(Struct, frozen=True):
     replay: str | None
     calls: int = 0
     given: Raw = None
+    cut_short: bool = False
+    printed: str = ""
 
     @classmethod
     def from_json(cls, found: dict[str, Any]) -> Counterexample:
@@ -36,11 +39,13 @@ class Counterexample(Struct, frozen=True):
         return cls(case, found["replay"].split(":")[1], **found)
 
     def as_json(self) -> dict[str, Any]:
-        """The counterexample's object in the published form."""
-        return {
+        """The counterexample's object in the published form; of the last two only what says something."""
+        found = {
             "input": self.input,
             "expected": self.expected,
             "got": self.got,
             "message": self.message,
             "replay": self.replay,
         }
+        cut: dict[str, Any] = {"cut_short": True} if self.cut_short else {}
+        return found | ({"printed": self.printed} if self.printed else {}) | cut

@@ -36,6 +36,31 @@ def polished(trial: Trial, start: Finding, group: Group) -> Finding:
     return best
 
 
+def rounded(trial: Trial, best: Finding, group: Group) -> Finding:
+    """The case with long numbers as round as they can be: as many digits, most of them 0."""
+    for _ in range(_ROUNDS):
+        numbers = list(numbers_of(best.case))
+        rounder = [
+            _replaced(best.case, numbers, dict.fromkeys(places, other))
+            for places in _alike(numbers)
+            for other in _rounder(numbers[places[0]])
+        ]
+        cases = [case for case in rounder if trial.measure(case)[0] <= best.measure[0]]
+        found = trial.simplest(cases, group)
+        if found is None:
+            return best
+        best = found
+    return best
+
+
+def _rounder(signed: Number) -> Iterator[int]:
+    """Integers near a long one, of as many digits, of which more are final zeros."""
+    text = str(abs(signed)) if isinstance(signed, int) and abs(signed).bit_length() <= _HUGE else ""
+    for kept in range(1, len(text.rstrip("0"))):
+        unit = 10 ** (len(text) - kept)
+        yield from (int(text) // unit * unit, (int(text) // unit + 1) * unit)
+
+
 def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
     simpler = {repr(case): case for case in cases if trial.measure(case) < best.measure}
     chosen = sorted(simpler.values(), key=trial.measure)

@@ -47,6 +47,7 @@ def shrunk(
     def fails(built: Built) -> bool:
         if trial.budget.spent:
             raise _Spent
+        trial.budget.looked_at()
         if not trial.valid(built.case, group):
             return False
         finding = trial.alone(built.case, group)

@@ -1,19 +1,20 @@
 """From the first failing case to the simplest one that fails: what a person can work out on paper.
 
     1. The failing case is called alone. If it is right then, its message says so, and that is all.
-    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
+    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches; among them
+       figures with a single number that is far larger (far.py).
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is polished, value by value (polish.py).
 
 Cases that no recipe built are judged under the tolerance of the problem's plainest group, and only count if
-the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget.
+the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget of
+calls: what is found depends neither on how fast the machine is nor on what else it does.
 """
 
 from __future__ import annotations
 
-import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -21,11 +22,12 @@ from judge.data.build import bound_builder, choices_of
 from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.diagnose.counterexample import Counterexample
-from judge.diagnose.polish import polished
+from judge.diagnose.far import layouts, powers, sizes, windows
+from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
-from judge.diagnose.trial import LIMITED, SHORT_SECONDS, Clock, Finding, SearchBudget, Trial, sort_of
+from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
@@ -35,6 +37,7 @@ from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
+_SMALLEST_STEPS = 2  # of the ladder: numbers of one digit
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -48,8 +51,7 @@ def shrink(
     failure: Failure,
     *,
     reference: Callable[[], Box | None] = lambda: None,
-    budget_seconds: float = 2.0,
-    clock: Clock = time.monotonic,
+    budget: SearchBudget | None = None,
     choices: Choices | None = None,
 ) -> Counterexample | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed.
@@ -57,7 +59,7 @@ def shrink(
     None where the failure has no case of its own, or is the sum of many calls. `reference` opens the box of
     the problem's reference solution. `choices` tells what case `number` (from 0) of a group, or one much like
     it, was built from; without it they are sought as those of pinned data. The result depends on the
-    submission alone, unless time runs out.
+    submission alone, unless the budget's guard ends the search.
 
     Raises:
         ProblemError: the problem's own code fails on a case.
@@ -66,7 +68,7 @@ def shrink(
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
     if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
         return None
-    budget = SearchBudget(budget_seconds, clock)
+    budget = budget or SearchBudget()
     coarse = _has_many_answers(problem, data)
     trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
     case = group_data.cases[failure.case - 1]
@@ -129,32 +131,49 @@ class _Search:
     def run(self) -> Counterexample:
         """The best of what the stages find."""
         best = self._first
-        plain = plainest(self._problem)
+        under = plain = plainest(self._problem)
         found = self._climbed(plain)
         if found is not None:
             best = min(best, polished(self._trial, found, plain), key=_measure)
         if best is self._first:
             if best.measure[0] - items_of(best.case) > SIMPLE:
                 best = self._by_parameters()
-            polish_under = plain if plain.tolerance == self._group.tolerance else self._group
-            best = min(best, polished(self._trial, best, polish_under), key=_measure)
+            under = plain if plain.tolerance == self._group.tolerance else self._group
+            best = min(best, polished(self._trial, best, under), key=_measure)
+        best = rounded(self._trial, best, under)
         return self._told(self._confirmed(best))
 
     def _climbed(self, group: Group) -> Finding | None:
         """The simplest failing case of the first step that has one."""
-        for step in ladder(self._problem):
+        for cases in self._steps(group):
             if self._trial.budget.spent:
                 break
-            cases = [
-                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
-                for rung, count in step
-                for number in range(count)
-            ]
             simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
             found = self._trial.simplest(simple, group)
             if found is not None:
                 return found
         return None
+
+    def _steps(self, group: Group) -> Iterator[list[Case]]:
+        """The cases of the ladder's steps; those with one large number come after the smallest."""
+        for number, step in enumerate(ladder(self._problem)):
+            if number == _SMALLEST_STEPS:
+                yield from self._far(group)
+            yield [
+                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                for rung, count in step
+                for number in range(count)
+            ]
+
+    def _far(self, group: Group) -> Iterator[list[Case]]:
+        known, tens = layouts(self._problem), powers(self._problem)
+        yield [layout.case(far) for layout in known for far in tens[1:]]
+        yield [layout.case(far) for layout in known if layout.plain for far in sizes(self._problem)]
+
+        def state(case: Case) -> str:
+            return self._trial.state(case, group)
+
+        yield [case for layout in known for case in windows(layout, tens, state)]
 
     def _by_parameters(self) -> Finding:
         if self._group.builder == EXAMPLES or self._trial.budget.spent:
@@ -176,8 +195,6 @@ class _Search:
 
     def _confirmed(self, best: Finding) -> Finding:
         """What is shown fails under the problem's own limits too; the search was less patient."""
-        if self._trial.verdict in LIMITED and self._trial.budget.left < SHORT_SECONDS:
-            return best
         return self._trial.again(best.case, best.group) or self._first
 
     def _told(self, best: Finding) -> Counterexample:
@@ -192,6 +209,8 @@ class _Search:
             encode(self._problem, best.group, best.case, choices),
             self._trial.budget.calls,
             best.given,
+            cut_short=self._trial.budget.cut_short,
+            printed=best.printed,
         )
 
 

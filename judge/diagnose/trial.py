@@ -19,16 +19,22 @@ from judge.data.validate import Proof, Validator
 from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
+from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
-from judge.sandbox.boundary import Box, Limits, Stop
+from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values import Exact, Outline, Raw, Rejection, Target
 
 Clock = Callable[[], float]
 
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
-SHORT_SECONDS = 0.2  # of CPU time, after which a call that once ran out of time is not waited for
-_QUICK_SECONDS = 0.02  # wall time a case is worth when nothing points to slowness
+SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
+_QUICK_SECONDS = 0.005  # CPU time a case is worth when nothing points to slowness
+_PATIENCE = 1.0  # seconds for the case that is shown, where a call may never end
+_WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
+_BATCH = 100  # cases of one process
+_RUN_COSTS = 20  # calls that starting a process is worth
+_LOSS_COSTS = 5000  # calls that SHORT_SECONDS of a call in vain are worth
 _NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
@@ -45,26 +51,63 @@ class Finding(Struct, frozen=True):
     message: str
     kind: tuple[str, ...]  # in which way it fails: what is wanted and given, roughly
     given: Raw = None  # the answer itself, None where there is none
+    printed: str = ""  # what the function printed, where it was called alone
 
 
 class SearchBudget:
-    """What the search may cost: seconds by a clock, and calls."""
+    """What the search may cost, counted in calls, so that it comes to the same on every machine.
 
-    def __init__(self, seconds: float, clock: Clock = time.monotonic, most_calls: int = 50_000) -> None:
-        self._clock = clock
-        self._end = clock() + seconds
-        self._most_calls = most_calls
+    `most` calls may be made; a process that is begun, and a call that is waited for in vain, count as so
+    many. A guard by the clocks is for submissions whose every call takes long, and for machines that stand
+    still.
+    """
+
+    def __init__(self, most: int = 60_000, guard: Guard | None = None) -> None:
+        self._most = most
+        self._guard = guard or Guard()
+        self._cost = 0
+        self._warned = False
         self.calls = 0
+
+    def asked(self, calls: int, lost_seconds: float, usage: Usage) -> None:
+        """Book one process: the calls made in it, the limit of the time that was used up, if one was."""
+        self.calls += calls
+        self._cost += calls + _RUN_COSTS + round(_LOSS_COSTS * lost_seconds / SHORT_SECONDS)
+        self._guard.used(usage)
+
+    def looked_at(self) -> None:
+        """Book a case that was only looked at."""
+        self._cost += 1
 
     @property
     def spent(self) -> bool:
         """Whether nothing more may be begun."""
-        return self.calls >= self._most_calls or self._clock() >= self._end
+        self._warned = self._warned or self._cost >= self._most or self._guard.over
+        return self._warned
 
     @property
-    def left(self) -> float:
-        """The seconds that remain."""
-        return max(0.0, self._end - self._clock())
+    def cut_short(self) -> bool:
+        """Whether the search wanted to go on when it was spent."""
+        return self._warned
+
+
+class Guard:
+    """The clocks' last word: CPU seconds of the search with the submission's own, and seconds on the wall."""
+
+    def __init__(self, cpu: float = 8.0, wall: float = 40.0, clock: Clock = time.monotonic) -> None:
+        self._clock = clock
+        self._end = clock() + wall
+        self._left = cpu
+        self._began = time.thread_time()
+
+    def used(self, usage: Usage) -> None:
+        """Book what the submission has used."""
+        self._left -= usage.cpu_seconds
+
+    @property
+    def over(self) -> bool:
+        """Whether either is up."""
+        return time.thread_time() - self._began >= self._left or self._clock() >= self._end
 
 
 class Trial:
@@ -128,9 +171,16 @@ class Trial:
     def again(self, case: Case, group: Group) -> Finding | None:
         """How the case fails when it is called by itself, now and under the problem's own limits.
 
-        A call that never ends is waited for as long as the budget lasts; what is shown says how long.
+        A call that never ends is waited for a second; what is shown says how long.
         """
         return next(iter(self._try([case], group, whole=True)), None)
+
+    def state(self, case: Case, group: Group) -> str:
+        """What the right answer to a case is, without its numbers; "" for a case that is none."""
+        self.budget.looked_at()
+        if not self.valid(case, group):
+            return ""
+        return sort_of(self.problem.answer.right(self._target(case, group)))
 
     def simplest(self, cases: Iterable[Case], group: Group, *, fair: bool = True) -> Finding | None:
         """The simplest of the cases that fails, also by itself; invalid cases are passed over.
@@ -140,13 +190,15 @@ class Trial:
         """
         fresh = {repr(case): case for case in cases if self.valid(case, group)}
         ordered = sorted(fresh.values(), key=self.measure)
-        found = sorted(self._try(ordered, group), key=lambda finding: finding.measure)
-        for finding in found[:MOST_LOSSES]:
-            if fair and not self._fair(finding):
-                continue
-            confirmed = self.alone(finding.case, group)
-            if confirmed is not None:
-                return confirmed
+        for start in range(0, len(ordered), _BATCH):
+            if self.budget.spent:
+                break
+            for finding in self._try(ordered[start : start + _BATCH], group)[:MOST_LOSSES]:
+                if fair and not self._fair(finding):
+                    continue
+                confirmed = self.alone(finding.case, group)
+                if confirmed is not None:
+                    return confirmed
         return None
 
     def _fair(self, finding: Finding) -> bool:
@@ -154,25 +206,33 @@ class Trial:
         if box is None:
             return True
         target = self._target(finding.case, finding.group)
-        ended = self._asked(box, [finding.case], [target], finding.group, self._limits(1, whole=True))
-        return bool(ended) and ended[0] is None
+        ended = self._asked(box, [finding.case], [target], finding.group, whole=True)
+        return bool(ended) and ended == [None]
 
     def _try(self, cases: Sequence[Case], group: Group, *, whole: bool = False) -> list[Finding]:
-        """Those of the cases that fail with the verdict looked for."""
+        """Those of the cases that fail with the verdict looked for, in order.
+
+        A single one is tried whatever the budget says.
+        """
         targets = [self._target(case, group) for case in cases]
         failing: list[Finding] = []
-        done = losses = 0
+        waiting = [(0, len(cases))]
+        losses = 0
         most = 1 if self.verdict in LIMITED else MOST_LOSSES  # such a call costs much of the time there is
-        while done < len(cases) and losses < most and (whole or not self.budget.spent):
-            limits = self._limits(len(cases) - done, whole=whole)
-            # A whole program that crashes does not tell where, so that its cases are tried one by one.
-            one_by_one = self._verdict_of_a_run
-            batch = cases[done : done + 1] if one_by_one else cases[done:]
-            ended = self._asked(self._box, batch, targets[done:], group, limits)
+        while waiting and losses < most and (len(cases) == 1 or not self.budget.spent):
+            first, end = waiting.pop()
+            ended = self._asked(self._box, cases[first:end], targets[first:end], group, whole=whole)
+            if ended is None:  # a whole program that breaks down does not tell where
+                middle = (first + end) // 2
+                waiting += [(middle, end), (first, middle)]
+                continue
             failing += [each for each in ended if each is not None and self._counts(each)]
-            done += max(1, len(ended))
-            losses += len(ended) < len(batch) or bool(ended and ended[-1] and ended[-1].verdict in LIMITED)
-            self.budget.calls += max(1, len(ended))
+            stopped = len(ended) < end - first
+            losses += stopped or bool(ended and ended[-1] and ended[-1].verdict in LIMITED)
+            if stopped:
+                waiting.append((first + max(1, len(ended)), end))
+            if failing and self._verdict_of_a_run:
+                break
         return failing
 
     def _counts(self, finding: Finding) -> bool:
@@ -196,30 +256,43 @@ class Trial:
         return self._targets[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
-        """What calls of so many cases may use; no more of a person's time than is left, unless `whole`."""
+        """What calls of so many cases may use: the same on every machine."""
         usual = self.problem.limits
-        cpu, wall, memory, output = (
-            usual.cpu_seconds,
+        cpu, waiting = usual.cpu_seconds, 1e9
+        if not whole:
+            cpu = min(cpu, SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases))
+            waiting = _WAITING + cpu
+        elif self.verdict in LIMITED:
+            cpu = min(cpu, _PATIENCE)
+            waiting = _WAITING + cpu
+        return Limits(
+            cpu,
             usual.wall_seconds,
             usual.memory_bytes,
             usual.output_bytes,
+            waiting,
+            items=self.problem.answer.items,
         )
-        if whole and self.verdict in LIMITED:
-            patience = max(SHORT_SECONDS, round(self.budget.left, 1))
-            cpu, wall = min(cpu, patience), min(wall, patience)
-        elif not whole:
-            short = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
-            cpu = min(cpu, short)
-            wall = min(wall, max(SHORT_SECONDS, min(2 * short, round(self.budget.left, 1))))
-        return Limits(cpu, wall, memory, output, items=self.problem.answer.items)
 
     def _asked(
-        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, limits: Limits
-    ) -> list[Finding | None]:
-        """How each of the cases that were reached came out; None where it is right."""
+        self, box: Box, cases: Sequence[Case], targets: Sequence[Target], group: Group, *, whole: bool
+    ) -> list[Finding | None] | None:
+        """How each of the cases that were reached came out: None where it is right.
+
+        None in place of all where a run of several cases broke down, and it is not known at which.
+        """
+        limits = self._limits(len(cases), whole=whole)
         replies = self._runner.answers(box, cases, limits)
+        lost = {
+            Stop.CPU: limits.cpu_seconds,
+            Stop.WAITING: limits.waiting_seconds,
+            Stop.WALL: limits.wall_seconds,
+        }
+        self.budget.asked(max(1, len(replies.replies)), lost.get(replies.stop, 0.0), replies.usage)
         if replies.breakdown is not None:
-            return self._broken_down(replies.breakdown, cases, targets, group)
+            if len(cases) > 1:
+                return None
+            return [self._broken_down(replies.breakdown, cases[0], targets[0], group)]
         ended: list[Finding | None] = []
         for case, target, reply in zip(cases, targets, replies.replies, strict=False):
             if reply.stop is not Stop.ANSWERED:
@@ -230,17 +303,14 @@ class Trial:
                 ended.append(self._rejected(case, target, group, outcome, reply.answer))
             else:
                 ended.append(None)
-        return ended
+        printed = text_of(replies.printed) if len(cases) == 1 and any(ended) else ""
+        return [_having_printed(each, printed) for each in ended] if printed else ended
 
-    def _broken_down(
-        self, breakdown: Breakdown, cases: Sequence[Case], targets: Sequence[Target], group: Group
-    ) -> list[Finding | None]:
-        """What a run that broke down says of its cases: something only where it had a single one."""
-        if len(cases) > 1:
-            return []
+    def _broken_down(self, breakdown: Breakdown, case: Case, target: Target, group: Group) -> Finding:
+        """What a run on a single case that broke down says of it."""
         verdict, detail, got = breakdown.verdict, breakdown.detail, breakdown.got
-        found = self._stopped(cases[0], targets[0], group, verdict, detail, got)
-        return [replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found]
+        found = self._stopped(case, target, group, verdict, detail, got)
+        return replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found
 
     def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
         return lambda: (self._proof(case).answer, group.tolerance)
@@ -264,6 +334,13 @@ class Trial:
         way = (detail.partition(":")[0],) if verdict is Verdict.RTE else ()
         wanted = self._runner.wanted(target)
         return Finding(case, group, self.measure(case), verdict, wanted, got, detail, way)
+
+
+def _having_printed(finding: Finding | None, printed: str) -> Finding | None:
+    if finding is None:
+        return None
+    message = message_of(finding.message, finding.got, printed)
+    return replace(finding, printed=printed, message=message)
 
 
 def _way(right: Outline, given: Outline, outcome: Rejection, *, coarse: bool) -> tuple[str, ...]:

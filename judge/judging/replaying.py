@@ -10,7 +10,8 @@ from judge.data.module import load_module
 from judge.diagnose.replay import decode
 from judge.judging.session import Session
 from judge.problem import Problem
-from judge.run.execute import run_submission
+from judge.run.execute import run_in
+from judge.run.printed import with_printed
 from judge.run.result import Result
 
 
@@ -23,8 +24,11 @@ def replayed(session: Session, replay: str, source: bytes, name: str) -> Result:
     """
     data = _one_case(replay, session.problem)
     settings = replace(session.settings, measured=False)
-    result = run_submission(session.problem, data, source, name, settings=settings)
-    result = replace(result, levels=())  # one case says nothing of a level
+    with settings.box_factory(source, name) as box:
+        judged = run_in(box, session.problem, data, source, name, settings=settings)
+        result = replace(judged.result, levels=())  # one case says nothing of a level
+        if judged.runner is not None:
+            result = with_printed(result, data, judged.runner, box)
     return result.noting(*session.containment.notes(result.isolation))
 
 

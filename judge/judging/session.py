@@ -27,6 +27,7 @@ from judge.problem import Problem, Verdict
 from judge.run.execute import judge_fault, run_in
 from judge.run.hurdle import hurdle_of
 from judge.run.parallel import Turnstile
+from judge.run.printed import with_printed
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
 
@@ -173,6 +174,7 @@ class Session:
                 hurdle = hurdle_of(result, runner, box.inspect(), source)
                 if hurdle is not None:
                     return replace(result, hurdle=hurdle)
+                result = with_printed(result, data, runner, box)
             if terms.diagnosed and runner is not None:
                 result = diagnosed(result, data, runner, box, self.containment.open_box)
                 result = with_thresholds(result, data, runner, box)

@@ -11,8 +11,9 @@ from judge.run.result import Result
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
 _COMPILED = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
-# … and judge.sandbox.inside.child an exception, which may have such words in its own text before.
-_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |; it was run as a program)")
+# … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
+# or the place where a call stood that did not end.
+_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; it was run as a program)")
 
 
 class FilePlace(Struct, frozen=True):
@@ -23,12 +24,15 @@ class FilePlace(Struct, frozen=True):
 
 
 def fault_place(result: Result) -> FilePlace | None:
-    """Where a submission does not compile or raised its exception, as its failure's message says."""
+    """Where a submission does not compile, raised its exception or stood when its time was up.
+
+    Its failure's message says so.
+    """
     message = result.failure.message if result.failure else ""
     if result.verdict is Verdict.CE:
         found = _COMPILED.search(message)
         return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
-    found = _RAISED.match(message) if result.verdict is Verdict.RTE else None
+    found = _RAISED.match(message) if result.verdict in (Verdict.RTE, Verdict.TLE) else None
     return FilePlace(int(found[1])) if found else None
 
 

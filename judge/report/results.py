@@ -110,12 +110,19 @@ def failure_lines(
         ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
         ("wanted", failure.expected, Style.GOOD),
         ("got", failure.got, Style.BAD),
+        *((label, row, Style.PLAIN) for label, row in _printed(failure)),
         ("why", None if _says_nothing_new(failure) else failure.message, Style.PLAIN),
     ]
     for label, text, style in rows:
         if text:
             laid = hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
             yield from clipped(laid, most)
+
+
+def _printed(failure: Failure) -> list[tuple[str, str]]:
+    """A row for each line that the function printed, the first with the label."""
+    rows = failure.printed.split("\n") if failure.printed else []
+    return [("" if number else "printed", row) for number, row in enumerate(rows)]
 
 
 def place_lines(result: Result, width: int | None) -> Iterator[Line]:
@@ -142,10 +149,15 @@ def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) 
         yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
         return
     same = result.failure is not None and result.failure.input == found["input"]
-    yield line("  ", Span("no smaller case found" if same else "smallest case found", Style.STRONG))
+    cut = ", the search was cut short" if found.get("cut_short") else ""
+    yield line("  ", Span(("no smaller case found" if same else "smallest case found") + cut, Style.STRONG))
     if not same:
         smallest = Failure(
-            found["message"], input=found["input"], expected=found["expected"], got=found["got"]
+            found["message"],
+            input=found["input"],
+            expected=found["expected"],
+            got=found["got"],
+            printed=found.get("printed", ""),
         )
         yield from failure_lines(smallest, width)
 

@@ -3,7 +3,7 @@
 A person waits for the verdict. A submission that keeps just inside the limits of every group, or breaks its
 process again and again, is not run to the end.
 
-    timeouts   groups that ran out of time
+    timeouts   groups that ran out of time; one is enough where its first case did that
     losses     processes ended by force or in mid-call, each of which the judge has to clear up after
     waiting    wall time beyond CPU time, in a few times the wall limit of one group
     searching  wall time of the runs that find the case a program breaks at
@@ -29,6 +29,7 @@ class Budget:
     def __init__(self, problem: Problem) -> None:
         self._lock = threading.Lock()
         self._timeouts = self._losses = 0
+        self._at_once = False
         longest = max([problem.limits_of(group).wall_seconds for group in problem.groups], default=0.0)
         self._most_waiting = WAITING_LIMITS * max(longest, problem.limits.wall_seconds)
         self._waited = self._searched = 0.0
@@ -54,10 +55,11 @@ class Budget:
             self._waited += usage.waiting_seconds
             self._searched += usage.wall_seconds
 
-    def ran_out_of_time(self) -> None:
-        """Book a group whose own time was used up."""
+    def ran_out_of_time(self, *, at_once: bool) -> None:
+        """Book a group whose own time was used up; `at_once` where nothing had come of it before."""
         with self._lock:
-            self._timeouts += 1
+            self._timeouts += MOST_TIMEOUTS if at_once else 1
+            self._at_once = self._at_once or at_once
 
     def may_search(self) -> bool:
         """Whether one more run is worth it to find the case a program breaks at."""
@@ -67,7 +69,8 @@ class Budget:
     def over(self) -> tuple[Verdict, str] | None:
         """The verdict of what is not run any more, and why; None while there is something left."""
         if self._timeouts >= MOST_TIMEOUTS:
-            return Verdict.TLE, f"{MOST_TIMEOUTS} groups ran out of time"
+            one = "the first case of a group used up all its time"
+            return Verdict.TLE, one if self._at_once else f"{MOST_TIMEOUTS} groups ran out of time"
         if self._waited >= self._most_waiting:
             return Verdict.TLE, f"{self._waited_too_long} before"
         if self._losses >= MOST_LOSSES:

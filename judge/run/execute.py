@@ -231,7 +231,7 @@ class _Judging:
         run.ended = True
         self._after_calls(run)
         if run.verdict is Verdict.TLE or run.out_of_time:
-            self._budget.ran_out_of_time()
+            self._budget.ran_out_of_time(at_once=run.reached <= 1 < len(run.cases))
 
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:

@@ -67,4 +67,4 @@ def _replies(result: CallsResult) -> Replies:
     """The result of a series of calls; a call that ends its process is the last one, and to blame."""
     stop = result.replies[-1].stop if result.replies else Stop.ANSWERED
     lost = stop not in (Stop.ANSWERED, Stop.EXCEPTION)
-    return Replies(result.replies, result.usage, stop, lost)
+    return Replies(result.replies, result.usage, stop, lost, printed=result.printed)

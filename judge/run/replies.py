@@ -46,6 +46,7 @@ class Replies(NamedTuple):
     stop: Stop = Stop.ANSWERED
     lost: bool = False  # the process was ended by force or in mid-call
     breakdown: Breakdown | None = None
+    printed: bytes = b""  # the beginning of what a function printed, where there was one series only
 
     @property
     def trouble(self) -> str:

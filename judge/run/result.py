@@ -96,7 +96,8 @@ class Failure(Struct, frozen=True):
 
     `case` counts from 1 within its group. `input` maps a parameter's name to its value.
     `where` says which part is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
-    `given` is the answer itself, as the submission sent it; None where there is none.
+    `given` is the answer itself, as the submission sent it; None where there is none. `printed` is what the
+    function printed meanwhile, a few printable lines; it is in the JSON only where there is something.
     """
 
     message: str
@@ -110,10 +111,11 @@ class Failure(Struct, frozen=True):
     relative: float | None = None
     ulps: float | None = None
     given: Raw = None
+    printed: str = ""
 
     def as_json(self) -> dict[str, Any]:
         """The failure's object in the published form."""
-        return {
+        found = {
             "group": self.group,
             "case": self.case,
             "input": self.input,
@@ -121,6 +123,7 @@ class Failure(Struct, frozen=True):
             "got": self.got,
             "message": self.message,
         }
+        return found | ({"printed": self.printed} if self.printed else {})
 
 
 class Ratio(Struct, frozen=True):

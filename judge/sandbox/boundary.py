@@ -114,11 +114,13 @@ class CallsResult(NamedTuple):
     """The replies of one series of calls, in order.
 
     A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the process:
-    it is the last reply, and the calls after it, those of later series too, were not made.
+    it is the last reply, and the calls after it, those of later series too, were not made. `printed` is the
+    beginning of what a single series wrote to stdout once the module was imported; nothing else is.
     """
 
     replies: tuple[Reply, ...]
     usage: Usage
+    printed: bytes = b""
 
 
 class ProgramResult(NamedTuple):

@@ -34,6 +34,7 @@ IdleCosts = dict[tuple[str, bytes, tuple[str, ...]], int]
 """CPU time in ns of a child that does nothing, by level, kind of run and modules imported ahead."""
 
 STDERR_BYTES = 4096
+PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
 _PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
@@ -157,13 +158,21 @@ class ForkServerBox:
                 descriptors = (*stdio, later) if len(series) > 1 else stdio
                 done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
                 printed = _printed(*stdio[1:])
+                text = self._text(stdio[1]) if len(series) == 1 else b""
         except Lost as lost:
             kept = outcome.parse_series(lost.replies, lost.marks, counts)[0][: sum(counts) - 1]
             replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
             return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
         replies = self._ended(done, payload, limits, printed, counts)
         self._check_threads(reply.detail for reply in replies)
-        return outcome.by_series(replies, series, outcome.usages_of(done))
+        results = outcome.by_series(replies, series, outcome.usages_of(done))
+        return [results[0]._replace(printed=text), *results[1:]] if text else results
+
+    def _text(self, stdout: int) -> bytes:
+        """The beginning of what was printed by the calls; where that starts is what the child says."""
+        size = shared.size(stdout)
+        start = min(self._holder.here().region.words[wire.PRINTED_BEFORE], size)
+        return shared.part(stdout, start, PRINTED_BYTES)
 
     def _ended(
         self, done: Done, payload: bytes, limits: Limits, printed: int, counts: Sequence[int]
@@ -173,7 +182,7 @@ class ForkServerBox:
         count = sum(counts)
         data = self._holder.here().replies(payload, limits.output_bytes, len(counts))
         replies, kept_form = outcome.parse_series(data, done.marks, counts)
-        over = outcome.overrun(done, limits, printed, note)
+        over = outcome.overrun(done, limits, printed, note, self._stood_at())
         if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
             return replies
         if over:
@@ -225,7 +234,8 @@ class ForkServerBox:
         except Lost:
             return ProgramResult(Stop.TAMPERED, b"", b"", _LOST, Usage())
         note = self._note()
-        stop, detail = outcome.overrun(done, limits, printed, note) or outcome.end_of(done, note)
+        over = outcome.overrun(done, limits, printed, note, self._stood_at())
+        stop, detail = over or outcome.end_of(done, note)
         detail = "" if stop is Stop.ANSWERED else detail
         self._check_threads([detail])
         return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
@@ -284,6 +294,9 @@ class ForkServerBox:
         if self._share.short and any(NO_THREAD in detail for detail in details):
             what = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
             raise ShortageError(what, remedy=LIMIT_ON_TASKS)
+
+    def _stood_at(self) -> int:
+        return int(self._holder.here().region.words[wire.STOOD_AT])
 
     def _note(self) -> tuple[int, str]:
         return self._holder.here().region.note()

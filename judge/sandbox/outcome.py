@@ -21,6 +21,7 @@ from judge.sandbox.container import Done, Lost, SeriesEnd
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
+_MOST_LINES = 10**6  # of a source
 LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
 
@@ -66,20 +67,29 @@ def by_series(
     return results
 
 
-def overrun(done: Done, limits: Limits, printed: int, note: tuple[int, str]) -> tuple[Stop, str] | None:
-    """The limit that was passed, if one was; `printed` is the longer of stdout and stderr."""
+def overrun(
+    done: Done, limits: Limits, printed: int, note: tuple[int, str], stood_at: int = 0
+) -> tuple[Stop, str] | None:
+    """The limit that was passed, if one was; `printed` is the longer of stdout and stderr.
+
+    `stood_at` is the line where it says that it stood when its time was up, 0 for unknown.
+    """
     signalled = os.WTERMSIG(done.status) if os.WIFSIGNALED(done.status) else 0
     kind, text = note
+    place = f" (line {stood_at})" if 0 < stood_at < _MOST_LINES else ""
     if done.peak_bytes > limits.memory_bytes:  # before the clock: filling memory takes time too
         seen = f"used more than {_size(limits.memory_bytes)}, {_size(done.peak_bytes)} seen"
         return Stop.MEMORY, seen
     over_time = done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 > limits.cpu_seconds
     if over_time or signalled == signal.SIGXCPU:
-        return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time"
+        return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time{place}"
+    if done.reason == wire.FOR_BEING_SLOW:
+        took = f"took {done.wall_ns / 1e9:.3g} s for {done.cpu_ns / 1e9:.2g} s of CPU time"
+        return Stop.WALL, f"{took}: it was working, on a busy machine{place}"
     if done.reason == wire.FOR_WALL:
-        return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting most of it"
+        return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting at the end{place}"
     if done.reason == wire.FOR_WAITING:
-        return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s"
+        return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s{place}"
     if done.reason == wire.FOR_STOPPING:
         return Stop.EXITED, "it stopped itself"
     if kind == wire.NO_MEMORY:

@@ -72,12 +72,16 @@ def write_whole(descriptor: int, data: bytes) -> None:
 
 def head(descriptor: int, most: int) -> bytes:
     """The first `most` bytes of a file, fewer if it is shorter."""
-    length = min(most, size(descriptor))
+    return part(descriptor, 0, min(most, size(descriptor)))
+
+
+def part(descriptor: int, start: int, length: int) -> bytes:
+    """So many bytes of a file from `start` on, fewer where it ends."""
     parts: list[bytes] = []
-    place = 0
-    while place < length and (part := os.pread(descriptor, length - place, place)):
-        parts.append(part)
-        place += len(part)
+    place, end = start, start + length
+    while place < end and (read := os.pread(descriptor, end - place, place)):
+        parts.append(read)
+        place += len(read)
     return b"".join(parts)
 
 

@@ -267,6 +267,24 @@ def test_a_save_while_judging_causes_one_more_run(watch, submit):
         assert len(history.runs("middle")) <= 2
 
 
+SLEEPS = "import time\ndef middle(a, b):\n    time.sleep(999)\n"
+
+
+def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
+    """Every call of it would wait for the wall limit; nothing is told or kept of it."""
+    terminal = watch("middle", submit(SLEEPS))
+    while "judging mine.py" not in terminal.written:
+        assert terminal.read()
+    submit(MEAN)
+    terminal.sees("AC  accepted")
+    assert "TLE" not in terminal.written
+    terminal.press("q")
+    assert terminal.ends() == 0
+    assert "Traceback" not in terminal.written
+    with History.open() as history:
+        assert [run.verdict.value for run in history.runs("middle")] == ["AC"]
+
+
 def test_every_picture_comes_in_one_write_and_clears_nothing_first(watch, submit):
     terminal = watch("middle", submit(MEAN))
     terminal.sees("AC  accepted")
@@ -316,6 +334,21 @@ def test_without_a_terminal_each_result_is_written(piped, submit):
     watching.send_signal(signal.SIGINT)
     out, err = watching.communicate(timeout=PATIENCE)
     assert (watching.returncode, out, err.strip()) == (130, "", "")
+
+
+def test_without_a_terminal_too_a_save_gives_up_the_run_before(piped, submit, tmp_path):
+    watching = piped("middle", submit(SLEEPS), "--json", "--no-history")
+    while not _judging_below(watching.pid):
+        assert watching.poll() is None
+        time.sleep(0.05)
+    submit(MEAN)
+    assert json.loads(watching.stdout.readline())["verdict"] == "AC"
+
+
+def _judging_below(pid):
+    """Whether a process has children: the containers of what is judged."""
+    listed = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, check=False)
+    return bool(listed.stdout.split())
 
 
 def test_in_json_each_result_is_a_line(piped, submit, tmp_path):

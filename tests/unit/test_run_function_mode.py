@@ -76,7 +76,7 @@ def test_only_the_groups_asked_for():
         ("1 / 0", Verdict.RTE, "ZeroDivisionError: division by zero (line 3)"),
         ("import os; os._exit(0)", Verdict.RTE, "exit status 0"),
         ("bytes(1 << 40)", Verdict.MLE, "MemoryError (line 3)"),
-        ("while True: pass", Verdict.TLE, "used more than 0.5 s of CPU time"),
+        ("while True: pass", Verdict.TLE, "used more than 0.5 s of CPU time (line 3)"),
         ("while True: print('x' * 999)", Verdict.OLE, "wrote more than 1 MB"),
     ],
 )
@@ -162,9 +162,17 @@ def test_who_has_waited_too_long_is_told_so():
     assert budget.booked(ended(Stop.WALL)).trouble == "x"
 
 
+def test_a_first_call_that_never_ends_ends_the_run():
+    limits = replace(LIMITS, cpu_seconds=0.2)
+    result = judged("def answer(n, P):\n    while True: pass\n", make_data("a", "b", limits=limits))
+    assert [group.verdict for group in result.groups] == [Verdict.TLE] * 2
+    assert [group.cpu_seconds > 0 for group in result.groups] == [True, False]
+
+
 def test_an_endless_loop_ends_the_run_after_two_groups():
     limits = replace(LIMITS, cpu_seconds=0.2)
-    result = judged("def answer(n, P):\n    while True: pass\n", make_data("a", "b", "c", "d", limits=limits))
+    source = "def answer(n, P):\n    while n == 2: pass\n    return int(n + P[0] + P[1])\n"
+    result = judged(source, make_data("a", "b", "c", "d", limits=limits))
     assert [group.verdict for group in result.groups] == [Verdict.TLE] * 4
     assert [group.cpu_seconds > 0 for group in result.groups] == [True, True, False, False]
     assert result.failure.group == "a"

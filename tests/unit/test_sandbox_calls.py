@@ -129,7 +129,7 @@ def test_after_a_loss_the_next_series_runs_in_a_new_process():
 
 def test_cpu_limit():
     reply = lost_at_3("while True: pass", limits(cpu_seconds=0.3))
-    assert (reply.stop, reply.detail) == (Stop.CPU, "used more than 0.3 s of CPU time")
+    assert (reply.stop, reply.detail) == (Stop.CPU, "used more than 0.3 s of CPU time (line 4)")
 
 
 def test_wall_limit_for_a_sleeper():

@@ -23,6 +23,7 @@ from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
+from judge.diagnose.trial import Guard, SearchBudget
 from judge.mistakes.told import told_mistakes
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -137,12 +138,12 @@ SAMPLE = {
         "overflow-32": EPSILON,
         "tangent-twice": USUAL,
         "floor-division": USUAL,
-        "overflow-64": EPSILON,
+        "overflow-64": 10,
         "loose-epsilon": EPSILON,
         "fixed-precision": 27,
         "float-arithmetic": 8,
         "float-coordinates": 16,
-        "overflow-128": 10,
+        "overflow-128": 20,
         "rounded-root": USUAL,
         "whole-root": USUAL,
     },
@@ -157,19 +158,7 @@ LINES = {
 }
 
 
-class Clock:
-    """A clock on which every look takes a while: a budget of looks, not of seconds."""
-
-    def __init__(self, tick: float = 0.0) -> None:
-        self.now = 0.0
-        self.tick = tick
-
-    def __call__(self) -> float:
-        self.now += self.tick
-        return self.now
-
-
-def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
+def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
     """The result of judging the source, and its counterexample."""
     problem = find_problem(name)
     problem = replace(problem, limits=replace(problem.limits, cpu_seconds=cpu_seconds))
@@ -186,8 +175,7 @@ def shrunk(name, source, *, clock=None, budget=2.0, cpu_seconds=2.0):
             result.verdict,
             result.failure,
             reference=lambda: reference.open(runner.reference(problem.time)),
-            budget_seconds=budget,
-            clock=clock or Clock(),
+            budget=budget,
         )
     return problem, result, found
 
@@ -252,16 +240,138 @@ def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("looks", [0, 3, 10, 40])
-def test_the_budget_ends_the_search(looks):
-    source = mistaken("count", "absolute-epsilon", "near = 1e-9")
-    clock = Clock(tick=1.0)
-    _, result, found = shrunk("count", source, clock=clock, budget=looks + 0.5)
-    assert clock.now <= looks + 60  # what is begun is ended, and nothing much is begun
-    assert found is not None
-    if looks < 4:
-        assert found.calls <= 4
+@pytest.mark.parametrize("most", [0, 40, 150, 3000])
+def test_the_budget_ends_the_search_and_it_says_so(most):
+    source = mistaken("count", "coordinate-epsilon", "extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))")
+    _, result, found = shrunk("count", source, budget=SearchBudget(most))
+    assert found.calls <= most + 100  # what is begun is ended
+    assert found.cut_short
+    assert found.as_json()["cut_short"] is True
+    if most < 100:
         assert found.input == result.failure.input
+
+
+def test_a_search_that_came_to_its_end_is_not_said_to_be_cut_short():
+    _, _, found = shrunk("count", mistaken("count", "absolute-epsilon", "near = 1e-9"))
+    assert not found.cut_short
+    assert "cut_short" not in found.as_json()
+
+
+@pytest.mark.parametrize("guard", [Guard(cpu=0.0), Guard(wall=0.0)])
+def test_the_clocks_only_guard_the_search(guard):
+    _, result, found = shrunk(
+        "count", mistaken("count", "absolute-epsilon", "near = 1e-9"), budget=SearchBudget(guard=guard)
+    )
+    assert found.cut_short
+    assert found.input == result.failure.input
+
+
+# Programs that are wrong in numbers that are long, or just beyond a threshold of theirs: the size of the
+# smallest case is what `measure` says, that of its lists (4) included.
+DECIMALS = """
+from decimal import Decimal, getcontext
+
+getcontext().prec = 100
+
+
+def exact_count(cx, cy, r, A, B):
+    cx, cy, r, ax, ay, bx, by = map(Decimal, (cx, cy, r, *A, *B))
+    dx, dy = bx - ax, by - ay
+    if dx == dy == 0:
+        return None
+    cross = dx * (ay - cy) - dy * (ax - cx)
+    d = r * r * (dx * dx + dy * dy) - cross * cross
+    return 1 + (d > 0) - (d < 0)
+"""
+WINDOW = """
+def exact_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == dy == 0:
+        return None
+    k = dx * (A[1] - cy) - dy * (A[0] - cx)
+    d = r * r * (dx * dx + dy * dy) - k * k
+    if {window}:
+        return 1
+    return 1 + (d > 0) - (d < 0)
+"""
+NARROW = """
+from math import hypot
+
+
+def line_count(cx, cy, r, A, B):
+    ax, ay = A[0] - cx, A[1] - cy
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == dy == 0:
+        return None
+    extent = max(r, abs(ax), abs(ay), abs(B[0] - cx), abs(B[1] - cy))
+    distance = abs(dx * ay - dy * ax) / hypot(dx, dy)
+    if abs(distance - r) <= {near} * extent:
+        return 1
+    return 2 if distance < r else 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "size"),
+    [
+        ("exact-count", DECIMALS, 110),
+        ("exact-count", WINDOW.format(window="10**30 < max(map(abs, (*A, *B))) < 2 * 10**30"), 40),
+        ("exact-count", WINDOW.format(window="10**14 < abs(cx) < 10**16"), 25),
+        ("exact-count", WINDOW.format(window="abs(d) * 10**60 < dx * dx + dy * dy"), 40),
+        ("count", NARROW.format(near="1.05e-7"), 13),
+        ("count", NARROW.format(near="1.3e-7"), 13),
+        ("count", NARROW.format(near="7e-13"), 13),
+    ],
+)
+def test_long_numbers_are_tried_one_at_a_time_and_close_to_the_borders(name, source, size):
+    _, _, found = shrunk(name, source.encode())
+    assert measure(found.case)[0] <= size
+    assert not found.cut_short
+    assert sum(digits(number) > 3 for number in numbers_of(found.case)) <= 1
+
+
+BURNER = "import time\nend = time.monotonic() + 120\nwhile time.monotonic() < end: pass\n"
+
+
+def test_the_smallest_case_is_the_same_under_load_and_beside_others(tmp_path):
+    sources = {
+        "coordinate.py": mistaken(
+            "count", "coordinate-epsilon", "extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))"
+        ),
+        "degenerate.py": mistaken("count", "degenerate-epsilon", "if length <= 1e-6 * extent: return None"),
+        "narrow.py": NARROW.format(near="1.3e-7").encode(),
+    }
+    for name, source in sources.items():
+        (tmp_path / name).write_bytes(source)
+
+    def judged(*options):
+        command = [
+            sys.executable,
+            "-m",
+            "judge",
+            "run",
+            "count",
+            *sorted(sources),
+            "--no-history",
+            "--no-name",
+        ]
+        settings = {**os.environ, "PYTHONPATH": str(SOLUTIONS.parent)}
+        ended = subprocess.run(
+            [*command, "--json", *options], cwd=tmp_path, env=settings, capture_output=True, check=False
+        )
+        results = [json.loads(line) for line in ended.stdout.splitlines()]
+        return [json.dumps(result["counterexample"]) for result in results]
+
+    alone = judged("-j", "1")
+    assert len(alone) == len(sources)
+    assert "null" not in alone
+    burners = [subprocess.Popen([sys.executable, "-c", BURNER]) for _ in range(2 * (os.cpu_count() or 1))]
+    try:
+        assert judged("-j", "3") == alone
+    finally:
+        for burner in burners:
+            burner.kill()
+            burner.wait()
 
 
 GEOMETRY = """

@@ -149,10 +149,19 @@ def _take_up(kata: Kata, db: Path | None) -> None:
 def _write_on(watched: WatchedFile, *, as_json: bool) -> NoReturn:
     """Write every result, for whoever is no terminal; ends when the process does."""
     events: SimpleQueue[str] = SimpleQueue()
-    with Saves(watched.kata.path, lambda: events.put("saved")):
+
+    def tell() -> None:
+        events.put("saved")
+        watched.look()
+
+    with Saves(watched.kata.path, tell):
         while True:
             if watched.saved():
-                found = watched.judge()
+                found = None
+                with watched.judging:
+                    found = watched.judge()
+                if found is None:  # saved again meanwhile
+                    continue
                 if isinstance(found, str):
                     note(found)
                 elif as_json:

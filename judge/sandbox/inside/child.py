@@ -24,7 +24,7 @@ from judge.sandbox.inside import source, wire
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from types import TracebackType
+    from types import FrameType, TracebackType
     from typing import Any, NoReturn
 
 DETAIL_LENGTH = 500
@@ -49,6 +49,21 @@ def start_the_clock() -> None:
     os.close(TALLY)
 
 
+def tell_where(name: str, region: wire.Region) -> None:
+    """From now on answer SIGUSR1 with the submission's own line that is being run."""
+
+    def answer(_number: int, frame: FrameType | None) -> None:
+        try:
+            while frame is not None and frame.f_code.co_filename != name:
+                frame = frame.f_back
+            if frame is not None:
+                region.words[wire.STOOD_AT] = frame.f_lineno or 0
+        except BaseException:  # it may come at any moment, in the middle of its own end too
+            return
+
+    signal.signal(signal.SIGUSR1, answer)
+
+
 def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
     """Compile the source, and reply with what `source.inspect` finds."""
     start_the_clock()
@@ -63,6 +78,7 @@ def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
 def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     """Run the code as `__main__`, end as an interpreter would."""
     module = _main_module("__main__", name)
+    tell_where(name, region)
     start_the_clock()
     status = 0
     try:
@@ -90,6 +106,7 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
     me, pause = os.getpid(), os.kill
     series = request.series
     module = _main_module("submission", name)  # its own name may be that of a module it imports
+    tell_where(name, region)
     start_the_clock()
     replies = _Replies(region, limit, request.stop)
     try:
@@ -101,6 +118,8 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         replies.all_raised(f"{_described(error, name)}{wire.IMPORTING}", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
+    _flushed(0)
+    region.words[wire.PRINTED_BEFORE] = os.fstat(1).st_size
     if entry in module.__dict__:
         for place in range(series):
             if place:

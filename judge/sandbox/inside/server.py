@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from typing import Any, NoReturn
 
 SHORTEST_WAIT_NS = 1_000_000
+LAST_MOMENT_NS = 50_000_000
+AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
 IDLE_RUNS = 3
 IDLE = "def nothing():\n    return 0"
@@ -123,6 +125,7 @@ class Server:
         signal.set_wakeup_fd(wake_end, warn_on_full_buffer=False)
         signal.signal(signal.SIGCHLD, lambda *_: None)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGUSR1, signal.SIG_IGN)  # a child that has no handler for it yet
         return wake
 
     def serve(self) -> NoReturn:
@@ -235,7 +238,24 @@ class Server:
             elif not reason:
                 self._wait(pid, left)
             if reason:
+                if not stopped:
+                    reason = self._ask_where(pid, reason)
                 os.kill(pid, signal.SIGKILL)
+
+    def _ask_where(self, pid: int, reason: int) -> int:
+        """Let a child whose time is up say where it stands; the reason, after a last look at it.
+
+        A child that has waited for the processor alone goes on with its work in that moment.
+        """
+        before, stood = _cpu_clock(pid), self._region.words
+        os.kill(pid, signal.SIGUSR1)
+        until = time.perf_counter_ns() + LAST_MOMENT_NS
+        while (left := until - time.perf_counter_ns()) > 0:
+            if reason == wire.FOR_CPU and stood[wire.STOOD_AT]:
+                break
+            self._wait(pid, min(left, SHORTEST_WAIT_NS))
+        at_work = reason != wire.FOR_CPU and _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK
+        return wire.FOR_BEING_SLOW if at_work else reason
 
     def _next_series(self, pid: int, watch: _Watch, status: int, peak: int) -> int:
         """Let a child that has stopped itself begin its next series, or say why it must be killed."""

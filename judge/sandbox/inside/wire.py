@@ -16,7 +16,10 @@ Everything longer goes through the region, memory shared by the judge, the serve
 
     0      64       4096                       start                                  stop
     ├ words ┼ note ──┼ payload (judge → child) ──┼ replies, one JSON text per line ─────┤
-      USED NOTE_KIND NOTE_SIZE IMPORTED
+      USED NOTE_KIND NOTE_SIZE IMPORTED PRINTED_BEFORE STOOD_AT
+
+A child that has used up its time is asked by SIGUSR1 to write the line where it stands to STOOD_AT,
+and killed a moment later, whatever it does: the line is for a person, and decides nothing.
 
 The child appends a reply and then moves USED; nothing needs flushing, so what was answered survives the
 death of the process that answered, whatever kills it, and the call it died in is the one after the last
@@ -53,6 +56,7 @@ NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
 FOR_WAITING = 3  # it waited too long in all its series together
 FOR_STOPPING = 4  # it stopped itself where no series ends
 FOR_OUTPUT = 5  # it wrote more in a series than it may
+FOR_BEING_SLOW = 7  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
 FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
 IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
@@ -60,7 +64,7 @@ IMPORTING = ", while the module was imported"  # what the detail of such an exce
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
 PAYLOAD_AT = 4096
-USED, NOTE_KIND, NOTE_SIZE, IMPORTED = range(4)  # places of the region's words
+USED, NOTE_KIND, NOTE_SIZE, IMPORTED, PRINTED_BEFORE, STOOD_AT = range(6)  # places of the region's words
 NOTE_BYTES = PAYLOAD_AT - WORDS
 
 REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them

@@ -1,0 +1,129 @@
+"""A submission whose time is up is told where it stood, and whether it worked or waited; neither decides."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+from sandboxed import LIMITS
+
+from judge.data.load import load_data
+from judge.problem.find import find_problem
+from judge.report.places import fault_place
+from judge.run import Settings, run_submission
+from judge.run.budget import MOST_TIMEOUTS
+from judge.sandbox import LEVELS, Stop, open_box
+
+FUNCTION = b"def helper():\n    while True:\n        pass\n\n\ndef f(n):\n    return helper()\n"
+PROGRAM = b"import sys\nsys.stdin.read()\nwhile True:\n    pass\n"
+SHORT = LIMITS._replace(cpu_seconds=0.2, wall_seconds=20.0)
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel for another process's clock")
+
+
+def ended(source, bounds, level=None):
+    with open_box(source, "mine.py", level=level) as box:
+        box.inspect()
+        if source is PROGRAM:
+            result = box.run_program(b"1\n", bounds)
+            return result.stop, result.detail
+        reply = box.call_many("f", [(1,)], bounds).replies[-1]
+        return reply.stop, reply.detail
+
+
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize(("source", "lines"), [(FUNCTION, "23"), (PROGRAM, "34")])
+def test_an_endless_loop_says_its_line_at_every_level(source, lines, level):
+    stop, detail = ended(source, SHORT, level)
+    assert stop is Stop.CPU
+    assert detail in [f"used more than 0.2 s of CPU time (line {line})" for line in lines]
+
+
+def test_who_waits_is_said_to_wait_and_where():
+    source = b"import time\ndef f(n):\n    time.sleep(99)\n"
+    stop, detail = ended(source, LIMITS._replace(wall_seconds=0.3))
+    assert (stop, detail) == (Stop.WALL, "took more than 0.3 s, waiting at the end (line 3)")
+    stop, detail = ended(source, LIMITS._replace(waiting_seconds=0.3))
+    assert (stop, detail) == (Stop.WAITING, "waited more than 0.3 s (line 3)")
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="needs processes kept to one core")
+@pytest.mark.parametrize("bounds", [{"wall_seconds": 0.5}, {"waiting_seconds": 0.5}])
+def test_a_busy_core_is_not_waiting(bounds):
+    """Other processes have most of the core that all of this is kept to."""
+    before = os.sched_getaffinity(0)
+    burners = []
+    try:
+        os.sched_setaffinity(0, {min(before)})
+        burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(3)]
+        stop, detail = ended(FUNCTION, LIMITS._replace(cpu_seconds=60.0, **{"wall_seconds": 30.0, **bounds}))
+    finally:
+        for burner in burners:
+            burner.kill()
+            burner.wait()
+        os.sched_setaffinity(0, before)
+    assert stop is Stop.WALL
+    assert "it was working, on a busy machine" in detail
+    assert "wait" not in detail
+
+
+@pytest.mark.parametrize(
+    "trick",
+    [
+        "signal.signal(signal.SIGUSR1, signal.SIG_IGN)",
+        "signal.signal(signal.SIGUSR1, signal.SIG_DFL)",
+        "signal.signal(signal.SIGUSR1, lambda *_: os._exit(0))",
+        "signal.signal(signal.SIGUSR1, lambda *_: os.kill(os.getpid(), signal.SIGSTOP))",
+        "signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGUSR1])",
+        "sys.setrecursionlimit(60)",
+    ],
+)
+def test_no_trick_with_the_signal_changes_how_it_ended(trick):
+    source = f"import os, signal, sys\ndef f(n):\n    {trick}\n    while True: pass\n".encode()
+    stop, detail = ended(source, SHORT)
+    assert stop is Stop.CPU
+    assert detail.startswith("used more than 0.2 s of CPU time")
+
+
+def test_an_answer_in_the_last_moment_comes_too_late():
+    """The handler's own call returns: what it answers is not taken."""
+    source = b"""
+import signal
+class Up(BaseException): pass
+def up(*_): raise Up
+def f(n):
+    signal.signal(signal.SIGUSR1, up)
+    try:
+        while True: pass
+    except Up:
+        return 1
+"""
+    assert ended(source, SHORT)[0] is Stop.CPU
+
+
+def test_a_line_that_is_claimed_is_only_shown():
+    """A submission may write any number there; one that no file has is left out."""
+    forged = (
+        "import sys\ndef f(n):\n    frame = sys._getframe()\n"
+        "    while 'region' not in frame.f_locals: frame = frame.f_back\n"
+        "    frame.f_locals['region'].words[5] = {claim}\n    import signal\n"
+        "    signal.signal(signal.SIGUSR1, signal.SIG_IGN)\n    while True: pass\n"
+    )
+    assert ended(forged.format(claim=77).encode(), SHORT) == (
+        Stop.CPU,
+        "used more than 0.2 s of CPU time (line 77)",
+    )
+    assert ended(forged.format(claim=2**63).encode(), SHORT)[1] == "used more than 0.2 s of CPU time"
+
+
+def test_the_first_endless_call_ends_the_run_and_has_a_place():
+    """Only one group uses up its time; the others would cost as much again."""
+    problem = find_problem("count")
+    source = b"def line_count(cx, cy, r, A, B):\n    while True: pass\n"
+    result = run_submission(problem, load_data(problem), source, "mine.py", settings=Settings(measured=False))
+    assert MOST_TIMEOUTS > 1
+    assert result.verdict.value == "TLE"
+    assert result.time.cpu_seconds < 1.5 * problem.limits.cpu_seconds
+    assert fault_place(result).line == 2
