@@ -18,12 +18,14 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 
 from msgspec import Struct
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
-from judge.mistakes.evidence import Evidence, log_sum
+from judge.mistakes.evidence import Evidence, Overlap, log_sum
+from judge.mistakes.likeness import Likeness
 from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named
@@ -92,6 +94,7 @@ def best_match(
     evidence = _gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
     if joint is not None:
+        joint = cache(joint)
         found = _checked(found, evidence, known, groups, joint)
     found = _told_apart(found, evidence)
     against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
@@ -102,7 +105,7 @@ def best_match(
         probability = math.exp(best.total - log_sum(rivals + against))
         explained = _explained(best, evidence)
         score = probability * min(1.0, explained / _EXPLAINED)
-        if score >= LEAST:
+        if score >= LEAST and _alike(best, evidence, known, groups, joint):
             return Match(best.named, explained, score, _close(best, found))
         if len(best.names) == 1:
             return None  # two mistakes may be too much to say where one of them is not
@@ -126,10 +129,33 @@ def _told_apart(found: list[_Hypothesis], evidence: Sequence[Evidence]) -> list[
 
 def _likeness(place: int, evidence: Sequence[Evidence]) -> float:
     """Of the cases that either fails, the share in which both give the same wrong answer."""
-    overlaps = [each.overlap(place) for each in evidence]
-    same = sum(len(each.same) for each in overlaps if each)
-    failed = sum(each.failed + len(each.ours) for each in overlaps if each)
-    return same / failed if failed else 0.0
+    return Likeness.of(each.overlap(place) for each in evidence).share
+
+
+def _alike(
+    best: _Hypothesis,
+    evidence: Sequence[Evidence],
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    joint: Joint | None,
+) -> bool:
+    """Whether what the hypothesis does is what the submission does, case by case."""
+    overlaps: list[Overlap | None]
+    one, *others = best.places
+    does = joint(one, *others) if joint and len(best.names) == 2 else None
+    if not others:
+        overlaps = [each.overlap(one) for each in evidence]
+    elif len(best.names) == 1:
+        overlaps = [each.midway(one, *others) for each in evidence]
+    elif does is None:
+        overlaps = [each.both(one, *others) for each in evidence]
+    else:
+        names = [data.group.name for data in groups]
+        overlaps = [
+            each.beside(does[name]) if name in does else None
+            for each, name in zip(evidence, names, strict=True)
+        ]
+    return Likeness.of(overlaps).enough(known[place].chance for place in best.named)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
