@@ -170,9 +170,9 @@ class Evidence:
         undecided = len(first.ours ^ second.ours) + len(frozenset(first.theirs) ^ frozenset(second.theirs))
         return _joined(first, second, frozenset(first.theirs) & frozenset(second.theirs), undecided)
 
-    def beside(self, theirs: Answers) -> Overlap:
-        """The same of a program that is not among the known ones."""
-        return _overlap(self._ours, self._wrong, theirs)
+    def beside(self, theirs: Answers | None) -> Overlap | None:
+        """The same of a program that is not among the known ones; None where nothing is known of it."""
+        return _overlap(self._ours, self._wrong, theirs) if theirs else None
 
     def union(self, one: int, other: int) -> float:
         """The ratio for a program that fails wherever either of two known ones fails."""
@@ -189,7 +189,7 @@ class Evidence:
 
     def against(self, theirs: Answers, chance: bool = True) -> float:
         """The ratio for a program that is not among the known ones."""
-        return self._ratio(self.beside(theirs), chance)
+        return self._ratio(_overlap(self._ours, self._wrong, theirs), chance)
 
     def _weigh_answers(self, weights: Sequence[float]) -> None:
         """How much each of the submission's wrong answers counts, by how many mistakes lead to the like."""

@@ -16,28 +16,33 @@ from msgspec import Struct
 from judge.mistakes.evidence import Overlap
 
 _NEARLY_ALL = 0.9  # of all wrong answers of either, that are the same in both
-_TRUE = 0.97  # of the hypothesis's wrong answers, that the submission gives; then it may fail other cases too …
+_TRUE = (
+    0.97  # of the hypothesis's wrong answers, that the submission gives; then it may fail other cases too …
+)
 _COVERED = 0.5  # … but no more than these of its own are unexplained
-_BY_CHANCE = 0.25  # of all wrong answers of either, where chance decides
+_BY_CHANCE = 0.2  # of all wrong answers of either, where chance decides
 _IN_PART = 0.6  # where it does for one of two mistakes
 
 
 class Likeness(Struct, frozen=True):
-    """The wrong answers of a submission and a hypothesis, by number: the same in both, and of each one all."""
+    """The wrong answers of a submission and a hypothesis, by number: the same in both, and of each one all.
 
-    same: float
+    Of the cases that a hypothesis leaves open it fails one half.
+    """
+
+    same: int
     ours: int
-    theirs: int
+    theirs: float
 
     @staticmethod
     def of(overlaps: Iterable[Overlap | None]) -> Likeness:
         """Over all groups."""
-        same, ours, theirs = 0.0, 0, 0
+        same, ours, theirs = 0, 0, 0.0
         for each in overlaps:
             if each is not None:
                 same += len(each.same) + each.ended
                 ours += each.failed - len(each.theirs) + len(each.ours)
-                theirs += each.failed
+                theirs += each.failed + each.open / 2
         return Likeness(same, ours, theirs)
 
     @property
@@ -47,7 +52,7 @@ class Likeness(Struct, frozen=True):
         return self.same / failed if failed else 0.0
 
     def enough(self, chances: Iterable[bool]) -> bool:
-        """Whether a mistake may be named; `chances` say for each one whether chance decides where it shows."""
+        """Whether it is enough; `chances` say of each mistake whether chance decides where it shows."""
         by_chance = list(chances)
         if any(by_chance):
             return self.share >= (_BY_CHANCE if all(by_chance) else _IN_PART)

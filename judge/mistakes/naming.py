@@ -24,7 +24,7 @@ from msgspec import Struct
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
-from judge.mistakes.evidence import Evidence, Overlap, log_sum
+from judge.mistakes.evidence import Evidence, log_sum
 from judge.mistakes.likeness import Likeness
 from judge.values import Outline, Type, Usual
 
@@ -140,22 +140,22 @@ def _alike(
     joint: Joint | None,
 ) -> bool:
     """Whether what the hypothesis does is what the submission does, case by case."""
-    overlaps: list[Overlap | None]
     one, *others = best.places
     does = joint(one, *others) if joint and len(best.names) == 2 else None
-    if not others:
-        overlaps = [each.overlap(one) for each in evidence]
-    elif len(best.names) == 1:
-        overlaps = [each.midway(one, *others) for each in evidence]
-    elif does is None:
-        overlaps = [each.both(one, *others) for each in evidence]
-    else:
-        names = [data.group.name for data in groups]
-        overlaps = [
-            each.beside(does[name]) if name in does else None
-            for each, name in zip(evidence, names, strict=True)
+    found = [Likeness.of(each.overlap(place) for each in evidence) for place in best.places]
+    if does is not None:
+        found = [
+            Likeness.of(
+                each.beside(does.get(data.group.name)) for each, data in zip(evidence, groups, strict=True)
+            )
         ]
-    return Likeness.of(overlaps).enough(known[place].chance for place in best.named)
+    elif others:
+        found.append(Likeness.of(each.both(one, *others) for each in evidence))
+        if len(best.names) == 1:
+            found.append(Likeness.of(each.midway(one, *others) for each in evidence))
+        else:
+            found = found[-1:]
+    return any(each.enough(known[place].chance for place in best.named) for each in found)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
