@@ -21,7 +21,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.mistakes.agreement import WrongAnswer, is_ended
+from judge.mistakes.agreement import Alike, WrongAnswer, is_ended
 from judge.mistakes.answers import Answers
 from judge.mistakes.packed import PackedWrong
 from judge.values import Outline, Type, Usual
@@ -173,6 +173,10 @@ class Evidence:
     def beside(self, theirs: Answers | None) -> Overlap | None:
         """The same of a program that is not among the known ones; None where nothing is known of it."""
         return _overlap(self._ours, self._wrong, theirs) if theirs else None
+
+    def agrees(self, case: int, answer: Outline) -> bool:
+        """Whether the submission gives the same wrong answer to a case."""
+        return case in self._wrong and self._wrong[case].alike(answer) is Alike.ALL
 
     def union(self, one: int, other: int) -> float:
         """The ratio for a program that fails wherever either of two known ones fails."""

@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
@@ -44,12 +45,11 @@ _PARTNERS = 10  # programs that each of them is tried with
 
 
 Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
-ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
-Joint = Callable[
-    [int, int], Behaviour | None
-]  # what a program answers that does as two known ones do, at once
+Cases = Mapping[str, Sequence[int]]  # by the group's name
+# what a program answers that does as two known ones do, at once, in all cases or some
+Joint = Callable[[int, int, Cases | None], Behaviour | None]
 
 _CHECKED = 2  # hypotheses of two mistakes whose program is run
 
@@ -74,6 +74,11 @@ class Match(Struct, frozen=True):
     score: float
     perhaps: tuple[int, ...] = ()
 
+    def at(self, places: Sequence[int]) -> Match:
+        """The same with `places` of another list for those of the one that was searched."""
+        moved = tuple(places[place] for place in self.places), tuple(places[place] for place in self.perhaps)
+        return replace(self, places=moved[0], perhaps=moved[1])
+
 
 def best_match(
     submission: Behaviour,
@@ -81,17 +86,20 @@ def best_match(
     groups: Sequence[GroupData],
     answer: Type,
     joint: Joint | None = None,
+    rights: Rights | None = None,
 ) -> Match | None:
     """What explains the submission's wrong answers, or None where nothing does well enough.
 
-    Two mistakes at once fail where either does, unless `joint` knows better.
+    Two mistakes at once fail where either does, unless `joint` knows better. `rights` are found where they
+    are not given.
     """
     if not known or not any(answers.wrong for answers in submission.values()):
         return None
-    rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
+    if rights is None:
+        rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
     usual = Usual.of(right for outlines in rights.values() for right in outlines)
     groups = [data for data in groups if data.group.name in submission]
-    evidence = _gather(submission, known, groups, rights, answer, usual)
+    evidence = gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
     if joint is not None:
         joint = cache(joint)
@@ -141,7 +149,7 @@ def _alike(
 ) -> bool:
     """Whether what the hypothesis does is what the submission does, case by case."""
     one, *others = best.places
-    does = joint(one, *others) if joint and len(best.names) == 2 else None
+    does = joint(one, others[0], None) if joint and len(best.names) == 2 else None
     found = [Likeness.of(each.overlap(place) for each in evidence) for place in best.places]
     if does is not None:
         found = [
@@ -180,7 +188,7 @@ class _Hypothesis(Struct, frozen=True):
         return self.places[: len(self.names)]
 
 
-def _gather(
+def gather(
     submission: Behaviour,
     known: Sequence[Known],
     groups: Sequence[GroupData],
@@ -188,6 +196,7 @@ def _gather(
     answer: Type,
     usual: Usual,
 ) -> list[Evidence]:
+    """The evidence of each group."""
     programs = Counter(each.name for each in known)
     weights = [1 / programs[each.name] for each in known]
     chance = [each.chance for each in known]
@@ -240,7 +249,9 @@ def _checked(
     likeliest = [each for each in found if len(each.names) == 2][:_CHECKED]
     checked = []
     for each in found:
-        does = joint(*each.places) if each in likeliest and each.total > found[0].total - _SECOND else None
+        does = (
+            joint(*each.places, None) if each in likeliest and each.total > found[0].total - _SECOND else None
+        )
         if does is not None:
             chance = any(known[place].chance for place in each.places)
             ratios = [
@@ -300,24 +311,3 @@ def _of_one_answer(
 def _wrong_by(answer: Outline, rights: Sequence[Outline]) -> dict[int, Outline]:
     """What is wrong if `answer` is given to everything."""
     return {case: answer for case, right in enumerate(rights) if right != answer}
-
-
-def twins(submission: Behaviour, known: Sequence[Known]) -> list[int]:
-    """The places of the programs that answer as the submission does, right or wrong, in all its groups."""
-    return [place for place, each in enumerate(known) if _answers_alike(submission, each.behaviour)]
-
-
-def as_match(submission: Behaviour, places: Sequence[int], known: Sequence[Known]) -> Match | None:
-    """The mistake that the twins make, if all make the same one and enough answers of it are wrong."""
-    if len({known[place].name for place in places}) != 1 or wrong_answers(submission) < ENOUGH:
-        return None
-    return Match((places[0],), 1.0, 1 - 1 / (1 + wrong_answers(submission)))
-
-
-def wrong_answers(submission: Behaviour) -> int:
-    """In how many cases it is wrong."""
-    return sum(len(answers.wrong) for answers in submission.values())
-
-
-def _answers_alike(submission: Behaviour, other: Mapping[str, object]) -> bool:
-    return all(other.get(name) == answers for name, answers in submission.items())
