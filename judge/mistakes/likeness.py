@@ -9,7 +9,7 @@ Where chance decides which cases fail, as with rounding, far less agrees.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
@@ -20,7 +20,8 @@ _TRUE = (
     0.97  # of the hypothesis's wrong answers, that the submission gives; then it may fail other cases too …
 )
 _COVERED = 0.5  # … but no more than these of its own are unexplained
-_BY_CHANCE = 0.2  # of all wrong answers of either, where chance decides
+_HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
+_BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
 _IN_PART = 0.6  # where it does for one of two mistakes
 
 
@@ -51,11 +52,12 @@ class Likeness(Struct, frozen=True):
         failed = self.ours + self.theirs - self.same
         return self.same / failed if failed else 0.0
 
-    def enough(self, chances: Iterable[bool]) -> bool:
-        """Whether it is enough; `chances` say of each mistake whether chance decides where it shows."""
-        by_chance = list(chances)
-        if any(by_chance):
-            return self.share >= (_BY_CHANCE if all(by_chance) else _IN_PART)
+    def enough(self, chances: Sequence[bool], score: float) -> bool:
+        """Whether it is enough for a name of that score; `chances` say of each one whether chance decides."""
+        if all(chances):
+            return self.share >= _HALF or (self.share >= _BY_CHANCE and score >= _SURE)
+        if any(chances):
+            return self.share >= _IN_PART
         if self.share >= _NEARLY_ALL:
             return True
         return self.same >= _TRUE * self.theirs and self.same >= _COVERED * self.ours

@@ -19,6 +19,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
+from typing import cast
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -102,7 +103,7 @@ def best_match(
     evidence = gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
     if joint is not None:
-        joint = cache(joint)
+        joint = cast("Joint", cache(joint))
         found = _checked(found, evidence, known, groups, joint)
     found = _told_apart(found, evidence)
     against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
@@ -113,7 +114,7 @@ def best_match(
         probability = math.exp(best.total - log_sum(rivals + against))
         explained = _explained(best, evidence)
         score = probability * min(1.0, explained / _EXPLAINED)
-        if score >= LEAST and _alike(best, evidence, known, groups, joint):
+        if score >= LEAST and _alike(best, score, evidence, known, groups, joint):
             return Match(best.named, explained, score, _close(best, found))
         if len(best.names) == 1:
             return None  # two mistakes may be too much to say where one of them is not
@@ -142,6 +143,7 @@ def _likeness(place: int, evidence: Sequence[Evidence]) -> float:
 
 def _alike(
     best: _Hypothesis,
+    score: float,
     evidence: Sequence[Evidence],
     known: Sequence[Known],
     groups: Sequence[GroupData],
@@ -163,7 +165,8 @@ def _alike(
             found.append(Likeness.of(each.midway(one, *others) for each in evidence))
         else:
             found = found[-1:]
-    return any(each.enough(known[place].chance for place in best.named) for each in found)
+    chances = [known[place].chance for place in best.named]
+    return any(each.enough(chances, score) for each in found)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
@@ -250,7 +253,9 @@ def _checked(
     checked = []
     for each in found:
         does = (
-            joint(*each.places, None) if each in likeliest and each.total > found[0].total - _SECOND else None
+            joint(each.places[0], each.places[1], None)
+            if each in likeliest and each.total > found[0].total - _SECOND
+            else None
         )
         if does is not None:
             chance = any(known[place].chance for place in each.places)

@@ -7,6 +7,7 @@ once are found as well, by running the program that makes both.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from itertools import islice
 
 from judge.data.model import GroupData
@@ -18,7 +19,7 @@ from judge.values import Type, Usual
 
 _SAME = 0.99  # of the wrong answers of either, that are the same in both; the rest is rounding
 _APART = 0.1  # by how much less than that those of other mistakes must be
-_NEEDED = 0.03  # by how much less than both one of two mistakes explains
+_NEEDED = 0.01  # by how much less than both one of two mistakes explains
 _MANY = 30  # wrong answers, from which on that says it all
 _TRIED = 12  # programs of two mistakes that are run on a few cases …
 _MOST = 0.8  # … most of which they have to answer as the submission does …
@@ -47,8 +48,7 @@ class Same:
         """The one mistake of a program, of those at `places`, that answers as the submission does."""
         if not places or wrong_answers(self._submission) < _MANY:
             return None
-        evidence = self._evidence(places)
-        shares = [Likeness.of(each.overlap(i) for each in evidence).share for i in range(len(places))]
+        shares = [self._share(self._known[place].behaviour) for place in places]
         most = max(shares)
         like = {
             self._known[place].name
@@ -66,12 +66,11 @@ class Same:
         """
         if not pairs or wrong_answers(self._submission) < _MANY:
             return None
-        evidence = self._evidence([])
         few = {name: sorted(answers.wrong)[:1] for name, answers in self._submission.items() if answers.wrong}
         found: dict[frozenset[str], tuple[float, tuple[int, int]]] = {}
-        likely = (pair for pair in pairs[:_TRIED] if self._agree(joint(*pair, few), evidence, few))
+        likely = (pair for pair in pairs[:_TRIED] if self._agree(joint(*pair, few), few))
         for pair in islice(likely, _RUN):
-            share = self._share(joint(*pair, None), evidence)
+            share = self._share(joint(*pair, None))
             names = frozenset(self._known[place].name for place in pair)
             if share >= _SAME and share > found.get(names, (0.0, pair))[0] and self._needed(pair, share):
                 found[names] = share, pair
@@ -82,34 +81,33 @@ class Same:
         ((_, pair),) = found.values()
         return self._match(pair)
 
-    def _agree(self, does: Behaviour | None, evidence: Sequence[Evidence], few: Cases) -> bool:
+    def _agree(self, does: Behaviour | None, few: Cases) -> bool:
         """Whether it gives the submission's wrong answers to most of a few cases."""
         if does is None:
             return False
         agreed = sum(
             each.agrees(case, answer)
-            for each, data in zip(evidence, self._groups, strict=True)
-            if data.group.name in does
-            for case, answer in does[data.group.name].wrong.items()
+            for name, each in self._evidence.items()
+            if name in does
+            for case, answer in does[name].wrong.items()
         )
         return agreed >= _MOST * sum(map(len, few.values()))
 
-    def _share(self, does: Behaviour | None, evidence: Sequence[Evidence]) -> float:
-        names = [data.group.name for data in self._groups]
-        both = zip(evidence, names, strict=True)
-        return Likeness.of(each.beside(does.get(name) if does else None) for each, name in both).share
+    def _share(self, does: Behaviour | None) -> float:
+        """Of the wrong answers of either, how many are the same in both."""
+        if does is None:
+            return 0.0
+        return Likeness.of(each.beside(does.get(name)) for name, each in self._evidence.items()).share
 
     def _needed(self, pair: Sequence[int], share: float) -> bool:
         """Whether neither program alone does nearly as well."""
-        evidence = self._evidence(pair)
-        return all(
-            Likeness.of(each.overlap(i) for each in evidence).share < share - _NEEDED for i in range(2)
-        )
+        return all(self._share(self._known[place].behaviour) < share - _NEEDED for place in pair)
 
-    def _evidence(self, places: Sequence[int]) -> list[Evidence]:
+    @cached_property
+    def _evidence(self) -> Mapping[str, Evidence]:
         usual = Usual.of(right for outlines in self._rights.values() for right in outlines)
-        known = [self._known[place] for place in places]
-        return gather(self._submission, known, self._groups, self._rights, self._answer, usual)
+        found = gather(self._submission, [], self._groups, self._rights, self._answer, usual)
+        return {data.group.name: each for data, each in zip(self._groups, found, strict=True)}
 
     def _match(self, places: tuple[int, ...]) -> Match:
         return Match(places, 1.0, 1 - 1 / (1 + wrong_answers(self._submission)))
