@@ -21,7 +21,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.mistakes.agreement import Alike, WrongAnswer, is_ended
+from judge.mistakes.agreement import WrongAnswer, is_ended
 from judge.mistakes.answers import Answers
 from judge.mistakes.packed import PackedWrong
 from judge.values import Outline, Type, Usual
@@ -77,6 +77,14 @@ class Overlap(Struct, frozen=True):
     def failed(self) -> int:
         """How many the known program fails."""
         return len(self.same) + len(self.kind) + len(self.other) + len(self.theirs)
+
+    def within(self, cases: Iterable[int]) -> Overlap:
+        """The same of some cases."""
+        only = frozenset(cases)
+        same, kind, other, ours = (part & only for part in (self.same, self.kind, self.other, self.ours))
+        return Overlap(
+            same, kind, other, ours, only.intersection(self.theirs), len(only), 0, min(self.ended, len(kind))
+        )
 
 
 def _overlap(ours: Answers, wrong: Mapping[int, WrongAnswer], theirs: Answers) -> Overlap:
@@ -173,10 +181,6 @@ class Evidence:
     def beside(self, theirs: Answers | None) -> Overlap | None:
         """The same of a program that is not among the known ones; None where nothing is known of it."""
         return _overlap(self._ours, self._wrong, theirs) if theirs else None
-
-    def agrees(self, case: int, answer: Outline) -> bool:
-        """Whether the submission gives the same wrong answer to a case."""
-        return case in self._wrong and self._wrong[case].alike(answer) is Alike.ALL
 
     def union(self, one: int, other: int) -> float:
         """The ratio for a program that fails wherever either of two known ones fails."""

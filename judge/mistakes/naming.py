@@ -52,7 +52,7 @@ Cases = Mapping[str, Sequence[int]]  # by the group's name
 # what a program answers that does as two known ones do, at once, in all cases or some
 Joint = Callable[[int, int, Cases | None], Behaviour | None]
 
-_CHECKED = 2  # hypotheses of two mistakes whose program is run
+_CHECKED = 1  # hypotheses of two mistakes whose program is run
 
 
 class Known(Struct, frozen=True):
@@ -252,11 +252,8 @@ def _checked(
     likeliest = [each for each in found if len(each.names) == 2][:_CHECKED]
     checked = []
     for each in found:
-        does = (
-            joint(each.places[0], each.places[1], None)
-            if each in likeliest and each.total > found[0].total - _SECOND
-            else None
-        )
+        near = joint if each in likeliest and each.total > found[0].total - _SECOND else None
+        does = near(each.places[0], each.places[1], None) if near else None
         if does is not None:
             chance = any(known[place].chance for place in each.places)
             ratios = [

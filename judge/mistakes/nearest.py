@@ -16,10 +16,10 @@ from judge.mistakes.naming import Known
 
 _LIKE = 0.45  # of the cases that either fails, that both fail, for a program to be worth comparing
 _BY_CHANCE = 0.2  # the same where chance decides which cases fail
-_SINGLES = 60  # that are kept at most, the likeliest
+_SINGLES = 36  # that are kept at most, the likeliest
 _SAME = 0.98  # the same for a program that may answer as the submission does everywhere
 _PAIR = 0.7  # the same for two programs together
-_PAIRS = 30  # that are kept at most, the likeliest
+_PAIRS = 16  # that are kept at most, the likeliest
 _WITHIN = 0.6  # of a program's failures, that are the submission's as well, for it to be one of two
 
 

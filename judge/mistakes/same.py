@@ -21,9 +21,10 @@ _SAME = 0.99  # of the wrong answers of either, that are the same in both; the r
 _APART = 0.1  # by how much less than that those of other mistakes must be
 _NEEDED = 0.01  # by how much less than both one of two mistakes explains
 _MANY = 30  # wrong answers, from which on that says it all
-_TRIED = 12  # programs of two mistakes that are run on a few cases …
+_TRIED = 8  # programs of two mistakes that are run on a few cases …
 _MOST = 0.8  # … most of which they have to answer as the submission does …
-_RUN = 2  # … before so many of them are run on all
+_RUN = 2  # … before so many of them are run on more, at most as many as these of each group
+_SOME = 8
 ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
@@ -66,13 +67,17 @@ class Same:
         """
         if not pairs or wrong_answers(self._submission) < _MANY:
             return None
-        few = {name: sorted(answers.wrong)[:1] for name, answers in self._submission.items() if answers.wrong}
+        few, some = self._cases(1), self._cases(_SOME)
         found: dict[frozenset[str], tuple[float, tuple[int, int]]] = {}
-        likely = (pair for pair in pairs[:_TRIED] if self._agree(joint(*pair, few), few))
+        likely = (pair for pair in pairs[:_TRIED] if self._share(joint(*pair, few), few) >= _MOST)
         for pair in islice(likely, _RUN):
-            share = self._share(joint(*pair, None))
+            share = self._share(joint(*pair, some), some)
             names = frozenset(self._known[place].name for place in pair)
-            if share >= _SAME and share > found.get(names, (0.0, pair))[0] and self._needed(pair, share):
+            if (
+                share >= _SAME
+                and share > found.get(names, (0.0, pair))[0]
+                and self._needed(pair, some, share)
+            ):
                 found[names] = share, pair
             if share == 1.0:
                 break
@@ -81,27 +86,30 @@ class Same:
         ((_, pair),) = found.values()
         return self._match(pair)
 
-    def _agree(self, does: Behaviour | None, few: Cases) -> bool:
-        """Whether it gives the submission's wrong answers to most of a few cases."""
-        if does is None:
-            return False
-        agreed = sum(
-            each.agrees(case, answer)
-            for name, each in self._evidence.items()
-            if name in does
-            for case, answer in does[name].wrong.items()
-        )
-        return agreed >= _MOST * sum(map(len, few.values()))
+    def _cases(self, count: int) -> Cases:
+        """Some cases of each group: of those that fail, and as many that may pass, evenly from all of it."""
+        found = {}
+        for data in self._groups:
+            wrong, size = sorted(self._submission[data.group.name].wrong), len(data.cases)
+            chosen = {*wrong[:: len(wrong) // count + 1]}
+            if wrong and count > 1:
+                chosen |= {*range(0, size, size // count + 1)}
+            found[data.group.name] = sorted(chosen)
+        return found
 
-    def _share(self, does: Behaviour | None) -> float:
-        """Of the wrong answers of either, how many are the same in both."""
+    def _share(self, does: Behaviour | None, only: Cases | None = None) -> float:
+        """Of the wrong answers of either, how many are the same in both; in all cases, or in some."""
         if does is None:
             return 0.0
-        return Likeness.of(each.beside(does.get(name)) for name, each in self._evidence.items()).share
+        overlaps = []
+        for name, each in self._evidence.items():
+            beside = each.beside(does.get(name))
+            overlaps.append(beside.within(only[name]) if only is not None and beside else beside)
+        return Likeness.of(overlaps).share
 
-    def _needed(self, pair: Sequence[int], share: float) -> bool:
+    def _needed(self, pair: Sequence[int], some: Cases, share: float) -> bool:
         """Whether neither program alone does nearly as well."""
-        return all(self._share(self._known[place].behaviour) < share - _NEEDED for place in pair)
+        return all(self._share(self._known[place].behaviour, some) < share - _NEEDED for place in pair)
 
     @cached_property
     def _evidence(self) -> Mapping[str, Evidence]:
