@@ -116,7 +116,7 @@ def line_count(cx, cy, r, A, B):
     if A == B:
         return None
     twice = abs((A[0] - cx) * (B[1] - A[1]) - (A[1] - cy) * (B[0] - A[0]))
-    slack = max(r, *(abs(A[i] - c) for i, c in enumerate((cx, cy))), *(abs(B[i] - c) for i, c in enumerate((cx, cy))))
+    slack = max(r, *(abs(point[i] - c) for point in (A, B) for i, c in enumerate((cx, cy))))
     margin = twice / dist(A, B) - r
     if -1e-10 * slack <= margin <= 1e-10 * slack:
         return 1
