@@ -73,9 +73,14 @@ class WrongAnswer:
         return kind_of(given, self._right, self._answer, self._usual)
 
 
+def is_ended(given: Outline) -> bool:
+    """Whether there is an exception, or an early end, in place of an answer."""
+    return given[0].startswith(("raised ", "stopped "))
+
+
 def kind_of(given: Outline, right: Outline, answer: Type, usual: Usual) -> str:
     """What kind of wrong answer one is."""
-    if given[0].startswith(("raised ", "stopped ")):
+    if is_ended(given):
         return _ENDED
     return answer.kind(given, right, usual)
 

@@ -21,7 +21,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.mistakes.agreement import WrongAnswer
+from judge.mistakes.agreement import WrongAnswer, is_ended
 from judge.mistakes.answers import Answers
 from judge.mistakes.packed import PackedWrong
 from judge.values import Outline, Type, Usual
@@ -71,11 +71,20 @@ class Overlap(Struct, frozen=True):
     theirs: Collection[int]  # only the known program is
     size: int
     open: int = 0  # cases in which either would fit
+    ended: int = 0  # of `kind`, how often both end by an exception
 
     @property
     def failed(self) -> int:
         """How many the known program fails."""
         return len(self.same) + len(self.kind) + len(self.other) + len(self.theirs)
+
+    def within(self, cases: Iterable[int]) -> Overlap:
+        """The same of some cases."""
+        only = frozenset(cases)
+        same, kind, other, ours = (part & only for part in (self.same, self.kind, self.other, self.ours))
+        return Overlap(
+            same, kind, other, ours, only.intersection(self.theirs), len(only), 0, min(self.ended, len(kind))
+        )
 
 
 def _overlap(ours: Answers, wrong: Mapping[int, WrongAnswer], theirs: Answers) -> Overlap:
@@ -102,7 +111,8 @@ def _overlap(ours: Answers, wrong: Mapping[int, WrongAnswer], theirs: Answers) -
         for case in both:
             found[wrong[case].alike(others[case])].append(case)
     other, kind, same = map(frozenset, found)
-    return Overlap(same, kind, other, frozenset(mine), frozenset(yours), size)
+    ended = sum(is_ended(ours.wrong[case]) and is_ended(others[case]) for case in kind)
+    return Overlap(same, kind, other, frozenset(mine), frozenset(yours), size, 0, ended)
 
 
 _NONE: frozenset[int] = frozenset()
@@ -153,24 +163,37 @@ class Evidence:
         """The cases by what the submission and one known program answered."""
         return self._overlaps[place]
 
+    def both(self, one: int, other: int) -> Overlap | None:
+        """The same of a program that fails wherever either of two known ones fails."""
+        first, second = self._overlaps[one], self._overlaps[other]
+        if not first or not second:
+            return None
+        return _joined(first, second, frozenset(first.theirs) | frozenset(second.theirs), 0)
+
+    def midway(self, one: int, other: int) -> Overlap | None:
+        """The same of a program that fails where both known ones fail, and may where one of them does."""
+        first, second = self._overlaps[one], self._overlaps[other]
+        if not first or not second:
+            return None
+        undecided = len(first.ours ^ second.ours) + len(frozenset(first.theirs) ^ frozenset(second.theirs))
+        return _joined(first, second, frozenset(first.theirs) & frozenset(second.theirs), undecided)
+
+    def beside(self, theirs: Answers | None) -> Overlap | None:
+        """The same of a program that is not among the known ones; None where nothing is known of it."""
+        return _overlap(self._ours, self._wrong, theirs) if theirs else None
+
     def union(self, one: int, other: int) -> float:
         """The ratio for a program that fails wherever either of two known ones fails."""
         first, second = self._overlaps[one], self._overlaps[other]
-        if not first or not second:
-            return 0.0
-        if not first.failed or not second.failed:
+        if first and second and not (first.failed and second.failed):
             return self.ratios[one if first.failed else other]
-        theirs = frozenset(first.theirs) | frozenset(second.theirs)
-        return self._ratio(_joined(first, second, theirs, 0), self._chance[one] or self._chance[other])
+        found = self.both(one, other)
+        return self._ratio(found, self._chance[one] or self._chance[other]) if found else 0.0
 
     def between(self, one: int, other: int) -> float:
         """The ratio for a program that fails where both known ones fail, and may where one of them does."""
-        first, second = self._overlaps[one], self._overlaps[other]
-        if not first or not second:
-            return 0.0
-        undecided = len(first.ours ^ second.ours) + len(frozenset(first.theirs) ^ frozenset(second.theirs))
-        theirs = frozenset(first.theirs) & frozenset(second.theirs)
-        return self._ratio(_joined(first, second, theirs, undecided), self._chance[one])
+        found = self.midway(one, other)
+        return self._ratio(found, self._chance[one]) if found else 0.0
 
     def against(self, theirs: Answers, chance: bool = True) -> float:
         """The ratio for a program that is not among the known ones."""
@@ -280,4 +303,5 @@ def _joined(one: Overlap, other: Overlap, theirs: frozenset[int], undecided: int
     same = one.same | other.same
     kind = (one.kind | other.kind) - same
     unlike = (one.other | other.other) - same - kind
-    return Overlap(same, kind, unlike, one.ours & other.ours, theirs, min(one.size, other.size), undecided)
+    ours, size, ended = one.ours & other.ours, min(one.size, other.size), max(one.ended, other.ended)
+    return Overlap(same, kind, unlike, ours, theirs, size, undecided, ended)

@@ -12,7 +12,6 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 
 from judge.data.model import ProblemData
-from judge.mistakes.rights import right_outlines
 from judge.run.result import Pitfall, Result
 from judge.values import Outline
 from judge.values.likeness import only_digits
@@ -47,8 +46,13 @@ class Form(Struct, frozen=True):
     faulty: bool = False
 
 
-def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
-    """Look at the forms of a result's wrong answers; `has` are the features of its syntax tree."""
+def of_form(
+    result: Result, data: ProblemData, has: frozenset[str], rights: Mapping[str, Sequence[Outline]]
+) -> Form:
+    """Look at the forms of a result's wrong answers.
+
+    `has` are the features of its syntax tree, `rights` the outlines of all right answers by group.
+    """
     problem = data.problem
     given = [outline for group in result.groups for outline in group.wrong.values()]
     forms = Counter(outline[0] for outline in given)
@@ -62,11 +66,11 @@ def of_form(result: Result, data: ProblemData, has: frozenset[str]) -> Form:
         item = getattr(problem.answer, "one", "item")
         advice = f"A single {item} is returned as it is. Return a list, also where it has one {item} only."
         return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
-    constant = _constant(result, data, forms)
+    constant = _constant(result, rights, forms)
     if constant:
         advice = f"{constant} is the answer to every case. Nothing of the input decides it."
         return Form(Pitfall(("one-answer",), 1.0, (advice,)))
-    right = {_kind(form) for outlines in right_outlines(data).values() for form, _ in outlines}
+    right = {_kind(form) for outlines in rights.values() for form, _ in outlines}
     odd = sum(count for form, count in forms.items() if _is_odd(form) and _kind(form) not in right)
     return Form(faulty=odd >= _MOST * len(given))
 
@@ -90,13 +94,12 @@ def _bare(result: Result, data: ProblemData) -> int:
     )
 
 
-def _constant(result: Result, data: ProblemData, forms: Counter[str]) -> str:
+def _constant(result: Result, rights: Mapping[str, Sequence[Outline]], forms: Counter[str]) -> str:
     """The one answer that all cases get, as far as they show; empty where there are several."""
     given = {outline for group in result.groups for outline in group.wrong.values()}
     if len(given) != 1 or any(form.startswith(("raised ", "stopped ")) for form in forms):
         return ""
     (answer,) = given
-    rights = right_outlines(data)
     passed = [
         rights[group.name][case] == answer
         for group in result.groups

@@ -6,6 +6,7 @@ import gc
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from functools import cached_property
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -16,12 +17,16 @@ from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Program, Progress, computed
 from judge.mistakes.makers import Maker, Makers, distinct, read_makers
-from judge.mistakes.naming import Joint, Known, Match, as_match, best_match, twins, wrong_answers
+from judge.mistakes.naming import Cases, Joint, Known, Match, best_match
+from judge.mistakes.nearest import nearest
+from judge.mistakes.rights import right_outlines
+from judge.mistakes.same import Same, as_match, twins, wrong_answers
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import GroupResult, Pitfall, Result
 from judge.run.settings import Settings
+from judge.values import Outline
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 
@@ -75,7 +80,7 @@ class Namer:
 
     def _named(self, result: Result, source: bytes, alone: Alone) -> Result:
         has = features(source)
-        found = of_form(result, self._data, has)
+        found = of_form(result, self._data, has, self._rights)
         if found.pitfall is not None:
             return replace(result, pitfall=found.pitfall)
         ready, does = self._ready(), behaviour(result)
@@ -84,17 +89,36 @@ class Namer:
             place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
         ]
         makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
-        data = self._data
-        match = best_match(does, known, data.groups, data.problem.answer, self._joint(ready.read, makers))
-        alike: Sequence[int] = ()
+        match, alike = self._match(ready.read, makers, known, does)
         if match is None:
-            alike = [place for place in twins(does, known) if vetoes.lasting(makers[place].words)]
+            alike = [place for place in alike if vetoes.lasting(makers[place].words)]
             match = as_match(does, alike, known)
         if match is None:
             return result.noting(_why_not(does, [makers[place] for place in alike])) if alike else result
         if not all(vetoes.lasting(makers[place].words) for place in match.places):
             return result
         return replace(result, pitfall=_pitfall(match, makers))
+
+    def _match(
+        self, read: Makers, makers: Sequence[Maker], known: Sequence[Known], does: Behaviour
+    ) -> tuple[Match | None, Sequence[int]]:
+        """What explains the submission, or else the programs that answer just as it does."""
+        data, rights = self._data, self._rights
+        near = nearest(does, known, data.groups)
+        same = Same(does, known, data.groups, data.problem.answer, rights)
+        joint = self._joint(read, makers)
+        match = same.one(near.same) or (joint and same.two(near.pairs, joint))
+        if match is None:
+            worth = near.worth
+            joint = self._joint(read, [makers[place] for place in worth])
+            few = [known[place] for place in worth]
+            match = best_match(does, few, data.groups, data.problem.answer, joint, rights)
+            match = match and match.at(worth)
+        return match, () if match else twins(does, known)
+
+    @cached_property
+    def _rights(self) -> Mapping[str, Sequence[Outline]]:
+        return right_outlines(self._data)
 
     def matrix(self) -> Matrix:
         """Which group rejects which known mistake. Raises JudgeError where no program can be judged."""
@@ -114,12 +138,12 @@ class Namer:
         if family is None:
             return None
 
-        def joint(one: int, other: int) -> Behaviour | None:
+        def joint(one: int, other: int, only: Cases | None) -> Behaviour | None:
             first, second = makers[one].choice, makers[other].choice
             both = family.together(first, second) if first and second else None
             if both is None:
                 return None
-            return computed(self._data, Program(family.program(both).encode(), makers[one].file))
+            return computed(self._data, Program(family.program(both).encode(), makers[one].file), only)
 
         return joint
 

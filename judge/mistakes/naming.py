@@ -18,12 +18,16 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from typing import cast
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence, log_sum
+from judge.mistakes.likeness import Likeness
 from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named
@@ -42,14 +46,13 @@ _PARTNERS = 10  # programs that each of them is tried with
 
 
 Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
-ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
-Joint = Callable[
-    [int, int], Behaviour | None
-]  # what a program answers that does as two known ones do, at once
+Cases = Mapping[str, Sequence[int]]  # by the group's name
+# what a program answers that does as two known ones do, at once, in all cases or some
+Joint = Callable[[int, int, Cases | None], Behaviour | None]
 
-_CHECKED = 2  # hypotheses of two mistakes whose program is run
+_CHECKED = 1  # hypotheses of two mistakes whose program is run
 
 
 class Known(Struct, frozen=True):
@@ -72,6 +75,11 @@ class Match(Struct, frozen=True):
     score: float
     perhaps: tuple[int, ...] = ()
 
+    def at(self, places: Sequence[int]) -> Match:
+        """The same with `places` of another list for those of the one that was searched."""
+        moved = tuple(places[place] for place in self.places), tuple(places[place] for place in self.perhaps)
+        return replace(self, places=moved[0], perhaps=moved[1])
+
 
 def best_match(
     submission: Behaviour,
@@ -79,19 +87,23 @@ def best_match(
     groups: Sequence[GroupData],
     answer: Type,
     joint: Joint | None = None,
+    rights: Rights | None = None,
 ) -> Match | None:
     """What explains the submission's wrong answers, or None where nothing does well enough.
 
-    Two mistakes at once fail where either does, unless `joint` knows better.
+    Two mistakes at once fail where either does, unless `joint` knows better. `rights` are found where they
+    are not given.
     """
     if not known or not any(answers.wrong for answers in submission.values()):
         return None
-    rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
+    if rights is None:
+        rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
     usual = Usual.of(right for outlines in rights.values() for right in outlines)
     groups = [data for data in groups if data.group.name in submission]
-    evidence = _gather(submission, known, groups, rights, answer, usual)
+    evidence = gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
     if joint is not None:
+        joint = cast("Joint", cache(joint))
         found = _checked(found, evidence, known, groups, joint)
     found = _told_apart(found, evidence)
     against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
@@ -102,7 +114,7 @@ def best_match(
         probability = math.exp(best.total - log_sum(rivals + against))
         explained = _explained(best, evidence)
         score = probability * min(1.0, explained / _EXPLAINED)
-        if score >= LEAST:
+        if score >= LEAST and _alike(best, score, evidence, known, groups, joint):
             return Match(best.named, explained, score, _close(best, found))
         if len(best.names) == 1:
             return None  # two mistakes may be too much to say where one of them is not
@@ -126,10 +138,35 @@ def _told_apart(found: list[_Hypothesis], evidence: Sequence[Evidence]) -> list[
 
 def _likeness(place: int, evidence: Sequence[Evidence]) -> float:
     """Of the cases that either fails, the share in which both give the same wrong answer."""
-    overlaps = [each.overlap(place) for each in evidence]
-    same = sum(len(each.same) for each in overlaps if each)
-    failed = sum(each.failed + len(each.ours) for each in overlaps if each)
-    return same / failed if failed else 0.0
+    return Likeness.of(each.overlap(place) for each in evidence).share
+
+
+def _alike(
+    best: _Hypothesis,
+    score: float,
+    evidence: Sequence[Evidence],
+    known: Sequence[Known],
+    groups: Sequence[GroupData],
+    joint: Joint | None,
+) -> bool:
+    """Whether what the hypothesis does is what the submission does, case by case."""
+    one, *others = best.places
+    does = joint(one, others[0], None) if joint and len(best.names) == 2 else None
+    found = [Likeness.of(each.overlap(place) for each in evidence) for place in best.places]
+    if does is not None:
+        found = [
+            Likeness.of(
+                each.beside(does.get(data.group.name)) for each, data in zip(evidence, groups, strict=True)
+            )
+        ]
+    elif others:
+        found.append(Likeness.of(each.both(one, *others) for each in evidence))
+        if len(best.names) == 1:
+            found.append(Likeness.of(each.midway(one, *others) for each in evidence))
+        else:
+            found = found[-1:]
+    chances = [known[place].chance for place in best.named]
+    return any(each.enough(chances, score) for each in found)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
@@ -154,7 +191,7 @@ class _Hypothesis(Struct, frozen=True):
         return self.places[: len(self.names)]
 
 
-def _gather(
+def gather(
     submission: Behaviour,
     known: Sequence[Known],
     groups: Sequence[GroupData],
@@ -162,6 +199,7 @@ def _gather(
     answer: Type,
     usual: Usual,
 ) -> list[Evidence]:
+    """The evidence of each group."""
     programs = Counter(each.name for each in known)
     weights = [1 / programs[each.name] for each in known]
     chance = [each.chance for each in known]
@@ -214,7 +252,8 @@ def _checked(
     likeliest = [each for each in found if len(each.names) == 2][:_CHECKED]
     checked = []
     for each in found:
-        does = joint(*each.places) if each in likeliest and each.total > found[0].total - _SECOND else None
+        near = joint if each in likeliest and each.total > found[0].total - _SECOND else None
+        does = near(each.places[0], each.places[1], None) if near else None
         if does is not None:
             chance = any(known[place].chance for place in each.places)
             ratios = [
@@ -274,24 +313,3 @@ def _of_one_answer(
 def _wrong_by(answer: Outline, rights: Sequence[Outline]) -> dict[int, Outline]:
     """What is wrong if `answer` is given to everything."""
     return {case: answer for case, right in enumerate(rights) if right != answer}
-
-
-def twins(submission: Behaviour, known: Sequence[Known]) -> list[int]:
-    """The places of the programs that answer as the submission does, right or wrong, in all its groups."""
-    return [place for place, each in enumerate(known) if _answers_alike(submission, each.behaviour)]
-
-
-def as_match(submission: Behaviour, places: Sequence[int], known: Sequence[Known]) -> Match | None:
-    """The mistake that the twins make, if all make the same one and enough answers of it are wrong."""
-    if len({known[place].name for place in places}) != 1 or wrong_answers(submission) < ENOUGH:
-        return None
-    return Match((places[0],), 1.0, 1 - 1 / (1 + wrong_answers(submission)))
-
-
-def wrong_answers(submission: Behaviour) -> int:
-    """In how many cases it is wrong."""
-    return sum(len(answers.wrong) for answers in submission.values())
-
-
-def _answers_alike(submission: Behaviour, other: Mapping[str, object]) -> bool:
-    return all(other.get(name) == answers for name, answers in submission.items())

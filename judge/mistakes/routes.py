@@ -64,17 +64,18 @@ class Change(Struct, frozen=True):
 
 
 class Route(Struct, frozen=True):
-    """One way through the problem; `mistake` is empty for a right one."""
+    """One way through the problem; `mistake` is empty for a right one, `code` has None for lines of marks."""
 
     name: str
     mistake: str
     text: str
     lines: tuple[str, ...]
     changes: tuple[Change, ...]
+    code: tuple[str | None, ...]
 
     def source(self, changes: Iterable[Change] = ()) -> str:
         """The function's text with these changes, which do not clash, and without marks."""
-        lines: list[str | None] = [None if _MARK.match(line) else line for line in self.lines]
+        lines = list(self.code)
         pieces = sorted((piece for each in changes for piece in each.pieces), key=lambda p: (p.start, p.end))
         for piece in reversed(pieces):
             lines[piece.start : piece.end] = piece.lines
@@ -145,7 +146,8 @@ class _Reader:
         name, _, text = doc.partition("\n")
         changes = tuple(change for marks in self._grouped() for change in _filled(marks))
         mistake = "" if name.strip() == RIGHT else name.strip().rstrip(".")
-        return Route(self._node.name, mistake, " ".join(text.split()), tuple(self._lines), changes)
+        code = tuple(None if _MARK.match(line) else line for line in self._lines)
+        return Route(self._node.name, mistake, " ".join(text.split()), tuple(self._lines), changes, code)
 
     def _grouped(self) -> Iterator[list[_Mark]]:
         """Those of one name and tag together, in the order of their first line."""

@@ -74,6 +74,9 @@ def distance(cx, cy, r, A, B):
     # = near = 1e-9 * extent
     # ? single-precision@wide: near = 4e-7 * extent
     # ? absolute-epsilon: near = {1e-15..1e-2/3}
+    # ? absolute-epsilon@short: near = {1e-12..1e-6/3}
+    # : Tangencies are compared within a fixed number, and two points within it are taken for one. Measure the
+    # : epsilon by the extent of the case; only A == B is one point.
     # ? tight-epsilon: near = {1e-16..1e-13} * extent
     # ? tight-epsilon: near = 2.220446049250313e-16 * extent
     # ? loose-epsilon: near = {1e-6..1e-1/2} * extent
@@ -85,6 +88,7 @@ def distance(cx, cy, r, A, B):
     # ? point-for-direction: dx, dy = B
     # ? point-for-direction: dx, dy = bx, by
     length = hypot(dx, dy)
+    # ? shifted-direction@cross: length = hypot(bx - ax, by - ay)
     # + zero-radius: if r == 0: return 0
     # + zero-radius: if r == 0: return 1
     # : For a radius of 0 the answer is 1, wherever the line is. The circle is its centre then: the line may
@@ -117,9 +121,15 @@ def distance(cx, cy, r, A, B):
     # ? no-degenerate: pass
     # : The direction is divided by its length before anybody has asked whether it has one: for A == B that
     # : is a division by zero. There is no line then; return None before anything else.
+    # ? absolute-epsilon@short: if length <= {1e-12..1e-6/3}: return None
+    # ? shifted-direction@cross: if dx == 0 == dy: return None
     # + degenerate-epsilon: if length <= {1e-16..1e-3/3}: return None
     # + degenerate-epsilon: if length <= {1e-10..1e-6/2} * extent: return None
     k = dx * ay - dy * ax
+    # ? shifted-direction@cross: k = ax * by - ay * bx
+    # : The cross product and the length are taken from coordinates that the centre has been subtracted from:
+    # : where A and B are very close together nothing is left of the direction, and the length may be 0. Take
+    # : it from the points as they are given, B − A.
     # ? swapped-coordinates: k = dx * ax + dy * ay
     # : The dot product of B − A and A − C is divided by the length, which gives how far along the line the
     # : foot is and not how far away the line. The cross product is dx·fy − dy·fx.
@@ -129,6 +139,7 @@ def distance(cx, cy, r, A, B):
     # ? overflow-32: k = wrap(dx * ay - dy * ax, 32)
     d = abs(k) / length
     # ? forgotten-abs: d = k / length
+    # ? forgotten-abs: d = -k / length
     # ? equality-tangency@f: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(-(ax * dx + ay * dy) / length ** 2)
     # : The foot of the perpendicular is computed, and its distance from the centre compared with the radius
     # : by ==. After so many roundings it is hardly ever the same double. Compare within a small fraction of

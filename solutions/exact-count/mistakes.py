@@ -186,6 +186,8 @@ def exact(cx, cy, r, A, B):
     # ? sqrt-of-negative: return 1 if disc == 0 else 2
     # : The absolute value is taken under the root, "to be safe", and a miss gets two points as well. Only
     # : the sign is needed, and no root at all.
+    # ? swapped-answers: return 0 if disc > 0 else 1 if disc == 0 else 2
+    # ? boolean-answer: return disc >= 0
     # ? whole-root: return 1 if disc == 0 else 2 if disc > 0 and isqrt(disc) ** 2 == disc else 0
     return 1 if disc == 0 else 2
 

@@ -140,6 +140,7 @@ def quadratic(cx, cy, r, O, D):
     d = abs(k) / length
     # ? cancellation: d = sqrt(max(0.0, fx * fx + fy * fy - b * b / a))
     # ? forgotten-abs: d = k / length
+    # ? forgotten-abs: d = -k / length
     # ? direction-not-normalised: d = abs(k)
     # ? direction-not-normalised@unit: d = abs(k)
     # ? global-frame: d = abs((dx / length * O[1] - dy / length * O[0]) - (dx / length * cy - dy / length * cx))

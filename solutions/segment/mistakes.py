@@ -143,6 +143,7 @@ def geometric(cx, cy, r, A, B):
     # : away. The cross product gives it without a difference: |D × f| / |D|.
     # ? global-frame: d = abs(ux * A[1] - uy * A[0] - (ux * cy - uy * cx))
     # ? forgotten-abs: d = side
+    # ? forgotten-abs: d = -side
     m = -(ux * ax + uy * ay)
     # ? foot-sign: m = ux * ax + uy * ay
     where = 1 if d > r + touch else 0 if d >= r - touch else -1

@@ -10,7 +10,8 @@ import pytest
 
 from judge.judging import Session, Terms
 from judge.mistakes.answers import Answers
-from judge.mistakes.naming import ENOUGH, Known, as_match, twins
+from judge.mistakes.naming import Known
+from judge.mistakes.same import ENOUGH, as_match, twins
 from judge.problem.find import find_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"

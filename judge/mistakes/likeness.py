@@ -1,0 +1,63 @@
+"""How alike a submission and a hypothesis are over all cases: what best explains need not be what is there.
+
+Evidence is relative: the least bad of the known mistakes wins where none fits. What a mistake does is known
+case by case, though, so that a program that makes it fails nearly the same cases with the same answers. One
+that fails many others, or passes many of them, does something else, and nothing is said of it.
+
+Where chance decides which cases fail, as with rounding, far less agrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from msgspec import Struct
+
+from judge.mistakes.evidence import Overlap
+
+_NEARLY_ALL = 0.9  # of all wrong answers of either, that are the same in both
+_TRUE = (
+    0.97  # of the hypothesis's wrong answers, that the submission gives; then it may fail other cases too …
+)
+_COVERED = 0.5  # … but no more than these of its own are unexplained
+_HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
+_BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
+_IN_PART = 0.6  # where it does for one of two mistakes
+
+
+class Likeness(Struct, frozen=True):
+    """The wrong answers of a submission and a hypothesis, by number: the same in both, and of each one all.
+
+    Of the cases that a hypothesis leaves open it fails one half.
+    """
+
+    same: int
+    ours: int
+    theirs: float
+
+    @staticmethod
+    def of(overlaps: Iterable[Overlap | None]) -> Likeness:
+        """Over all groups."""
+        same, ours, theirs = 0, 0, 0.0
+        for each in overlaps:
+            if each is not None:
+                same += len(each.same) + each.ended
+                ours += each.failed - len(each.theirs) + len(each.ours)
+                theirs += each.failed + each.open / 2
+        return Likeness(same, ours, theirs)
+
+    @property
+    def share(self) -> float:
+        """How much of what either fails both fail alike: 1 if they answer the same everywhere."""
+        failed = self.ours + self.theirs - self.same
+        return self.same / failed if failed else 0.0
+
+    def enough(self, chances: Sequence[bool], score: float) -> bool:
+        """Whether it is enough for a name of that score; `chances` say of each one whether chance decides."""
+        if all(chances):
+            return self.share >= _HALF or (self.share >= _BY_CHANCE and score >= _SURE)
+        if any(chances):
+            return self.share >= _IN_PART
+        if self.share >= _NEARLY_ALL:
+            return True
+        return self.same >= _TRUE * self.theirs and self.same >= _COVERED * self.ours
