@@ -127,7 +127,14 @@ def _result(
         failing.verdict if failing else Verdict.AC,
         tuple(run.result() for run in runs),
         runner.explained(failing.failure) if failing and failing.failure else None,
-        Timing(usage.cpu_seconds, usage.wall_seconds, decision.ratio, _close(timing), growth),
+        Timing(
+            usage.cpu_seconds,
+            usage.wall_seconds,
+            decision.ratio,
+            _close(timing),
+            growth,
+            decision.imported,
+        ),
         usage.memory_bytes,
         isolation,
     )
