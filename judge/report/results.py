@@ -227,7 +227,9 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
         passed, cases = _cases(result)
         parts += [f"on {result.partial} only"] if result.partial else []
         parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
-        parts += [f"{seconds(result.time.cpu_seconds)} CPU", size(result.memory_bytes)]
+        imported = result.time.import_seconds if result.time.import_tells else 0.0
+        at_import = f", {seconds(imported)} of it at import" if imported else ""
+        parts += [f"{seconds(result.time.cpu_seconds)} CPU{at_import}", size(result.memory_bytes)]
         if result.time.ratio:
             parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
         if result.time.growth and result.verdict is Verdict.AC:

@@ -37,6 +37,17 @@ class FunctionRunner(Struct, frozen=True):
         calls = [self.problem.calls(cases) for cases in series]
         return [_replies(each) for each in box.call_series(self.problem.entry, calls, limits, on_series)]
 
+    def timed(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """One series of calls between two without any: the module's import, and the end of the process.
+
+        That end takes time too where a large table is given back.
+        """
+        calls: list[Sequence[Any]] = [[], self.problem.calls(cases), []]
+        imported, *called = box.call_series(self.problem.entry, calls, limits)
+        if not called:  # it never came so far, or nothing is to be called
+            return _replies(imported)
+        return _replies(called[0])._replace(imported=imported.usage)
+
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
         """Compares a value that a call returned."""

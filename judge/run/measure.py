@@ -5,6 +5,8 @@ from __future__ import annotations
 import marshal
 from collections.abc import Sequence
 
+from msgspec.structs import replace
+
 from judge.errors import JudgeError
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
@@ -25,8 +27,10 @@ _AGAIN = "when it was run again to be timed"
 class Duel:
     """A submission and the reference on the cases of some groups, turn by turn.
 
-    A turn is one series of calls, or one program. The submission's answers are compared in every turn: one
-    that answers otherwise than before, or not to the end, is no longer accepted, and its group says why.
+    A turn is one series of calls, or one program. What a module does when it is imported is the same for all
+    cases: it is measured apart, and has no part in the ratio. The submission's answers are compared in every
+    turn: one that answers otherwise than before, or not to the end, is no longer accepted, and its group says
+    why.
     """
 
     def __init__(
@@ -51,13 +55,17 @@ class Duel:
             wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
         )
         self._taken = Usage()
+        self.imported = 0.0  # CPU seconds that the submission's import took, the least of all turns
         self._accepted: bytes | None = None  # the answers that were compared last
 
     def mine(self) -> float | None:
         """The submission's turn in CPU seconds; None where it is no longer accepted."""
         within = self._budget.within(self._tighter)
-        replies = self._budget.booked(self._runner.answers(self._submission, self._cases, within))
-        self._taken += replies.usage
+        replies = self._budget.booked(self._runner.timed(self._submission, self._cases, within))
+        first = self._taken == Usage()
+        spent = replies.imported.cpu_seconds
+        self.imported = spent if first else min(self.imported, spent)
+        self._taken += replies.usage + replies.imported
         given = _exactly(replies)
         if (given is None or given != self._accepted) and not _as_before(self._runner, replies, self._places):
             return None
@@ -66,7 +74,7 @@ class Duel:
 
     def theirs(self) -> float | None:
         """The reference's turn. Raises JudgeError where it does not come to the end of the cases."""
-        replies = self._runner.answers(self._rival, self._cases, self._limits)
+        replies = self._runner.timed(self._rival, self._cases, self._limits)
         if replies.trouble:
             raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
         return replies.usage.cpu_seconds
@@ -100,8 +108,8 @@ def measure(
     duel = Duel(runner, runs, submission, rival, track, budget)
     decision = race(duel.mine, duel.theirs, time_limit(problem, runs), duel.goes_on, track.pace)
     if any(run.verdict is not Verdict.AC for run in runs):
-        return Decision(decision.ratio)
-    return decision
+        decision = Decision(decision.ratio)
+    return replace(decision, imported=duel.imported)
 
 
 def track_of(reference: Reference, runner: Runner, runs: Sequence[GroupRun]) -> Track:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from judge.values import Outline, Raw
 
 SCHEMA = 1
+_IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 
 
 class Mode(Enum):
@@ -182,7 +183,8 @@ class Growth(Struct, frozen=True):
 class Timing(Struct, frozen=True):
     """What a submission used in all its groups; `borderline` says the time limit was a close call.
 
-    `growth` is there, and in the JSON, only where the problem has a rule of growth.
+    `growth` is there, and in the JSON, only where the problem has a rule of growth. `import_seconds` is the
+    CPU time of a function's import, which `ratio` leaves out; in the JSON where it is worth a word.
     """
 
     cpu_seconds: float = 0.0
@@ -190,6 +192,12 @@ class Timing(Struct, frozen=True):
     ratio: Ratio | None = None
     borderline: bool = False
     growth: Growth | None = None
+    import_seconds: float = 0.0
+
+    @property
+    def import_tells(self) -> bool:
+        """Whether the import takes so long that a person should know."""
+        return self.import_seconds >= _IMPORT_SECONDS
 
     def as_json(self) -> dict[str, Any]:
         """The timing's object in the published form."""
@@ -199,6 +207,8 @@ class Timing(Struct, frozen=True):
             "ratio": self.ratio.as_json() if self.ratio else None,
             "borderline": self.borderline,
         }
+        if self.import_tells:
+            figures["import_seconds"] = self.import_seconds
         return figures | ({"growth": self.growth.as_json()} if self.growth else {})
 
 

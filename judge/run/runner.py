@@ -46,6 +46,10 @@ class Runner(Protocol):
         """Run the submission on the cases, in a process of its own."""
         ...
 
+    def timed(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """As `answers`, but what a function's module costs when it is imported is measured apart."""
+        ...
+
     def series(
         self,
         box: Box,

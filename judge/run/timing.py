@@ -31,11 +31,15 @@ Run = Callable[[], float | None]  # CPU seconds of one run, None where it did no
 
 
 class Decision(Struct, frozen=True):
-    """What the pairs came to; `ratio` is None where nothing could be paired."""
+    """What the pairs came to; `ratio` is None where nothing could be paired.
+
+    `imported` is the CPU time of the submission's import, which the pairs are without.
+    """
 
     ratio: Ratio | None
     too_slow: bool = False
     borderline: bool = False
+    imported: float = 0.0
 
 
 class Pair(Struct, frozen=True):

@@ -26,7 +26,7 @@ def raced():
     frame = sys._getframe()
     while "series" not in frame.f_locals:
         frame = frame.f_back
-    return frame.f_locals["series"] == 1
+    return frame.f_locals["series"] == 3  # with one for the import and one for the end
 def answer(n, P):
     if raced():
         {deed}
@@ -52,6 +52,38 @@ def timed(tmp_path):
         return judged(source, ProblemData(problem, data.groups))
 
     return judge
+
+
+WORK = "for _ in range(6_000_000): pass"
+EAGER = f"""
+{WORK}
+def answer(n, P):
+    return int(n + P[0] + P[1])
+"""
+LAZY = f"""
+done = []
+def answer(n, P):
+    if not done:
+        done.append(1)
+        {WORK}
+    return int(n + P[0] + P[1])
+"""
+
+
+def test_work_done_at_import_is_told_and_has_no_part_in_the_ratio(timed):
+    eager = timed(EAGER)
+    assert eager.verdict is Verdict.AC
+    assert eager.time.import_tells
+    assert eager.time.as_json()["import_seconds"] == eager.time.import_seconds
+    assert eager.time.import_seconds > eager.time.cpu_seconds / 2
+    assert eager.time.ratio.median < 1
+
+
+def test_work_put_off_to_the_first_call_is_charged(timed):
+    lazy = timed(LAZY)
+    assert not lazy.time.import_tells
+    assert "import_seconds" not in lazy.time.as_json()
+    assert lazy.time.ratio.median > 3
 
 
 @pytest.mark.parametrize("source", [GOOD, CALLS.format(deed="pass"), PROGRAM.format(deed="")])

@@ -16,6 +16,7 @@ import sys
 from _json import encode_basestring_ascii as quoted
 from _json import make_encoder
 from array import array
+from gc import freeze
 from types import CodeType, ModuleType
 
 from judge.sandbox.encode import encode
@@ -118,6 +119,7 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         replies.all_raised(f"{_described(error, name)}{wire.IMPORTING}", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
+    freeze()  # a large table of its own would be looked through on the time of its calls
     _flushed(0)
     region.words[wire.PRINTED_BEFORE] = os.fstat(1).st_size
     if entry in module.__dict__:
