@@ -8,7 +8,7 @@ from datetime import date, datetime
 from judge.errors import HistoryError
 from judge.kata.changes import Change
 from judge.kata.history import Run
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import counted, times
@@ -70,6 +70,13 @@ def _remark(run: Run) -> str:
         passed = ()
     why = run.mistake or (run.failed[0] if run.failed else "")
     return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
+
+
+def restored_lines(run: Run, file: str, became: str, width: int | None) -> Iterator[Line]:
+    """Where a run's source is again, and what became of the file that was there."""
+    what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
+    yield from beside(Span(shown_name(file), Style.STRONG), what, width)
+    yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:
