@@ -218,6 +218,11 @@ class History:
         except (IndexError, TypeError, zlib.error) as fault:  # it is not there, or no judge wrote it
             raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
+    def latest_of(self, digest: str) -> int | None:
+        """The latest run that judged the source of that sha256, if there is one."""
+        ((number,),) = self._rows("SELECT max(id) FROM runs WHERE source = ?", (digest,))
+        return number if isinstance(number, int) else None
+
     def current(self) -> Current | None:
         """The kata in hand, if one was taken up."""
         rows = self._rows("SELECT problem, path, problems FROM current")

@@ -9,7 +9,7 @@ from judge.errors import HistoryError
 from judge.kata.changes import Change
 from judge.kata.history import Run
 from judge.problem.verdict import Verdict
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import counted, times
@@ -79,6 +79,13 @@ def _left_out(run: Run) -> str:
     """That a run which passed was judged on some of the groups only."""
     partial = run.verdict is Verdict.AC and not run.whole
     return f"only {', '.join(run.passed)}" if partial else ""
+
+
+def restored_lines(run: Run, file: str, became: str, width: int | None) -> Iterator[Line]:
+    """Where a run's source is again, and what became of the file that was there."""
+    what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
+    yield from beside(Span(shown_name(file), Style.STRONG), what, width)
+    yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:

@@ -193,3 +193,73 @@ def test_a_broken_history_is_one_line(judge, tmp_path, submit):
         assert (ended.status, ended.out) == (3, ""), words
         assert ended.err.count("\n") == 1
         assert "diary: this is no history of the judge" in ended.err
+
+
+# -- a source brought back -----------------------------------------------------------------------------------
+
+
+def test_a_source_comes_back_to_its_file(two_runs, judge, tmp_path):
+    file = tmp_path / "mine.py"
+    file.unlink()
+    ended = judge("history", "--restore", "1")
+    assert ended.status == 0
+    assert re.fullmatch(r"mine\.py  the source of run 1, \S+ \S+, middle\n  Nothing was there\.\n", ended.out)
+    assert file.read_text() == FLOOR
+    ended = judge("history", "--restore", "1")
+    assert ended.lines[-1] == "  It was there already; nothing is written."
+
+
+@pytest.mark.parametrize(
+    ("now", "told"), [(MEAN, "which run 2 keeps."), ("a = 1\n", "which no run keeps.")], ids=["kept", "lost"]
+)
+def test_nothing_is_written_over_without_a_word(two_runs, judge, submit, tmp_path, now, told):
+    file = tmp_path / submit(now)
+    ended = judge("history", "--restore", "1")
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err == (
+        "judge: mine.py: another source is there than the one of run 1; "
+        "--force writes over it, --out FILE elsewhere\n"
+    )
+    assert file.read_text() == now
+    ended = judge("history", "--restore", "1", "--force")
+    assert ended.lines[-1] == f"  Written over another source, {told}"
+    assert file.read_text() == FLOOR
+
+
+def test_a_source_goes_to_another_file(two_runs, judge, tmp_path):
+    (value,) = map(json.loads, judge("history", "--restore", "1", "--out", "old.py", "--json").lines)
+    assert (tmp_path / "old.py").read_text() == FLOOR
+    assert (tmp_path / "mine.py").read_text() == MEAN
+    assert (value["run"], value["file"], value["written"], value["over"]) == (1, "old.py", True, False)
+    assert value["kept_in"] is None
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("--restore", "7"), "there is no run 7; they go from 1 to 2"),
+        (("--restore", "1", "--csv"), "--restore takes a run's number and no other choice"),
+        (("middle", "--restore", "1"), "--restore takes a run's number and no other choice"),
+        (("--out", "a.py"), "--out and --force go with --restore RUN"),
+        (("--force",), "--out and --force go with --restore RUN"),
+        (("--restore", "1", "--out", "."), "it is a folder"),
+        (("--restore", "1", "--out", "no/a.py"), "its folder does not exist"),
+        (("--restore", "x"), "not a valid integer"),
+    ],
+)
+def test_what_cannot_be_restored_is_one_line(two_runs, judge, words, told):
+    ended = judge("history", *words)
+    assert (ended.status, ended.out, len(ended.err.splitlines())) == (2, "", 1)
+    assert told in ended.err
+
+
+def test_a_run_of_no_file_needs_a_name(judge, own_history, tmp_path):
+    with History.open() as history:
+        history.add(Result("middle", "/dev/fd/63", Mode.FUNCTION, Verdict.AC), b"x = 1\n", "")
+    ended = judge("history", "--restore", "1")
+    assert (ended.status, ended.err) == (
+        2,
+        "judge: run 1 judged no ordinary file; name one with --out FILE\n",
+    )
+    assert judge("history", "--restore", "1", "--out", "x.py").status == 0
+    assert (tmp_path / "x.py").read_bytes() == b"x = 1\n"

@@ -83,7 +83,13 @@ SAMPLES: dict[str, list[str]] = {
         f"stress misspelt-key mean.py --problems {BROKEN}",
     ],
     "watch": [],  # it does not end by itself: below
-    "history": ["! run middle floor.py", "! run middle mean.py", "history", "history middle --limit 1"],
+    "history": [
+        "! run middle floor.py",
+        "! run middle mean.py",
+        "history",
+        "history middle --limit 1",
+        "history --restore 1 --out again.py",
+    ],
     "diff": [
         "! run middle floor.py --no-shrink",
         "! run middle mean.py",

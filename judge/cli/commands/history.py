@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -13,9 +13,12 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode, UsageError
 from judge.kata.history import History, Run
 from judge.problem.find import find_problem
-from judge.report.history import history_lines
+from judge.report.history import history_lines, restored_lines
 from judge.report.layout import line, printable
 from judge.report.screen import out
+
+if TYPE_CHECKING:
+    from judge.cli.restoring import Restored
 
 SCHEMA = 1
 _COLUMNS = (  # of the CSV: the keys of a run's object
@@ -28,6 +31,17 @@ _ON_SCREEN = 20  # runs, unless it is said how many
 @click.command("history")
 @click.argument("name", metavar="[PROBLEM]", required=False)
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="Only the last N runs.")
+@click.option(
+    "--restore", "number", type=int, metavar="RUN", help="Write the source of that run to its file again."
+)
+@click.option(
+    "--out",
+    "target",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Restore it to this file instead.",
+)
+@click.option("--force", is_flag=True, help="Restore it over another source.")
 @json_option
 @click.option("--csv", "as_csv", is_flag=True, help="Write CSV, a run a line below the columns' names.")
 @db_option
@@ -35,6 +49,9 @@ _ON_SCREEN = 20  # runs, unless it is said how many
 def command(
     name: str | None,
     limit: int | None,
+    number: int | None,
+    target: Path | None,
+    force: bool,
     as_json: bool,
     as_csv: bool,
     db: Path | None,
@@ -44,9 +61,20 @@ def command(
 
     The latest is last. With a PROBLEM, only its runs. The screen shows the last 20 unless --limit says
     otherwise; JSON and CSV hold all of them.
+
+    With --restore, nothing is shown but where the source that a run judged is again. A file that holds
+    something else by now is left as it is, unless you say --force; then you are told whether a run keeps it.
     """
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", remedy="give one of them")
+    if number is not None:
+        if as_csv or limit is not None or name is not None:
+            raise UsageError(
+                "--restore takes a run's number and no other choice", remedy="leave the rest out"
+            )
+        return _restore(number, target, db, force=force, as_json=as_json)
+    if target is not None or force:
+        raise UsageError("--out and --force go with --restore RUN", remedy="say which run")
     on_screen = not (as_json or as_csv)
     with History.open(db, reading=True) as history:
         most = _ON_SCREEN + 1 if on_screen and limit is None else limit
@@ -65,6 +93,41 @@ def command(
     else:
         out().show([line(f"No runs yet; 'judge run {name or 'PROBLEM'} FILE' adds one.")])
     return ExitCode.ACCEPTED
+
+
+def _restore(number: int, target: Path | None, db: Path | None, *, force: bool, as_json: bool) -> ExitCode:
+    from judge.cli.restoring import restore  # only who asks for it waits for it
+
+    with History.open(db, reading=True) as history:
+        restored = restore(history, number, target, force=force)
+    if as_json:
+        write_json(
+            {
+                "schema": SCHEMA,
+                "run": number,
+                "problem": restored.run.problem,
+                "source": restored.run.source_hash,
+                "file": restored.file,
+                "written": restored.written,
+                "over": restored.over,
+                "kept_in": restored.kept_in,
+            }
+        )
+    else:
+        screen = out()
+        became = _became(restored)
+        screen.show(restored_lines(restored.run, restored.file, became, screen.width))
+    return ExitCode.ACCEPTED
+
+
+def _became(restored: Restored) -> str:
+    """What became of the file that was there."""
+    if not restored.written:
+        return "It was there already; nothing is written."
+    if not restored.over:
+        return "Nothing was there."
+    which = "which no run keeps" if restored.kept_in is None else f"which run {restored.kept_in} keeps"
+    return f"Written over another source, {which}."
 
 
 def as_object(run: Run) -> dict[str, Any]:
