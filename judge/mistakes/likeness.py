@@ -22,40 +22,47 @@ _TRUE = (
 _COVERED = 0.5  # … but no more than these of its own are unexplained
 _HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
 _BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
-_IN_PART = 0.6  # where it does for one of two mistakes
+_IN_PART = 0.7  # where it does for one of two mistakes
 
 
 class Likeness(Struct, frozen=True):
     """The wrong answers of a submission and a hypothesis, by number: the same in both, and of each one all.
 
-    Of the cases that a hypothesis leaves open it fails one half.
+    `alike` are those of one kind as well, such as digits that are lost in different ways. Of the cases that a
+    hypothesis leaves open it fails one half.
     """
 
     same: int
+    alike: int
     ours: int
     theirs: float
 
     @staticmethod
     def of(overlaps: Iterable[Overlap | None]) -> Likeness:
         """Over all groups."""
-        same, ours, theirs = 0, 0, 0.0
+        same, alike, ours, theirs = 0, 0, 0, 0.0
         for each in overlaps:
             if each is not None:
                 same += len(each.same) + each.ended
+                alike += len(each.same) + len(each.kind)
                 ours += each.failed - len(each.theirs) + len(each.ours)
                 theirs += each.failed + each.open / 2
-        return Likeness(same, ours, theirs)
+        return Likeness(same, alike, ours, theirs)
 
     @property
     def share(self) -> float:
         """How much of what either fails both fail alike: 1 if they answer the same everywhere."""
-        failed = self.ours + self.theirs - self.same
-        return self.same / failed if failed else 0.0
+        return self._of_either(self.same)
+
+    def _of_either(self, both: int) -> float:
+        failed = self.ours + self.theirs - both
+        return both / failed if failed else 0.0
 
     def enough(self, chances: Sequence[bool], score: float) -> bool:
         """Whether it is enough for a name of that score; `chances` say of each one whether chance decides."""
         if all(chances):
-            return self.share >= _HALF or (self.share >= _BY_CHANCE and score >= _SURE)
+            share = self._of_either(self.alike)
+            return share >= _HALF or (share >= _BY_CHANCE and score >= _SURE)
         if any(chances):
             return self.share >= _IN_PART
         if self.share >= _NEARLY_ALL:

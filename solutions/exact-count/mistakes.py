@@ -92,6 +92,8 @@ def exact(cx, cy, r, A, B):
     # ? swapped-coordinates: k = dx * fy + dy * fx
     disc = r * r * a - k * k
     # ? unnormalised-distance: disc = r * r - k * k
+    # ? radius-not-squared: disc = r * a - k * k
+    # : r·a is compared with k², with the radius as it is. Square the radius.
     # ? float-arithmetic: disc = float(r * r * a) - float(k * k)
     # ? float-arithmetic: disc = float(r) * r * float(a) - float(k) * k
     # : k² is divided by a with /, which makes a float of it, with 53 bits. Compare k² with r²·a, in ints.

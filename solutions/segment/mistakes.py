@@ -234,6 +234,9 @@ def geometric(cx, cy, r, A, B):
     # : and they may be the same point. Drop a root that is not on the segment.
     # ? clamp-to-ends: kept = [min(max(s, 0.0), length) for s in roots] if roots[-1] >= 0 and roots[0] <= length else []
     # ? open-interval: kept = [s for s in roots if slack < s < length - slack]
+    # ? open-interval: kept = [s for s in roots if 0 < s / length < 1]
+    # : A root counts if 0 < t < 1, without any slack: one at an end is dropped, or kept, as rounding has it. The
+    # : segment is closed: let the comparison include the ends, with a little slack outwards.
     # ? open-interval: kept = [s for s in roots if 0 < s < length]
     # : A root counts if 0 < s < length, without any slack: one at an end is dropped, or kept, as rounding
     # : has it. The segment is closed: let the comparison include the ends, with a little slack outwards.

@@ -13,6 +13,7 @@ from judge.mistakes.answers import Answers
 from judge.mistakes.catalogue import Words
 from judge.mistakes.forms import of_form
 from judge.mistakes.naming import Known
+from judge.mistakes.rights import right_outlines
 from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.mistakes.verified import verify_choices
 from judge.mistakes.vetoes import Vetoes
@@ -251,6 +252,7 @@ def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
 )
 def test_forms(pack, given, got, has, name, faulty):
     data = load_data(pack())
-    found = of_form(of({"half": (30, dict.fromkeys(range(30), given))}, got), data, frozenset(has))
+    result = of({"half": (30, dict.fromkeys(range(30), given))}, got)
+    found = of_form(result, data, frozenset(has), right_outlines(data))
     assert (found.pitfall and found.pitfall.name) == name
     assert found.faulty is faulty

@@ -63,15 +63,15 @@ def named(match, known):
 
 
 def test_a_known_program_is_recognised(library):
-    """What fails in a few cases of one group may be too little to say; another name is said next to never."""
+    """What fails in a few cases of one group may be too little to say; another name is never said."""
     outcomes = Counter()
     for groups, known, _ in library.values():
         for each in known[::4]:
             match = matched(each.behaviour, known, groups)
             outcomes["silent" if match is None else each.name in named(match, known)] += 1
             assert match is None or 0.7 <= match.score <= 1.0
-    assert outcomes[True] > 0.85 * outcomes.total()
-    assert outcomes[False] < 0.05 * outcomes.total()
+    assert outcomes[True] > 0.97 * outcomes.total()
+    assert outcomes[False] == 0
 
 
 @pytest.mark.parametrize(("problem", "one", "other"), MIXTURES)
@@ -155,7 +155,7 @@ def test_most_unknown_mistakes_are_met_with_silence(library):
             if known[files.index(file)] is each:
                 others = [other for other in known if other.name != each.name]
                 outcomes[matched(each.behaviour, others, groups) is None] += 1
-    assert outcomes[True] > 0.4 * outcomes.total()
+    assert outcomes[True] > 0.75 * outcomes.total()
 
 
 def test_a_mistake_is_recognised_by_its_other_programs(library):
@@ -167,8 +167,8 @@ def test_a_mistake_is_recognised_by_its_other_programs(library):
             if any(other.name == each.name for other in others):
                 match = matched(each.behaviour, others, groups)
                 outcomes["silent" if match is None else each.name in named(match, others)] += 1
-    assert outcomes[True] > 0.4 * outcomes.total()
-    assert outcomes[True] > 1.5 * outcomes[False]
+    assert outcomes[True] > 0.45 * outcomes.total()
+    assert outcomes[False] < 0.06 * outcomes.total()
 
 
 def number(value):
