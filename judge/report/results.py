@@ -166,6 +166,16 @@ def place_lines(result: Result, width: int | None) -> Iterator[Line]:
 
 def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
     """The smallest failing case, and the command that judges it alone, which is never broken into lines."""
+    yield from smallest_lines(result, found, width)
+    if found["replay"] is None:
+        return
+    label = pad("again", _LABELS - 4)
+    command = shown_command("judge", "replay", found["replay"], file=result.submission)
+    yield line("    ", Span(label, Style.FAINT), command)
+
+
+def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
+    """The smallest failing case: its arguments, what was wanted and got, and why."""
     if found["replay"] is None:
         yield line("  ", Span("not by itself", Style.STRONG))
         yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
@@ -182,9 +192,6 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
             printed=found.get("printed", ""),
         )
         yield from failure_lines(smallest, width)
-    label = pad("again", _LABELS - 4)
-    command = shown_command("judge", "replay", found["replay"], file=result.submission)
-    yield line("    ", Span(label, Style.FAINT), command)
 
 
 def pitfall_lines(pitfall: Pitfall, width: int | None) -> Iterator[Line]:
