@@ -7,8 +7,9 @@
                                     "far from the origin" = ["offset", "offset-near"]
 
 A problem may explain a skill of its own there too. What it names is a need, met by one run that passed all of
-these groups; a skill is shown when each of its needs was met, and lost where the latest run that tried a need
-fails it. A run that passed no test group at all loses nothing.
+these groups. A skill is shown as soon as one of its needs was met: who can do it in one problem can do it. It
+is lost where the latest run that tried a need that was met fails it. A run that passed no test group at all
+loses nothing.
 """
 
 from __future__ import annotations
@@ -61,7 +62,6 @@ class SkillState(Enum):
     """How far a skill has come; the value is its name in JSON."""
 
     OPEN = "open"
-    PART = "part"  # some of its needs were met
     SHOWN = "shown"
     LOST = "lost"  # a need that was met is failed by the latest run
 
@@ -100,20 +100,18 @@ class SkillProgress(Struct, frozen=True):
         """How far it has come."""
         if any(need.lost for need in self.needs):
             return SkillState.LOST
-        if self.met == len(self.needs):
-            return SkillState.SHOWN
-        return SkillState.PART if self.met else SkillState.OPEN
+        return SkillState.SHOWN if self.met else SkillState.OPEN
 
     @property
     def since(self) -> datetime | None:
         """When it was first shown; None if it never was."""
-        dates = [need.since for need in self.needs if need.since is not None]
-        return max(dates) if len(dates) == len(self.needs) else None
+        return min((need.since for need in self.needs if need.since is not None), default=None)
 
     @property
     def attempts(self) -> int:
-        """The runs that it took, or has taken so far."""
-        return sum(need.attempts for need in self.needs)
+        """The runs that it took on the problem where it was first shown, or has taken so far on all."""
+        first = [need.attempts for need in self.needs if need.since is not None and need.since == self.since]
+        return first[0] if first else sum(need.attempts for need in self.needs)
 
     @property
     def mistakes(self) -> Counter[str]:

@@ -26,7 +26,12 @@ _IMPORTS = {"array": "from array import array"}
 
 def file_name(problem: Problem) -> str:
     """The usual name of a problem's file: one that Python can import."""
-    return program_name(problem.id.replace("-", "_"))
+    return usual_name(problem.id)
+
+
+def usual_name(problem: str) -> str:
+    """The same by the problem's id."""
+    return program_name(problem.replace("-", "_"))
 
 
 def make_stub(problem: Problem) -> str:

@@ -8,6 +8,7 @@ from datetime import date, datetime
 from judge.errors import HistoryError
 from judge.kata.changes import Change
 from judge.kata.history import Run
+from judge.kata.stub import usual_name
 from judge.problem.verdict import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
@@ -30,35 +31,39 @@ def day(when: datetime | date) -> str:
 
 
 def history_lines(runs: Sequence[Run], width: int | None, *, more: bool = False) -> Iterator[Line]:
-    """One row a run, the latest last; `more` says that older ones are left out."""
+    """One row a run, the latest last; `more` says that older ones are left out.
+
+    Files are named where one is not called as its problem's usually is. A result is the verdict with the
+    multiple of the reference's time, or with the points.
+    """
     columns = (
         Column("run", right=True),
         Column("when"),
         Column("problem"),
         Column("file", broken=True),
-        Column("verdict"),
-        Column("points", right=True),
-        Column("× reference", right=True),
+        Column("result"),
         Column("mistake or failed group", flexible=True),
     )
-    shown = len(columns) - all(run.whole for run in runs)
-    rows = [_row(run)[:shown] for run in runs]
-    yield from Table(columns[:shown], rows, indent=0).lines(width)
+    year = runs[-1].when.astimezone().year if runs else 0
+    usual = all(shown_name(run.submission) == usual_name(run.problem) for run in runs)
+    left_out = {"file"} if usual else set()
+    left_out |= {columns[-1].title} if all(run.whole for run in runs) else set()
+    kept = [place for place, column in enumerate(columns) if column.title not in left_out]
+    rows = [[cell for place, cell in enumerate(_row(run, year)) if place in kept] for run in runs]
+    yield from Table(tuple(columns[place] for place in kept), rows, indent=0).lines(width)
     if more:
         yield line()
         text = f"The last {counted(len(runs), 'run')}; --limit N shows more."
         yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
 
 
-def _row(run: Run) -> list[Cell]:
+def _row(run: Run, year: int) -> list[Cell]:
     return [
         Span(str(run.id), Style.STRONG),
-        Span(moment(run.when), Style.FAINT),
+        Span(_lately(run.when, year), Style.FAINT),
         run.problem,
         shown_name(run.submission),
-        verdict_span(run.verdict),
-        Span(str(run.score), Style.FAINT),
-        Span(_times(run.ratio), Style.FAINT),
+        Span(_result(run), verdict_span(run.verdict).style),
         _remark(run),
     ]
 
@@ -86,6 +91,18 @@ def restored_lines(run: Run, file: str, became: str, width: int | None) -> Itera
     what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
     yield from beside(Span(shown_name(file), Style.STRONG), what, width)
     yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
+
+
+def _lately(when: datetime, year: int) -> str:
+    """A moment of this year, and only the day of another."""
+    here = when.astimezone()
+    return here.strftime("%m-%d %H:%M") if here.year == year else day(when)
+
+
+def _result(run: Run) -> str:
+    if not run.whole:
+        return f"{run.verdict.value} {run.score}"
+    return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:

@@ -159,7 +159,7 @@ def _fits(word: str, width: int) -> int:
 
 def hanging(label: Span, text: Span, width: int | None, *, indent: int, column: int) -> list[Line]:
     """`text` beside its label, its further lines below its first; `column` is where it begins."""
-    room = None if width is None else width - column
+    room = None if width is None else min(width, READABLE) - column
     gap = " " * (column - indent - cells(label.text))
     first, *rest = wrap(text.text, room)
     under = " " * column
@@ -173,7 +173,8 @@ def beside(head: Span, aside: str, width: int | None) -> list[Line]:
     """`head` and a quiet remark to its right, or below it, indented alike, where there is no room."""
     remark = Span(aside, Style.FAINT)
     if not aside:
-        return [line(Span(row, head.style, head.link)) for row in wrap(head.text, width)]
+        room = None if width is None else min(width, READABLE)
+        return [line(Span(row, head.style, head.link)) for row in wrap(head.text, room)]
     if width is None or cells(head.text) + _GAP + cells(aside) <= width:
         return [line(head, " " * _GAP, remark)]
     text = head.text.lstrip(" ")
@@ -181,7 +182,7 @@ def beside(head: Span, aside: str, width: int | None) -> list[Line]:
     return [
         line(indent, Span(row, span.style, span.link))
         for span in (Span(text, head.style, head.link), remark)
-        for row in wrap(span.text, width - len(indent))
+        for row in wrap(span.text, min(width, READABLE) - len(indent))
     ]
 
 
@@ -200,7 +201,8 @@ class Column(Struct, frozen=True):
 
 Cell = Span | str
 
-_PROSE = 24  # columns below which prose goes under its row instead of beside it
+READABLE = 100  # columns that a paragraph has at most, however wide the screen is
+_PROSE = 20  # columns below which prose goes under its row instead of beside it
 _NAME = 8  # the least that a column of names is narrowed to
 
 
@@ -236,7 +238,7 @@ class Table(Struct, frozen=True):
         if not narrow._give_way(widths, narrow._spare(widths, width)):
             return self._paragraphs(rows, width)
         under = " " * (self.indent + 2)
-        room = None if width is None else width - len(under)
+        room = None if width is None else min(width, READABLE) - len(under)
         laid = [row for titles in narrow._titles() for row in narrow._row(titles, widths)]
         for row, short in zip(rows, bare, strict=True):
             prose = row[flexible]
@@ -247,7 +249,7 @@ class Table(Struct, frozen=True):
     def _paragraphs(self, rows: list[list[Span]], width: int | None) -> list[Line]:
         """Every row as its name and, below it, what the columns say, each with its title."""
         under = " " * (self.indent + 2)
-        room = None if width is None else width - len(under)
+        room = None if width is None else min(width, READABLE) - len(under)
         laid = []
         for name, *rest in rows:
             said = [

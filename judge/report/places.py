@@ -13,7 +13,7 @@ from judge.run.result import Result
 _COMPILED = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
 # … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
 # or the place where a call stood that did not end.
-_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; it was run as a program)")
+_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
 
 
 class FilePlace(Struct, frozen=True):

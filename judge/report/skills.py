@@ -11,7 +11,6 @@ from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, 
 
 _STYLES = {
     SkillState.OPEN: Style.FAINT,
-    SkillState.PART: Style.WARNING,
     SkillState.SHOWN: Style.GOOD,
     SkillState.LOST: Style.BAD,
 }
@@ -22,7 +21,10 @@ _WIDE = 110  # columns from which a row has room for a sentence
 def progress_lines(
     title: str, skills: Sequence[SkillProgress], mistakes: Mapping[str, int], width: int | None
 ) -> Iterator[Line]:
-    """A row a skill, ticked or not; what is not yet shown is explained where there is room for it."""
+    """A row a skill, ticked or not, and on how many of its problems it was shown if not on all.
+
+    What is not yet shown is explained where there is room for it.
+    """
     shown = sum(skill.state is SkillState.SHOWN for skill in skills)
     yield from beside(Span(title, Style.STRONG), f"{shown} of {len(skills)} skills shown", width)
     yield line()
@@ -64,10 +66,9 @@ def _remarks(progress: SkillProgress, *, explained: bool) -> Iterator[str]:
 
 
 def _said(progress: SkillProgress) -> str:
-    state = progress.state
-    if state is SkillState.PART:
-        return f"{progress.met} of {len(progress.needs)}"
-    return {SkillState.SHOWN: "✓", SkillState.LOST: "lost"}.get(state, "")
+    if progress.state is SkillState.SHOWN and progress.met < len(progress.needs):
+        return f"✓ {progress.met} of {len(progress.needs)}"
+    return {SkillState.SHOWN: "✓", SkillState.LOST: "lost"}.get(progress.state, "")
 
 
 def _failing(progress: SkillProgress) -> list[str]:

@@ -6,6 +6,7 @@ cx cy r ax ay bx by    the parameters in order, as their types write them; T suc
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
@@ -14,13 +15,20 @@ from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.problem import Case, Problem, TimeRule, Verdict
+from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
 from judge.run.result import Failure, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
 from judge.values import ExactOf, Outcome, Outline, Raw, Target
+from judge.values.tuples import is_pair
 
 SHOWN = 80  # characters of a line that is quoted
 _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
+_CHOKED = re.compile(  # an exception's first words where a line of input is not what the program takes it for
+    r"ValueError: (invalid literal|could not convert|(too many|not enough) values to unpack|Invalid literal)"
+    r"|EOFError|(decimal\.)?InvalidOperation.*ConversionSyntax"
+    r"|IndexError: .*index out of range.*after 0 lines"
+)
 _OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
 
@@ -75,9 +83,18 @@ class ProgramRunner(Struct, frozen=True):
         return rule.program
 
     def explained(self, failure: Failure) -> Failure:
-        """The failure, told that the file was taken for a program only because the entry is missing."""
-        why = _why_a_program(self.problem.entry, self.names, self.source)
-        return replace(failure, message=f"{failure.message}; {why}") if why else failure
+        """The failure, told what it could not read, or that the entry is missing and so made it a program."""
+        notes = [_why_a_program(self.problem.entry, self.names, self.source)]
+        if failure.input is not None and _CHOKED.match(failure.message):
+            notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
+        return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))
+
+    def _read(self, case: Case) -> str:
+        """The form of the input, and the line of a case."""
+        _, row = render_group(self.problem, [case]).decode("ascii").splitlines()
+        shown = row if len(row) <= SHOWN else f"{row[:SHOWN]}…"
+        form = " ".join(_words(parameter) for parameter in self.problem.parameters)
+        return f"its input is a line with the number of cases, then one line each: {form}, here {shown}"
 
 
 def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
@@ -88,6 +105,13 @@ def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
         words = (word for type_, value in zip(types, case, strict=True) for word in type_.tokens(value))
         lines.append(" ".join(words))
     return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def _words(parameter: Parameter) -> str:
+    """What stands on a line for a parameter: `r`, `ax ay`."""
+    if is_pair(parameter.type):
+        return f"{parameter.name.lower()}x {parameter.name.lower()}y"
+    return parameter.name if parameter.type.width == 1 else f"{parameter.name} …"
 
 
 def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:

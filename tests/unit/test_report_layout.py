@@ -1,7 +1,12 @@
 from __future__ import annotations
 
+from datetime import UTC, datetime
+
 import pytest
 
+from judge.kata.history import Run
+from judge.problem import Verdict
+from judge.report.history import history_lines
 from judge.report.layout import (
     Column,
     Span,
@@ -14,6 +19,7 @@ from judge.report.layout import (
     printable,
     wrap,
 )
+from judge.run.result import Mode
 
 
 def texts(lines):
@@ -139,3 +145,44 @@ def test_a_remark_that_has_no_room_stands_below_its_head_and_as_far_in():
     laid = beside(Span("  two mistakes: one + other"), "likely, score 0.87", 20)
     rows = ["".join(span.text for span in each) for each in laid]
     assert rows == ["  two mistakes: one", "  + other", "  likely, score 0.87"]
+
+
+def past_run(number, problem, file, verdict, mistake, *, when=datetime(2026, 3, 1, 9, tzinfo=UTC)):
+    score = 100 if verdict is Verdict.AC else 88
+    failed = () if verdict is Verdict.AC else ("grid",)
+    ratio = 12.3 if verdict is Verdict.AC else None
+    return Run(
+        number, when, problem, file, "", verdict, score, Mode.FUNCTION, "", mistake, ratio, (), failed, b""
+    )
+
+
+@pytest.mark.parametrize("file", ["mine.py", "ray_nearest.py"])
+def test_a_run_of_the_history_is_one_row_of_80_columns(file):
+    runs = [
+        past_run(998, "segment", "segment.py", Verdict.AC, None),
+        past_run(999, "ray-nearest", file, Verdict.WA, "absolute-epsilon"),
+    ]
+    rows = texts(history_lines(runs, 80))
+    assert len(rows) == 1 + len(runs)
+    assert max(map(len, rows)) <= 80
+    assert rows[1].endswith("AC 12 ×")
+    assert ("file" in rows[0]) == (file == "mine.py"), "a usual name says nothing"
+
+
+def test_a_run_of_another_year_shows_it():
+    runs = [
+        past_run(1, "count", "count.py", Verdict.AC, None, when=datetime(2024, 3, 1, 9, tzinfo=UTC)),
+        past_run(2, "count", "count.py", Verdict.AC, None),
+    ]
+    assert [row.split()[1] for row in texts(history_lines(runs, 80))[1:]] == ["2024-03-01", "03-01"]
+
+
+@pytest.mark.parametrize("width", [100, 101, 140, 400])
+def test_no_paragraph_runs_past_a_hundred_columns(width):
+    text = "so many words " * 40
+    paragraphs = [
+        *hanging(Span("why"), Span(text), width, indent=4, column=12),
+        *beside(Span(text), "", width),
+        *beside(Span(text), text, width),
+    ]
+    assert 90 < max(map(len, texts(paragraphs))) <= 100

@@ -6,6 +6,7 @@ import pytest
 from judging import CASES, judged, make_data
 
 from judge.problem import Verdict
+from judge.report.places import fault_place
 from judge.run import Mode, budget, program
 from judge.run.program import answer_lines, render_group
 
@@ -133,3 +134,32 @@ def test_a_program_that_reads_is_not_told_about_functions():
 def test_a_flood_of_lines_is_a_flood_whatever_the_lines_are():
     result = judged("input()\nwhile True: print(1)")
     assert (result.verdict, result.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
+
+
+FORM = "; its input is a line with the number of cases, then one line each: n px py, here "
+
+
+@pytest.mark.parametrize(
+    ("reading", "what"),
+    [
+        ("n = int(input())", "ValueError: invalid literal for int() with base 10: "),
+        ("n, x = input().split()", "ValueError: too many values to unpack"),
+        ("n, x, y, z = input().split()", "ValueError: not enough values to unpack"),
+        ("x, y = float(input()), 0", "ValueError: could not convert string to float: "),
+        ("[input() for _ in range(9)]", "EOFError: "),
+    ],
+)
+def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form(reading, what):
+    result = judged(f"for _ in range(int(input())):\n    {reading}\n    print(1)\n")
+    message = result.failure.message
+    assert result.verdict is Verdict.RTE
+    assert message.startswith(what)
+    _, _, row = message.partition(FORM)
+    n, (x, y) = result.failure.input["n"], result.failure.input["P"]
+    assert row == f"{n} {x} {y}"
+    assert fault_place(result).line == 2
+
+
+def test_another_exception_says_nothing_of_the_input():
+    source = "import math\nfor _ in range(int(input())):\n    input()\n    print(math.sqrt(-1))\n"
+    assert "its input" not in judged(source).failure.message

@@ -285,9 +285,24 @@ def test_a_file_that_is_begun_anew_loses_nothing(after):
 
 def test_a_skill_of_two_problems(after):
     half = after(SMALL, past_result(passed=("small",)))
-    assert (half.state, half.met, half.since) == (SkillState.PART, 1, None)
+    assert (half.state, half.met, half.since, half.attempts) == (SkillState.SHOWN, 1, START, 1)
+    other = after(SMALL, past_result("count", passed=("grid",), failed=("small",)))
+    assert (other.state, other.met) == (SkillState.SHOWN, 1), "what was never met there is not lost"
     whole = after(SMALL, past_result("count", passed=("small",)))
-    assert (whole.state, whole.since) == (SkillState.SHOWN, START + timedelta(days=1))
+    assert (whole.state, whole.met, whole.since, whole.attempts) == (SkillState.SHOWN, 2, START, 1)
+    lost = after(SMALL, past_result("count", passed=("grid",), failed=("small",)))
+    assert (lost.state, lost.since) == (SkillState.LOST, START)
+
+
+def test_the_first_accepted_run_ticks_what_it_shows():
+    """On every set that its problem belongs to."""
+    problems = all_problems()
+    count = find_problem("count")
+    with History.open(clock=StoppedClock()) as history:
+        history.add(past_result("count", passed=tuple(group.name for group in count.groups)), b"", "")
+        shown = [each for each in assess(skills_of(problems), history.runs(), problems) if each.met]
+    assert {each.skill.name for each in shown} == {skill.name for skill in count.skills}
+    assert {each.state for each in shown} == {SkillState.SHOWN}
 
 
 def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):

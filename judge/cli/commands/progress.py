@@ -38,8 +38,8 @@ SCHEMA = 1
 def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCode:
     """Tick off the skills that your runs have shown.
 
-    A skill is shown once runs have passed all test groups it needs, on every problem of the SET that asks
-    for it; the date is that of the first time. It is lost where the latest run fails such a group again.
+    A skill is shown once a run has passed all test groups it needs on one problem of the SET that asks for
+    it; the date is that of the first time. It is lost where the latest run fails such a group again.
     Beside it are the runs that it took, and the mistakes that were named on the way. Below are the katas that
     have levels: when a run first passed the interview level and the production level, or how much of them.
     """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from datetime import tzinfo
 
-from judge.kata.skills import SkillProgress, SkillState
+from judge.kata.skills import SkillProgress
 from judge.report.page.parts import SkillLine
 from judge.report.values import counted
 
@@ -17,12 +17,12 @@ def skill_lines(skills: Iterable[SkillProgress], zone: tzinfo | None) -> Iterato
     for progress in skills:
         since = progress.since
         mistakes = [name for name, _ in progress.mistakes.most_common(_MOST_MISTAKES)]
-        share = f"On {progress.met} of {counted(len(progress.needs), 'problem')}"
+        share = f"on {progress.met} of {counted(len(progress.needs), 'problem')}"
         yield SkillLine(
             name=progress.skill.name,
             about=progress.skill.about,
             state=progress.state.value,
-            share=share if progress.state is SkillState.PART else "",
+            share=share if 0 < progress.met < len(progress.needs) else "",
             since=since.astimezone(zone) if since else None,
             attempts=progress.attempts,
             mistakes=tuple(mistakes),
