@@ -31,6 +31,7 @@ COMMANDS = {
     "next": "Go on to the next kata.",
     "solution": "Explain a model solution.",
     "stress": "Judge a submission on fresh cases until the time is up or something breaks.",
+    "try": "Answer a case of your own, exactly.",
     "replay": "Judge a submission on one case, by its replay id.",
     "history": "Show the runs so far.",
     "diff": "Show what changed from one run to another.",
