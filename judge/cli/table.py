@@ -24,6 +24,7 @@ _FIRST = {
 }
 _FURTHER = {
     "why": ("Say what the test groups probe, and which mistakes they should catch.", "failure"),
+    "try": ("Answer a case of your own, exactly.", "failure"),
     "replay": ("Judge a submission on one case, by its replay id.", "failure"),
     "stress": (
         "Judge a submission on fresh cases until the time is up or something breaks.",

@@ -8,8 +8,8 @@ containment.py, isolation.py
                 the boxes; the level of isolation that this machine is known to have
 diagnosis.py, naming.py
                 the smallest case that breaks a submission; the mistake's name
-stressing.py, replaying.py, routine.py
-                fresh cases; one case by its id; a routine of this very process
+stressing.py, replaying.py, trying.py, routine.py
+                fresh cases; one case by its id; a person's own; a routine of this very process
 """
 
 from __future__ import annotations

@@ -19,6 +19,12 @@ def pointer_lines(problem: str, screen: Screen) -> list[Line]:
     return hanging(Span("then", Style.FAINT), Span(text), screen.width, indent=2, column=8)
 
 
+def writing_lines(problem: Problem, file: str, width: int | None) -> list[Line]:
+    """Which file is about to be written, said before that is done."""
+    text = f"Writing {shown_name(file)}, which is not there yet: the stub of {problem.id}."
+    return [*hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0), line()]
+
+
 def begun_lines(problem: Problem, file: str, width: int | None) -> Iterator[Line]:
     """A kata whose stub was written, or that is there already, and the commands to go on with."""
     yield from beside(

@@ -6,7 +6,7 @@
     execute.py       all groups, and what they come to; settings.py: how; budget.py: at what cost at most
     reference.py, measure.py, timing.py
                      the race against the reference solution, and what its turns say
-    result.py        what all of it came to
+    result.py        what all of it came to; tried.py: a person's own case, and what was said of it
     stress.py, verify.py, matrix.py
                      fresh cases without end; the setter's checks; which group rejects which wrong program
     parallel.py      several things at once

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -262,6 +263,25 @@ def test_next_goes_along_the_path_only_when_asked(judge, submit):
     told = json.loads(judge("next", "--init", "--json").out)
     assert (told["file"], told["exists"]) == (f"{told['problem'].replace('-', '_')}.py", True)
     assert told["problem"] != "count"
+
+
+@pytest.mark.parametrize("words", [("next", "--init"), ("practice",)])
+def test_what_is_written_is_said_before_it_is(judge, tmp_path, words, monkeypatch, pack):
+    for problem in ("count", "middle"):  # whichever of them comes first
+        (tmp_path / f"{problem}.py").symlink_to("elsewhere.py")  # no file yet, and none can be made there
+    ended = judge(*words)
+    assert ended.status == 2
+    assert re.fullmatch(r"Writing (\w+)\.py, which is not there yet: the stub of \1\.\n\n", ended.out), (
+        ended.out
+    )
+    assert "the file is there already" in ended.err
+    assert judge(*words, "--json").out == ""
+    for problem in ("count", "middle"):
+        (tmp_path / f"{problem}.py").unlink()
+    ended = judge(*words)
+    assert ended.lines[0].startswith("Writing ")
+    assert (tmp_path / ended.lines[0].split()[1].rstrip(",")).is_file()
+    assert "Writing" not in judge("practice").out  # it is there
 
 
 def test_next_takes_up_a_file_that_is_there(judge, submit, tmp_path):

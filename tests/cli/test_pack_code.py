@@ -19,7 +19,7 @@ from judge.testing import judge_problem
 
 pytestmark = pytest.mark.slow
 
-RUN_IT = {"run", "watch", "stress", "replay", "data", "verify", "report"}
+RUN_IT = {"run", "watch", "stress", "try", "replay", "data", "verify", "report"}
 WORDS = {  # each command in the ways that could make a difference; `watch` never ends and has its own test
     "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
     "list": ["list", "list --json"],
@@ -30,6 +30,7 @@ WORDS = {  # each command in the ways that could make a difference; `watch` neve
     "next": ["next", "next --init"],
     "solution": ["solution middle --give-up"],
     "stress": ["stress middle mine.py --for 0.1s"],
+    "try": ["try middle 1 2", "try middle 1,2 mine.py"],
     "replay": ["replay {id} mine.py"],
     "history": ["history", "history middle", "history --json"],
     "diff": ["diff 1 2"],

@@ -12,7 +12,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
 from judge.problem import Problem
-from judge.report.kata import begun_lines, finished_lines, next_lines
+from judge.report.kata import begun_lines, finished_lines, next_lines, writing_lines
 from judge.report.screen import out
 
 if TYPE_CHECKING:
@@ -30,7 +30,8 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     """Go on to the next kata.
 
     That is the next of the path that is not passed. It is then in hand: judge run, judge watch and judge hint
-    are about it. Its file is looked for in the current folder, under the problem's name.
+    are about it. Its file is looked for in the current folder, under the problem's name; one is written only
+    with --init, which is said first.
     """
     current = _current(db)
     folders = with_folder_of(current, folders)
@@ -47,6 +48,8 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     name = file_name(problem)
     kata = Kata(problem, Path(name).absolute())
     if writing and not kata.path.exists():
+        if not as_json:
+            screen.show(writing_lines(problem, kata.name, screen.width))
         write_stub(problem, Path(name))
     take_up(kata, db)
     if as_json:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,7 @@ from judge.kata.sets import USUAL, PracticeSet, find_set
 from judge.kata.standing import Standing, State, standings
 from judge.kata.stub import file_name
 from judge.problem import Problem
+from judge.report.kata import writing_lines
 from judge.report.practice import all_passed_lines, next_lines, practice_lines
 from judge.report.screen import out
 
@@ -42,20 +43,26 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
 
     Shows how each kata of the set stands and takes up the first that is not passed, unless one of them is in
     hand already. Its file is PROBLEM.py in the current folder; if it is not there it is begun as 'judge init'
-    does. Nothing is ever taken up by itself: run this again for the next kata.
+    does, which is said before it is written. Nothing is ever taken up by itself: run this again for the next
+    kata.
 
     The sets are junior, middle, senior, professional and path, which is all of them and the usual one.
     """
     chosen = find_set(name, folders)
     tell_faults(chosen)
+
+    def tell(problem: Problem, file: str) -> None:
+        if not as_json:
+            screen.show(writing_lines(problem, file, screen.width))
+
+    screen = out()
     with History.open(db) as history:
         found = standings(history.runs())
-        kata = _taken_up(history, chosen.problems, found)
+        kata = _taken_up(history, chosen.problems, found, tell)
     katas = [(problem, found.get(problem.id, Standing())) for problem in chosen.problems]
     if as_json:
         write_json(_as_object(chosen, katas, kata))
         return ExitCode.ACCEPTED
-    screen = out()
     in_hand = kata.current.problem if kata else None
     screen.show(practice_lines(chosen, katas, in_hand, screen.width))
     if kata is None:
@@ -65,8 +72,16 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     return ExitCode.ACCEPTED
 
 
-def _taken_up(history: History, problems: Sequence[Problem], found: Mapping[str, Standing]) -> _Kata | None:
-    """The kata in hand from now on, with a file; None where all are passed."""
+def _taken_up(
+    history: History,
+    problems: Sequence[Problem],
+    found: Mapping[str, Standing],
+    tell: Callable[[Problem, str], None],
+) -> _Kata | None:
+    """The kata in hand from now on, with a file; None where all are passed.
+
+    `tell` hears of a file that is about to be written.
+    """
     opened = [problem for problem in problems if found.get(problem.id, Standing()).state is not State.PASSED]
     if not opened:
         return None
@@ -76,6 +91,7 @@ def _taken_up(history: History, problems: Sequence[Problem], found: Mapping[str,
     path = Path(current.path) if current and known else Path(file_name(problem)).absolute()
     made = not path.exists()
     if made:
+        tell(problem, shown(path))
         write_stub(problem, path)
     if not known:
         history.take_up(problem.id, str(path), folder_to_keep(problem))

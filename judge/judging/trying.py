@@ -1,0 +1,88 @@
+"""A case of a person's own: its exact answer, what is accepted, and what a submission says."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from msgspec.structs import replace
+
+from judge.data.build import target_of
+from judge.data.model import GroupData, ProblemData
+from judge.data.module import load_module
+from judge.data.validate import Validator
+from judge.errors import UsageError
+from judge.judging.session import Session
+from judge.problem import Case, Group, Problem, Tolerance, Verdict
+from judge.run.execute import opened
+from judge.run.group import group_limits
+from judge.run.replies import VERDICTS
+from judge.run.result import Failure
+from judge.run.runner import Runner
+from judge.run.tried import Said, Tried
+from judge.sandbox.boundary import Reply, Stop, Usage
+from judge.values import Exact, Rejection, decode
+
+_SHOWN = 400  # characters of an answer
+
+
+def try_case(problem: Problem, case: Case, group: str | None = None) -> Tried:
+    """The case proved and solved; held against the problem's usual tolerance, or that of a group.
+
+    Raises:
+        UsageError: the case breaks the bounds or the promise.
+        ProblemError: the problem's own code fails on it.
+    """
+    module = load_module(problem)
+    proof = Validator(problem, module.solve).proof(case)
+    if proof.fault:
+        remedy = f"'judge show {problem.id}' tells the bounds and the promise"
+        raise UsageError(f"this is no case of {problem.id}: {proof.fault}", remedy=remedy)
+    chosen = _usual(problem) if group is None else problem.group(group)
+    assert chosen is not None
+    alone = replace(chosen, count=1, points=100)
+    target = target_of(problem, proof.answer, alone.tolerance)
+    data = ProblemData(problem, (GroupData(alone, [case], [target]),), module=module)
+    return Tried(problem, case, alone, proof.answer, target, data)
+
+
+def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
+    """What a submission says of the case, called alone in a container.
+
+    Raises:
+        UsageError: the isolation that is asked for cannot be had.
+        JudgeError: nothing can be run here.
+    """
+    with session.containment.take(source, name) as box:
+        runner = opened(box, tried.problem, source)
+        if isinstance(runner, Failure):
+            return Said(Verdict.CE, "no answer", runner.message, box.isolation)
+        replies = runner.answers(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
+        if replies.breakdown is not None:
+            broken = replies.breakdown
+            said = Said(broken.verdict, broken.got, broken.detail, box.isolation, runner.mode)
+        else:
+            said = _said(runner, tried, replies.replies[0], box.isolation)
+        if said.verdict is Verdict.AC:
+            return said
+        return replace(said, message=runner.explained(Failure(said.message)).message)
+
+
+def _said(runner: Runner, tried: Tried, reply: Reply, isolation: str) -> Said:
+    if reply.stop is not Stop.ANSWERED:
+        return Said(VERDICTS[reply.stop], "no answer", reply.detail, isolation, runner.mode)
+
+    def exact() -> tuple[Exact, Tolerance]:
+        return tried.exact, tried.group.tolerance
+
+    outcome = runner.decide(reply.answer, tried.target, exact)
+    given = runner.raw(reply.answer)
+    if isinstance(outcome, Rejection):
+        return Said(Verdict.WA, outcome.got, outcome.message, isolation, runner.mode, given)
+    shown = tried.problem.answer.shown(given) if runner.calls else decode.shown(reply.answer)[1:-1]
+    return Said(Verdict.AC, shown[:_SHOWN], "", isolation, runner.mode, given)
+
+
+def _usual(problem: Problem) -> Group:
+    """A group that has the tolerance of most."""
+    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
+    return next(group for group in problem.groups if group.tolerance == usual)

@@ -1,0 +1,43 @@
+"""A case of a person's own, answered, and what a submission said of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data.model import ProblemData
+from judge.problem import Case, Group, Problem, Verdict
+from judge.run.result import Mode
+from judge.values import Exact, Target
+
+
+class Tried(Struct, frozen=True):
+    """A case that keeps the promise, with its exact answer; `group` is the one whose tolerance holds."""
+
+    problem: Problem
+    case: Case
+    group: Group
+    exact: Exact
+    target: Target
+    data: ProblemData
+
+    @property
+    def wanted(self) -> str:
+        """The right answer as a person would write it, its numbers correctly rounded."""
+        return self.problem.answer.wanted(self.target)
+
+
+class Said(Struct, frozen=True):
+    """What a submission said of a case: its answer in words, and why it is rejected if it is.
+
+    `given` is the answer itself in its JSON form; None where there is none. `mode` is None where nothing
+    could be run.
+    """
+
+    verdict: Verdict
+    got: str
+    message: str
+    isolation: str
+    mode: Mode | None = None
+    given: Any = None
