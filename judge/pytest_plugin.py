@@ -24,6 +24,10 @@ _USE = f"write @pytest.mark.{_MARKER}('count'), or any problem that 'judge list'
 _PROBLEMS = pytest.StashKey[dict[Any, "JudgeProblem"]]()  # each is read and built once a session
 
 
+class _Misused(Exception):  # noqa: N818
+    """A marker that stands for no test groups; its text is for the person."""
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Make the marker known, so that --strict-markers lets it pass."""
     config.addinivalue_line(
@@ -37,34 +41,39 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """One test for each group, called after it."""
     if _FIXTURE not in metafunc.fixturenames:
         return
-    groups = _groups(metafunc.config, metafunc.definition)
+    try:
+        groups = _groups(metafunc.config, metafunc.definition)
+    except _Misused as fault:  # this test fails with it when it is run, and the others are collected
+        metafunc.parametrize(_FIXTURE, [str(fault)], ids=[_MARKER], indirect=True)
+        return
     metafunc.parametrize(_FIXTURE, groups, ids=[group.name for group in groups], indirect=True)
 
 
 @pytest.fixture
 def judge_group(request: pytest.FixtureRequest) -> JudgeGroup:
     """A test group of the marker judge_problem's problem; `.check(routine)` holds a routine against it."""
-    group: JudgeGroup = request.param
+    group: JudgeGroup | str = request.param
+    if isinstance(group, str):
+        pytest.fail(group, pytrace=False)
     return group
 
 
 def _groups(config: pytest.Config, item: Any) -> list[JudgeGroup]:
-    """The groups that the test's nearest marker stands for; what is wrong with it fails the collection."""
-    __tracebackhide__ = True
+    """The groups that the test's nearest marker stands for. Raises _Misused with what is wrong with it."""
     marker = item.get_closest_marker(_MARKER)
     if marker is None:
-        pytest.fail(f"the fixture {_FIXTURE} needs a problem: {_USE}", pytrace=False)
+        raise _Misused(f"the fixture {_FIXTURE} needs a problem: {_USE}")
     from judge.errors import JudgeError
 
     try:
         name, chosen, folders = _arguments(*marker.args, **marker.kwargs)
     except TypeError:
-        pytest.fail(f"the marker {_MARKER} cannot be understood: {_USE}", pytrace=False)
+        raise _Misused(f"the marker {_MARKER} cannot be understood: {_USE}") from None
     try:
         problem = _problem(config, name, folders)
         return [problem.group(each) for each in (problem.groups if chosen is None else chosen)]
     except JudgeError as fault:
-        pytest.fail(f"{_MARKER}: {fault}", pytrace=False)
+        raise _Misused(f"{_MARKER}: {fault}") from None
 
 
 def _arguments(

@@ -17,21 +17,22 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
-from judge.judging.routine import Held, Routine, held
+from judge.judging.routine import Held, Routine, explained, held, routine_name
 from judge.mistakes.told import aimed_groups, told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.report.layout import Column, Line, Span, Table, hanging, line
-from judge.report.results import failure_lines
+from judge.report.results import failure_lines, pitfall_lines, smallest_lines
 from judge.report.values import counted
-from judge.run.result import GroupResult
+from judge.run.result import GroupResult, Result
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
 
@@ -51,6 +52,7 @@ class JudgeProblem:
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
+        self._found: dict[Any, Result | None] = {}
 
     def __repr__(self) -> str:
         return f"judge_problem({self.problem.id!r})"
@@ -74,8 +76,8 @@ class JudgeProblem:
 
         Raises:
             AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
-                such group, what was wanted and got, how many cases of each group fail, and the known mistakes
-                that the group should catch.
+                such group, what was wanted and got, how many cases of each group fail, the smallest case
+                found, and the mistake's name, or the known mistakes that the group should catch.
             UsageError: there is no such group, or none is named: nothing would be held against anything.
             ProblemError: the problem is broken.
         """
@@ -88,8 +90,18 @@ class JudgeProblem:
         failed = next((each for each in judged if each.failure is not None), None)
         if failed is not None:
             results = [each.result for each in judged]
-            text = _text(_lines(self.problem, routine, failed, results))
+            text = _text(_lines(self.problem, routine, failed, results, self._explained(routine)))
             raise AssertionError(text) from failed.raised
+
+    def _explained(self, routine: Routine) -> Result | None:
+        """The smallest case and the mistake's name, sought once for a routine; None where that went wrong."""
+        key = _sameness(routine)
+        if key not in self._found:
+            try:
+                self._found[key] = explained(self.data, routine)
+            except Exception:  # what is known of the failure is worth more than what could be
+                self._found[key] = None
+        return self._found[key]
 
     @cached_property
     def data(self) -> ProblemData:
@@ -123,25 +135,37 @@ class JudgeGroup(Struct, frozen=True):
         return group
 
 
+def _sameness(routine: Routine) -> Any:
+    """What is equal for a lambda that every test writes anew, with the same values around it."""
+    code = getattr(routine, "__code__", None)
+    if code is None:
+        return id(routine)
+    return code, tuple(id(cell.cell_contents) for cell in routine.__closure__ or ())
+
+
 def _lines(
-    problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult]
+    problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult], found: Result | None
 ) -> Iterator[Line]:
     failure = failed.failure
     assert failure is not None
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
     cases = counted(sum(result.cases for result in results), "case")
-    name = getattr(routine, "__qualname__", None) or repr(routine)
     several = len(results) > 1
     groups = f"{len(wrong)} of {counted(len(results), 'group')}, " if several else ""
-    yield line(f"{problem.id}: {name} fails {groups}{lost:,} of {cases}")
+    yield line(f"{problem.id}: {routine_name(routine)} fails {groups}{lost:,} of {cases}")
     yield line()
     yield from failure_lines(failure, _WIDTH)
     if several:
         columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
         rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
         yield from (line(), *Table(columns, rows).lines(_WIDTH))
-    yield from _hints(problem, failed.group)
+    if found is not None and found.counterexample is not None:
+        yield from (line(), *smallest_lines(found, found.counterexample, _WIDTH))
+    if found is not None and found.pitfall is not None:
+        yield from (line(), *pitfall_lines(found.pitfall, _WIDTH))
+    else:
+        yield from _hints(problem, failed.group)
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:

@@ -14,40 +14,15 @@ import click
 
 from judge import __version__
 from judge.cli import imported
+from judge.cli.table import COMMANDS, FIRST, FURTHER, TOPICS
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
-# name -> what `judge --help` says of it; the command itself is `judge.cli.commands.<name>.command`.
-COMMANDS = {
-    "run": "Judge submissions on a problem.",
-    "list": "List the problems.",
-    "show": "Show a problem: its statement, parameters and test groups.",
-    "why": "Say what the test groups probe, and which mistakes they should catch.",
-    "init": "Begin a kata: write the file for your solution.",
-    "watch": "Judge a file again on every save.",
-    "hint": "Give the next hint.",
-    "next": "Go on to the next kata.",
-    "solution": "Explain a model solution.",
-    "stress": "Judge a submission on fresh cases until the time is up or something breaks.",
-    "replay": "Judge a submission on one case, by its replay id.",
-    "history": "Show the runs so far.",
-    "diff": "Show what changed from one run to another.",
-    "practice": "Go through a set of katas in order.",
-    "progress": "Tick off the skills that your runs have shown.",
-    "due": "Say what to do again today.",
-    "report": "Write the history as one HTML page.",
-    "data": "Write a problem's test data and exact answers as files.",
-    "new": "Write a kata of your own to begin with.",
-    "verify": "Check problems from the setter's side.",
-    "doctor": "Say how well submissions are contained on this machine.",
-    "schema": "Print the JSON Schema of what a command writes with --json.",
-    "completion": "Print the script that lets a shell complete judge's words.",
-}
-
 _DEBUG = "--debug"
 _COMPLETE = "_JUDGE_COMPLETE"  # the variable by which a shell asks what a word may become
+_NARROWEST, _USUAL_WIDTH, _WIDEST = 30, 80, 100  # columns of help
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
@@ -72,6 +47,7 @@ class Commands(click.Group):
         gc.enable()
         imported()
         assert isinstance(command, click.Command)
+        command.epilog = f"More: judge help {TOPICS[cmd_name]}"
         if ctx is not None and ctx.resilient_parsing:
             from judge.cli.complete import offering  # only where a shell asks
 
@@ -95,10 +71,18 @@ class Commands(click.Group):
 
         return [*among(COMMANDS.items(), incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
 
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """List the commands from the table, without importing any."""
-        with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The commands by what a person wants to do, the further ones by name, the options on a line.
+
+        All within a screen of 24 lines, and without importing any.
+        """
+        for aim, rows in FIRST.items():
+            with formatter.section(aim):
+                formatter.write_dl(rows)
+        with formatter.section("More, told by `judge help commands`"):
+            formatter.write_text(", ".join(FURTHER))
+        names = [name for parameter in self.get_params(ctx) for name in parameter.opts if name[:2] == "--"]
+        formatter.write(f"\nOptions: {', '.join(names)}\n")
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; a reader that left is told apart from other faults of the system."""
@@ -121,6 +105,7 @@ class Commands(click.Group):
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False
+        settings.setdefault("terminal_width", _help_width())
         try:
             status = super().main(words, prog_name or "judge", **settings)
         except (click.Abort, KeyboardInterrupt):
@@ -177,6 +162,16 @@ def _option_names(ctx: click.Context | None) -> list[str]:
     return [name for parameter in ctx.command.get_params(ctx) for name in parameter.opts if name[:1] == "-"]
 
 
+def _help_width() -> int:
+    """The columns for help: those of the terminal, in bounds. click would import a good deal to find them."""
+    columns = os.environ.get("COLUMNS", "")
+    try:
+        found = int(columns) if columns.isdecimal() else os.get_terminal_size(sys.__stdout__.fileno()).columns  # type: ignore[union-attr]
+    except (OSError, ValueError, AttributeError):  # into a pipe, a closed stream
+        found = 0
+    return max(min(found or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
+
+
 def _without_debug(words: list[str]) -> tuple[list[str], bool]:
     """The arguments less `--debug`, which every command takes; what stands after `--` is not ours."""
     end = words.index("--") if "--" in words else len(words)
@@ -211,15 +206,12 @@ def _hush() -> None:
 @click.group(
     cls=Commands,
     invoke_without_command=True,
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    context_settings={"help_option_names": ["-h", "--help"]},
 )
 @click.version_option(__version__, "-V", "--version", message="judge %(version)s")
 @click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")
 @click.pass_context
 def app(ctx: click.Context) -> None:
-    """Judge circle-line geometry: exact answers, contained submissions, explained mistakes.
-
-    Try `judge list`, then `judge init PROBLEM`, then `judge watch`; or `judge run PROBLEM FILE` for any file.
-    """
+    """Circle-line geometry: exact answers, contained submissions, named mistakes."""
     if ctx.invoked_subcommand is None:
         click.echo(ctx.get_help())

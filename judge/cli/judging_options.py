@@ -12,7 +12,7 @@ from judge.errors import UsageError
 from judge.sandbox.boundary import LEVELS
 
 F = TypeVar("F", bound=Callable[..., Any])
-TEXT, JSON, GITHUB = FORMATS = ("text", "json", "github")
+TEXT, JSON, GITHUB, EDITOR = FORMATS = ("text", "json", "github", "editor")
 
 isolation_option: Callable[[F], F] = click.option(
     "--isolation",
@@ -59,7 +59,7 @@ format_option: Callable[[F], F] = click.option(
     "form",
     metavar="FORMAT",
     type=click.Choice(FORMATS),
-    help="text, json (as --json) or github: annotations at the file's lines.",
+    help="text, json (as --json), github (annotations) or editor (FILE:LINE:COLUMN: error: …).",
 )
 junit_option: Callable[[F], F] = click.option(
     "--junit",

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.cli.judging_options import GITHUB, JSON, TEXT
+from judge.cli.judging_options import EDITOR, JSON, TEXT
 from judge.cli.options import write_json
-from judge.cli.submissions import Submission, Unjudged, read_submissions
+from judge.cli.submissions import Submission, Unjudged, gathered
 from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
 
@@ -153,7 +153,7 @@ class Outputs:
         """
         if isinstance(fault, UsageError | OSError) or self.on_screen:
             return
-        self._expected = self._expected or [(problem, each) for each in read_submissions(files)]
+        self._expected = self._expected or [(problem, each) for each in gathered(files)[0]]
         for name, submission in self._expected[len(self._results) :]:
             self.unjudged(Unjudged(submission.name, told(fault), name), submission.source)
         self._save()
@@ -177,12 +177,10 @@ class Outputs:
         self._results.append(result)
         if self._form == JSON:
             write_json(result.as_json())
-        elif self._form == GITHUB:
-            from judge.report.github import annotation  # only who asks for it waits for it
-
-            text = annotation(result, source, entry, os.environ)
+        elif self._form != TEXT:
             encoding = sys.stdout.encoding or "utf-8"
-            sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
+            for text in _at_lines(self._form, result, source, entry):
+                sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
             sys.stdout.flush()
 
     def _save(self) -> None:
@@ -191,6 +189,17 @@ class Outputs:
         from judge.report.junit import junit  # only who asks for it waits for it
 
         self._junit.write(junit(self._results))
+
+
+def _at_lines(form: str, result: Result, source: bytes, entry: str) -> Iterable[str]:
+    """What a form says of the submission's lines; only who asks for it waits for it."""
+    if form == EDITOR:
+        from judge.report.editor import editor_lines
+
+        return editor_lines(result, source, entry)
+    from judge.report.github import annotation
+
+    return [annotation(result, source, entry, os.environ)]
 
 
 def _is_junit(start: bytes) -> bool:

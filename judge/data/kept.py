@@ -38,8 +38,11 @@ class KeptFile:
         self._key = key
         self._what = what
 
-    def read(self) -> Any:
-        """What was written, or None if there is no sound file."""
+    def read(self, form: Any = Any) -> Any:
+        """What was written, or None if there is no sound file.
+
+        `form` is the type it is read as, such as tuples for JSON's lists; where it does not fit, it is none.
+        """
         try:
             sweep(self._path().parent)
             content = read_ordinary(self._path())
@@ -49,7 +52,7 @@ class KeptFile:
         if checksum != self._checksum(body):
             return None
         try:
-            return _parsed(body)
+            return _parsed(body, form)
         except (ValueError, RecursionError):
             return None
 
@@ -87,10 +90,10 @@ class KeptFile:
         return self._cache_folder() / self._folder / f"{self._stem}{self._key}.json"
 
 
-def _parsed(body: bytes) -> Any:
+def _parsed(body: bytes, form: Any) -> Any:
     """The JSON, by the quicker parser of two that agree; it knows no infinity. Raises ValueError."""
     try:
-        return msgspec.json.decode(body)
+        return msgspec.json.decode(body, type=form)
     except msgspec.DecodeError:
         import json  # seldom
 

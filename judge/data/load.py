@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
+
+import msgspec
 
 from judge.data.borders import KEY, as_plain, borders_of, from_plain
 from judge.data.cache import DataCache
@@ -10,9 +12,24 @@ from judge.data.model import GroupData, ProblemData, Progress, reseeded
 from judge.errors import ProblemError
 from judge.problem import Group, Problem
 from judge.problem.border import Border
+from judge.problem.model import tupled
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule
+
+_DEEPEST = 12  # lists in lists that are read as tuples at once
+
+
+def _decoder(depth: int) -> msgspec.json.Decoder[Any]:
+    """For a group's data, its cases and its targets, with tuples for the lists that those are made of."""
+    value: Any = None | bool | int | float | str
+    for _ in range(depth):
+        value = Union[None, bool, int, float, str, tuple[value, ...]]  # noqa: UP007
+    data: Any = tuple[list[tuple[value, ...]], list[value]]
+    return msgspec.json.Decoder(data)
+
+
+_DATA = _decoder(_DEEPEST)
 
 
 def load_data(
@@ -25,7 +42,7 @@ def load_data(
     """
     store = DataCache(problem, seed) if cache else None
     if store is not None:
-        kept = _from_plain(store.read(), problem, seed)
+        kept = _from_plain(store.read(dict[str, msgspec.Raw]), problem, seed)
         if kept is not None:
             return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
@@ -64,7 +81,7 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
 
                 module = load_module(problem)
             groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
-        borders = from_plain(plain.get(KEY, []))
+        borders = from_plain(_plain(plain.get(KEY, [])))
     except (
         KeyError,
         TypeError,
@@ -82,22 +99,29 @@ def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | N
     if group.size is not None and module is not None:
         from judge.data.rebuilt import from_seeds
 
-        cases, targets = from_seeds(plain, problem, module, group), plain["targets"]
+        plain = _plain(plain)
+        cases, targets = (
+            from_seeds(plain, problem, module, group),
+            [tupled(each) for each in plain["targets"]],
+        )
     else:
-        cases, targets = plain
-        cases = [tupled(each) for each in cases]
+        cases, targets = _data(plain)
     if len(cases) != group.count or len(targets) != group.count:
         raise ValueError("not this group's data")
-    return GroupData(group, cases, [_frozen(each) if type(each) is list else each for each in targets])
+    return GroupData(group, cases, targets)
 
 
-def _frozen(plain: list[Any]) -> tuple[Any, ...]:
-    """`tupled` of a target, most of which are five doubles each."""
-    if plain and type(plain[0]) is float:
-        return tuple(plain)
-    return tuple([_frozen(each) if type(each) is list else each for each in plain])
+def _data(plain: Any) -> Any:
+    """A group's cases and targets, in tuples."""
+    if isinstance(plain, msgspec.Raw):
+        try:
+            return _DATA.decode(plain)
+        except msgspec.ValidationError:  # more lists in lists
+            plain = _plain(plain)
+    cases, targets = plain
+    return [tuple(map(tupled, each)) for each in cases], [tupled(each) for each in targets]
 
 
-def tupled(plain: list[Any]) -> tuple[Any, ...]:
-    """What came back from JSON as lists is made of tuples, as a case and its values are."""
-    return tuple([tupled(each) if type(each) is list else each for each in plain])
+def _plain(plain: Any) -> Any:
+    """What is still JSON as values; a file with an infinity has been read whole already."""
+    return msgspec.json.decode(plain) if isinstance(plain, msgspec.Raw) else plain

@@ -6,20 +6,27 @@ import decimal
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
+from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
+
+from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
 from judge.problem import Case, Group, Verdict
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
+from judge.run.reference import Reference
 from judge.run.replies import Replies
-from judge.run.result import Failure, GroupResult
-from judge.sandbox.boundary import Reply, Stop, Usage
+from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.run.settings import Settings
+from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.sandbox.encode import encode
+from judge.sandbox.factory import Boxes
 
 Routine = Callable[..., Any]
+_HERE = object()  # instead of a box: this process
 
 
 class Held(NamedTuple):
@@ -36,10 +43,62 @@ def held(data: ProblemData, routine: Routine, groups: Collection[str]) -> list[H
     return [_held(data, each, routine) for each in data.groups if each.group.name in groups]
 
 
+def explained(data: ProblemData, routine: Routine) -> Result:
+    """What `judge run` would say of the routine: every group, the smallest case, the mistake's name.
+
+    What it lacks it lacks with a note. Raises ProblemError.
+    """
+    from judge.diagnose.shrink import shrink  # only after a failure
+    from judge.mistakes.namer import Namer
+
+    judged = held(data, routine, [each.group.name for each in data.groups])
+    first = next((each for each in judged if each.failure is not None), None)
+    groups = tuple(each.result for each in judged)
+    verdict = first.result.verdict if first else Verdict.AC
+    result = Result(data.problem.id, routine_name(routine), Mode.FUNCTION, verdict, groups)
+    if first is None or first.failure is None:
+        return result
+    result = replace(result, failure=first.failure)
+    runner = _RoutineRunner(data.problem, routine)
+    rule = data.problem.time
+    name = runner.reference(rule) if rule else None
+    with _as_it_was(), Reference(data.problem, Boxes()) as reference:
+        here: Any = _HERE
+        found = shrink(data, here, runner, verdict, first.failure, reference=lambda: reference.open(name))
+    if found is not None:
+        result = replace(result, counterexample=found.as_json())
+
+    def alone(group: str, case: int) -> bool:
+        (one,) = [each for each in data.groups if each.group.name == group]
+        one = replace(one, cases=[one.cases[case]], targets=[one.targets[case]])
+        return _held(data, one, routine).failure is not None
+
+    namer = Namer(data, None, Settings(measured=False), 1, nullcontext)
+    return namer.named(result, _source(routine), alone)
+
+
+def routine_name(routine: Routine) -> str:
+    """What a routine is called where it is told of."""
+    return getattr(routine, "__qualname__", None) or repr(routine)
+
+
+def _source(routine: Routine) -> bytes:
+    """The file that the routine is written in; nothing where it is in none."""
+    code = getattr(routine, "__code__", None)
+    try:
+        return Path(code.co_filename).read_bytes() if code else b""
+    except OSError:
+        return b""
+
+
 class _RoutineRunner(FunctionRunner, frozen=True):
-    """Calls the routine where any other runner asks a box to."""
+    """Calls the routine where any other runner asks a box to; its box is `_HERE`."""
 
     routine: Routine
+
+    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """What it answers to each of the cases, in this process and without limits; another box is asked."""
+        return self.called(cases)[0] if box is _HERE else super().answers(box, cases, limits)
 
     def called(self, cases: Sequence[Case]) -> tuple[Replies, Exception | None]:
         """What it answers to each of the cases, and the first exception among them."""

@@ -22,6 +22,7 @@ from pathlib import Path
 from urllib.parse import quote_from_bytes
 
 from judge.errors import HistoryError
+from judge.folders import user_data
 from judge.kata.migrations import APPLICATION, MIGRATIONS, migrate, version_of
 from judge.reading import read_ordinary
 
@@ -57,10 +58,8 @@ def history_path() -> Path:
     own = os.environ.get(VARIABLE)
     if own:
         return Path(own)
-    from platformdirs import user_data_path  # only where it is needed: it costs a few ms
-
     try:
-        return user_data_path("circle-line-judge", appauthor=False) / "history.sqlite3"
+        return user_data() / "history.sqlite3"
     except RuntimeError:
         remedy = f"set ${VARIABLE} to a file"
         raise HistoryError("there is no home folder for the history", remedy=remedy) from None

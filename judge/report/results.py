@@ -128,6 +128,13 @@ def place_lines(result: Result, width: int | None) -> Iterator[Line]:
 
 def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
     """The smallest failing case, and the command that judges it alone, which is never broken into lines."""
+    yield from smallest_lines(result, found, width)
+    if found["replay"] is not None:
+        yield again_line(result.submission, found["replay"])
+
+
+def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
+    """The smallest failing case: its arguments, what was wanted and got, and why."""
     if found["replay"] is None:
         yield line("  ", Span("not by itself", Style.STRONG))
         yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
@@ -139,7 +146,6 @@ def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | 
             found["message"], input=found["input"], expected=found["expected"], got=found["got"]
         )
         yield from failure_lines(smallest, width)
-    yield again_line(result.submission, found["replay"])
 
 
 def again_line(submission: str, replay: str) -> Line:

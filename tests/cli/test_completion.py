@@ -16,7 +16,8 @@ from cli_support import MEAN, ROOT
 from click.shell_completion import ShellComplete
 
 from judge.cli import complete
-from judge.cli.app import COMMANDS, app
+from judge.cli.app import app
+from judge.cli.table import COMMANDS
 
 pytestmark = pytest.mark.slow
 

@@ -13,7 +13,7 @@ import sys
 import pytest
 from cli_support import BROKEN, FLOOR, MEAN, ROOT
 
-from judge.cli.app import COMMANDS
+from judge.cli.table import COMMANDS
 
 pytestmark = pytest.mark.slow
 
@@ -48,6 +48,7 @@ TABLE = {  # by status; what stands before a `;` is only done before
         "new pack mine",
         "verify middle",
         "doctor",
+        "help",
         "init middle",
         "hint count",
         "next",

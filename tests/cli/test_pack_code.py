@@ -1,4 +1,4 @@
-"""Which commands run the code of a pack of problems; the others only read it. README says the same."""
+"""Which commands run the code of a pack of problems; the others only read it. the manual says the same."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ import pytest
 from cli_support import FLOOR, MEAN, PACK, ROOT
 
 from judge.cli import complete
-from judge.cli.app import COMMANDS
+from judge.cli.table import COMMANDS
+from judge.manual import page
 from judge.testing import judge_problem
 
 pytestmark = pytest.mark.slow
@@ -40,6 +41,7 @@ WORDS = {  # each command in the ways that could make a difference; `watch` neve
     "new": ["new problems/fresh-kata"],
     "verify": ["verify middle"],
     "doctor": ["doctor"],
+    "help": ["help", "help containment", "help --search pack"],
     "schema": ["schema", "schema run"],
     "completion": ["completion bash"],
 }
@@ -172,8 +174,8 @@ def test_an_installed_pack_is_imported_where_its_name_is_looked_up(
     assert mark.exists() == imported
 
 
-def test_readme_names_the_same_commands():
-    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+def test_the_manual_names_the_same_commands():
+    readme = " ".join(page("containment").text.split())
     (told,) = re.findall(r"runs with your rights when you use ([^.]*)\.", readme)
     assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == RUN_IT
     assert "docker run --init" in readme

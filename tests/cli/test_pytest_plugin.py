@@ -10,7 +10,9 @@ from importlib.metadata import entry_points
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
+import judge.testing
 from judge.errors import UsageError
+from judge.manual import page
 from judge.testing import judge_problem
 
 pytest_plugins = ["pytester"]
@@ -58,12 +60,37 @@ def test_a_failure_is_that_of_its_group(library):
             "E * wanted *.5",
             "E * got *",
             "E * why * the answer is off by 0.5,*ulps)",
-            "E * half should catch",
-            "E * floor-division: *",
+            "E * smallest case found",
+            "E * input *a=0, b=1",
+            "E * floor-division *likely, score *",
             "test_lib.py:5: AssertionError",
         ]
     )
     assert "judge/testing.py" not in ended.stdout.str()  # the traceback ends at the test's own line
+
+
+def test_the_smallest_case_is_sought_once_for_a_routine(monkeypatch):
+    sought = []
+    explained = judge.testing.explained
+    monkeypatch.setattr("judge.testing.explained", lambda *words: sought.append(words) or explained(*words))
+    problem = judge_problem("middle")
+    for group in ("half", "whole", "half"):  # one lambda of the text, though a new one each time
+        with pytest.raises(AssertionError, match="smallest case found"):
+            problem.check(lambda a, b: (a + b) // 2 + 1, [group])
+    assert len(sought) == 1
+    for offset in (1, 2):  # a lambda with something else around it is another routine
+        with pytest.raises(AssertionError):
+            problem.check(lambda a, b: (a + b) // 2 + offset, ["half"])  # noqa: B023
+    assert len(sought) == 3
+
+
+def test_a_failed_search_leaves_the_failure_as_it_was(monkeypatch):
+    def broken(*_):
+        raise RuntimeError
+
+    monkeypatch.setattr("judge.testing.explained", broken)
+    with pytest.raises(AssertionError, match="half should catch"):
+        judge_problem("middle").check(lambda *_: 7, ["half"])
 
 
 @pytest.mark.parametrize(
@@ -110,9 +137,10 @@ def test_a_marker_on_a_class_or_a_module(library):
         ("", "the fixture judge_group needs a problem: write @pytest.mark.judge_problem*"),
     ],
 )
-def test_a_bad_marker_is_one_line_at_collection(marker, said, library):
-    ended = library(MEAN, f"{MARKED}{marker}\ndef test_it(judge_group):\n    pass\n")
-    ended.assert_outcomes(errors=1)
+def test_a_bad_marker_is_one_line_and_fails_its_own_test_alone(marker, said, library):
+    other = "def test_other():\n    assert middle(0, 2) == 1\n"
+    ended = library(MEAN, f"{MARKED}{marker}\ndef test_it(judge_group):\n    pass\n\n\n{other}")
+    ended.assert_outcomes(errors=1, passed=1)
     ended.stdout.fnmatch_lines([said])
     assert "Traceback" not in ended.stdout.str()
     assert "INTERNALERROR" not in ended.stdout.str()
@@ -133,11 +161,9 @@ def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
     assert ended.stdout.split() == ["judge", "judge.pytest_plugin"]
 
 
-def test_the_readmes_example(pytester, library, monkeypatch):
+def test_the_manuals_example(pytester, library, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    section = readme.partition("## In your own tests\n")[2].partition("\n## ")[0]
-    (example,) = re.findall(r"^```py\n(.*?)^```$", section, re.MULTILINE | re.DOTALL)
+    (example,) = re.findall(r"^```py\n(.*?)^```$", page("testing").text, re.MULTILINE | re.DOTALL)
     right = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
     pytester.makepyfile(right=right)
     wrapped = (
@@ -260,6 +286,7 @@ def test_what_is_no_failure_passes_through():
 
 def test_a_shipped_problem_and_its_hints(monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
+    monkeypatch.setattr("judge.testing.explained", lambda *_: None)  # no name is found
     with pytest.raises(AssertionError, match="grid should catch") as failed:
         judge_problem("count").check(lambda cx, cy, r, a, b: 0, ["grid"])
     assert "forgotten-centre: " in str(failed.value)

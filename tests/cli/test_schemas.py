@@ -18,7 +18,8 @@ import pytest
 from cli_support import BROKEN, FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 
-from judge.cli.app import COMMANDS, app
+from judge.cli.app import app
+from judge.cli.table import COMMANDS
 from judge.problem import Verdict
 from judge.run import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
@@ -67,6 +68,7 @@ SAMPLES: dict[str, list[str]] = {
         f"verify bad-toml --problems {BROKEN}",
     ],
     "doctor": ["doctor"],
+    "help": ["help", "help time", "help --search exit status"],
     "init": ["init middle", "init count mine.py"],
     "hint": ["hint count", "hint count --all"],
     "next": ["next", "next --init", *PATH, "next"],

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 
@@ -8,7 +9,9 @@ import pytest
 from cli_support import MEAN, ROOT
 
 from judge import __version__
-from judge.cli.app import COMMANDS, app
+from judge.cli.app import app
+from judge.cli.table import COMMANDS, TOPICS
+from judge.manual import page, topics
 
 HEAVY = (
     "rich",
@@ -76,6 +79,20 @@ def test_every_command_has_help_that_begins_as_the_table_says(name, judge):
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_every_command_is_in_the_readme_and_takes_json(name, judge):
-    assert f"judge {name}" in (ROOT / "README.md").read_text(encoding="utf-8")
+def test_every_command_names_its_page_of_the_manual(name, judge):
+    assert judge(name, "--help").out.endswith(f"  More: judge help {TOPICS[name]}\n")
+    assert TOPICS[name] in topics()
+
+
+def test_help_is_one_screen_and_names_every_command(process):
+    shown = process("--help", COLUMNS="80").out
+    assert shown.count("\n") <= 23
+    assert max(map(len, shown.splitlines())) <= 80
+    for name in COMMANDS:
+        assert re.search(rf"\b{name}\b", shown)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_is_in_the_manual_and_takes_json(name, judge):
+    assert f"`judge {name}" in page("commands").text
     assert "--json" in judge(name, "--help").out

@@ -22,7 +22,7 @@ def refused(ended, *words):
     ("words", "wanted"),
     [
         (["rnu"], "did you mean 'run'?"),
-        (["qqq"], "the commands are run, list"),
+        (["qqq"], "the commands are init, run"),
         (["--hepl"], "did you mean '--help'?"),
         (["run"], "begin one with 'judge init PROBLEM'"),
         (["run", "middle"], "missing argument 'FILE'"),

@@ -19,7 +19,8 @@ import click
 from runs import ROOT, Ended, Run
 from worker import CLOSED, FULL, GONE, KEPT, NULL, TERMINAL
 
-from judge.cli.app import COMMANDS, app
+from judge.cli.app import app
+from judge.cli.table import COMMANDS
 
 sys.path.append(str(ROOT / "tests"))
 

@@ -56,7 +56,7 @@ def main() -> None:
 
 
 def _import_ahead() -> None:
-    from judge.cli.app import COMMANDS
+    from judge.cli.table import COMMANDS
 
     for name in (*_AHEAD, *(f"judge.cli.commands.{name}" for name in COMMANDS)):
         importlib.import_module(name)

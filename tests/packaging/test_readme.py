@@ -18,15 +18,13 @@ from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.find import all_problems
 
+MANUAL = ROOT / "judge" / "manual"
 PAGES = (
     "README.md",
     ".github/CONTRIBUTING.md",
     ".github/CHANGELOG.md",
     "tests/README.md",
-    "judge/manual/problem-toml.md",
-    "judge/manual/new-kata.md",
-    "judge/manual/problem-py.md",
-    "judge/manual/new-type.md",
+    *(f"judge/manual/{path.name}" for path in sorted(MANUAL.glob("*.md"))),
 )
 TOUR = WALKS[0][1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -53,10 +51,24 @@ def test_the_problems_table(monkeypatch):
 
 
 def test_exit_codes_and_verdicts():
+    page = (MANUAL / "scripts.md").read_text(encoding="utf-8")
     for code in ExitCode:
-        assert re.search(rf"^\| {code.value} \|", README, re.MULTILINE)
+        assert re.search(rf"^\| {code.value} \|", page, re.MULTILINE)
     for verdict in Verdict:
-        assert f"`{verdict.value}`" in README
+        assert f"`{verdict.value}`" in page
+
+
+def test_readme_is_for_the_first_ten_minutes_and_names_every_page_of_the_manual():
+    assert README.count("\n") <= 250
+    for path in MANUAL.glob("*.md"):
+        assert f"[{path.stem}](judge/manual/{path.name})" in README
+
+
+def test_a_program_is_judged_as_the_manual_tells(tmp_path):
+    name, title = WALKS[2]
+    taken = go(steps((ROOT / name).read_text(encoding="utf-8"), title), tmp_path)
+    claims_hold(taken)
+    assert [each.status for each in taken] == [0]
 
 
 @pytest.fixture(scope="module")
@@ -95,10 +107,9 @@ def test_the_picture_loads_nothing_and_holds_on_any_ground(screenshot):
     assert re.search(r"[\w-]+  likely, score", text_of(screenshot))
 
 
-def python_blocks(title):
-    """The programs that a section of README shows."""
-    ((section,),) = [re.findall(rf"(?ms)^## {title}$(.*?)^## ", README)]
-    return re.findall(r"(?ms)^```py\n(.*?)^```$", section)
+def python_blocks(name):
+    """The programs that a page of the manual shows."""
+    return re.findall(r"(?ms)^```py\n(.*?)^```$", (MANUAL / name).read_text(encoding="utf-8"))
 
 
 @pytest.fixture
@@ -114,7 +125,7 @@ def homework(tmp_path):
 
 @pytest.mark.parametrize("place", [0, 1])
 def test_the_programs_that_judge_do_as_told(place, homework):
-    blocks = python_blocks("In your own code")
+    blocks = python_blocks("library.md")
     assert len(blocks) == 2
     (homework / "marks.py").write_text(blocks[place], encoding="utf-8")
     command = [sys.executable, "marks.py"]

@@ -25,7 +25,11 @@ from pseudoterminal import run
 
 ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = "…"
-WALKS = (("README.md", "A tour of five minutes"), (".github/CONTRIBUTING.md", "Add a kata in 15 minutes"))
+WALKS = (
+    ("README.md", "A tour of five minutes"),
+    (".github/CONTRIBUTING.md", "Add a kata in 15 minutes"),
+    ("judge/manual/answers.md", "A program"),
+)
 
 _BLOCK = re.compile(
     r"(?:^(?P<about>(?:[^\n`][^\n]*\n|`[^`\n][^\n]*\n)+)\n)?^```(?P<kind>\w+)\n(?P<text>.*?)^```$",

@@ -12,7 +12,7 @@ import judge
 PACKAGE = Path(judge.__file__).parent
 ROOMS = [
     *("cli", "judging", "report", "kata", "topics", "mistakes", "diagnose", "run", "data"),
-    *("problem", "drawing", "values", "exact", "language", "reading", "errors"),
+    *("problem", "drawing", "manual", "values", "exact", "language", "reading", "folders", "errors"),
 ]
 
 
