@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
+from contextlib import AbstractContextManager
 
 from judge.cli.picture import Drawing
 from judge.cli.recording import Recording
@@ -13,7 +14,7 @@ from judge.judging.containment import Containment
 from judge.judging.executors import executor
 from judge.judging.session import Session
 from judge.problem import Problem
-from judge.report.progress import progress
+from judge.report.progress import Advance, progress
 from judge.report.screen import Notes
 from judge.run.execute import judge_fault
 from judge.run.result import Result
@@ -30,8 +31,13 @@ def drawings(
     def lost(submission: Submission, why: str) -> Result:
         return judge_fault(problem.id, submission.name, why)
 
+    done = wish.before
+
+    def bars(label: str) -> AbstractContextManager[Advance | None]:
+        return progress(f"{done + 1} of {wish.total}: {label}" if wish.total > 1 else label)
+
     said = Notes()
-    session = Session(problem, wish.terms, containment, expected=len(submissions), bars=progress)
+    session = Session(problem, wish.terms, containment, expected=len(submissions), bars=bars)
     with Recording(wish.db, wanted=wish.kept) as recording:
         recording.open()  # while the box boots
         said.say(session.notes)
@@ -43,4 +49,5 @@ def drawings(
             said.say(result.notes)
             if wish.regression is not None:
                 said.say(save_regression(wish.regression, session.data, result))
+            done += 1
             yield Drawing(problem, session.data, result)

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.cli.submissions import Submission, read_submissions
+from judge.cli.submissions import Submission, Unjudged, read_submissions
 from judge.cli.wish import named_problem
-from judge.errors import HistoryError, UsageError
+from judge.errors import HistoryError, JudgeError, UsageError
 from judge.language import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders
@@ -58,20 +58,30 @@ class Task(Struct, frozen=True):
 
 def assigned(
     submissions: Sequence[Submission], problem: Problem | None, folders: Sequence[Path], db: Path | None
-) -> list[Task]:
+) -> tuple[list[Task], list[Unjudged]]:
     """The submissions by problem, in the order of the first of each: all to `problem`, or each to its own.
 
-    Raises as `problem_of_file`.
+    Of several, those that no problem can be found for are apart.
+
+    Raises:
+        JudgeError: that is so of the only one; as `problem_of_file`.
     """
     if problem is not None:
-        return [Task(problem, tuple(submissions))]
+        return ([Task(problem, tuple(submissions))] if submissions else []), []
     problems: dict[str, Problem] = {}
     mine: dict[str, list[Submission]] = {}
+    unfit = []
     for submission in submissions:
-        found = problem_of_file(submission, "run", folders, db)
+        try:
+            found = problem_of_file(submission, "run", folders, db)
+        except JudgeError as fault:
+            if len(submissions) == 1:
+                raise
+            unfit.append(Unjudged(submission.name, fault.what))
+            continue
         problems.setdefault(found.id, found)
         mine.setdefault(found.id, []).append(submission)
-    return [Task(problems[name], tuple(own)) for name, own in mine.items()]
+    return [Task(problems[name], tuple(own)) for name, own in mine.items()], unfit
 
 
 def problem_meant(word: str, command: str, folders: Sequence[Path], db: Path | None) -> Problem:

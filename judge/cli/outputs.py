@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from judge.cli.judging_options import EDITOR, JSON, TEXT
 from judge.cli.options import write_json
-from judge.cli.submissions import Submission, read_submissions
+from judge.cli.submissions import Submission, Unjudged, gathered
 from judge.cli.target import OutFile
 from judge.errors import ExitCode, UsageError, told
 
@@ -93,14 +93,14 @@ class OnScreen(Struct, frozen=True):
             *(["--picture"] if drawing.drawable and not (drawn or self.drawn) else []),
         ]
 
-    def close(self, results: Sequence[Result]) -> None:
-        """The table of several."""
+    def close(self, results: Sequence[Result], left: int) -> None:
+        """The table of several, of which so many are left."""
         from judge.report.results import summary_lines
         from judge.report.screen import out
 
-        if len(results) > 1:
+        if results and len(results) + left > 1:
             screen = out()
-            screen.show(summary_lines(results, screen.width))
+            screen.show(summary_lines(results, screen.width, left))
 
 
 def show_result(drawing: Drawing) -> None:
@@ -121,19 +121,29 @@ class Outputs:
             self._junit.check()
         self.on_screen = form == TEXT and junit is None  # and nowhere else
         self._expected: list[tuple[str, Submission]] = []  # with the problem's name
+        self._unjudged: list[Unjudged] = []
         self._form = form
         self._screen = screen
         self._results: list[Result] = []
 
-    def expect(self, tasks: Sequence[Task]) -> None:
-        """Results are to come of these submissions, in their order."""
+    def expect(self, tasks: Sequence[Task], unjudged: Sequence[Unjudged]) -> int:
+        """How many results are to come: of these submissions, in their order, and of what is not judged."""
         self._expected = [(task.problem.id, each) for task in tasks for each in task.submissions]
+        self._unjudged = list(unjudged)
+        return len(self._expected) + len(self._unjudged)
 
     def result(self, result: Result, *, several: bool, drawing: Drawing) -> None:
         """One more result, of one or several, in the order of the submissions."""
+        # Kept first: whoever breaks off having seen it finds it in the table.
+        self._write(result, drawing.problem.entry, self._expected[len(self._results)][1].source)
         if self._form == TEXT:
             self._screen.result(result, several=several, drawing=drawing)
-        self._write(result, drawing.problem.entry)
+
+    def unjudged(self, entry: Unjudged, source: bytes = b"") -> None:
+        """One of several that is not judged: a row of the table, and for a script a result like any other."""
+        from judge.run.execute import judge_fault
+
+        self._write(judge_fault(entry.problem, entry.name, entry.why), "", source)
 
     def fail(self, problem: str, files: Sequence[str], fault: Exception) -> None:
         """The judge itself failed: a script misses no submission, each that is left has that for its result.
@@ -143,25 +153,27 @@ class Outputs:
         """
         if isinstance(fault, UsageError | OSError) or self.on_screen:
             return
-        from judge.run.execute import judge_fault
-
-        self._expected = self._expected or [(problem, each) for each in read_submissions(files)]
-        for problem, submission in self._expected[len(self._results) :]:
-            self._write(judge_fault(problem, submission.name, told(fault)), "")
+        self._expected = self._expected or [(problem, each) for each in gathered(files)[0]]
+        for name, submission in self._expected[len(self._results) :]:
+            self.unjudged(Unjudged(submission.name, told(fault), name), submission.source)
         self._save()
 
-    def close(self) -> ExitCode:
-        """Write what comes last; what the results come to."""
+    def close(self, *, interrupted: bool = False) -> ExitCode:
+        """Write what comes last, the rows of what was not judged among it; what the results come to."""
         from judge.run.result import exit_code
 
+        left = len(self._expected) - len(self._results)
+        if not interrupted or self._results:
+            for entry in self._unjudged:
+                self.unjudged(entry)
         if self._form == TEXT:
-            self._screen.close(self._results)
+            mixed = len({result.problem for result in self._results}) > 1
+            self._screen.close(sorted(self._results, key=_place) if mixed else self._results, left)
         self._save()
         return exit_code(self._results)
 
-    def _write(self, result: Result, entry: str) -> None:
+    def _write(self, result: Result, entry: str, source: bytes) -> None:
         """Keep one more result for the file, and write it where a script reads."""
-        source = self._expected[len(self._results)][1].source
         self._results.append(result)
         if self._form == JSON:
             write_json(result.as_json())
@@ -192,3 +204,8 @@ def _at_lines(form: str, result: Result, source: bytes, entry: str) -> Iterable[
 
 def _is_junit(start: bytes) -> bool:
     return b"<testsuite" in start
+
+
+def _place(result: Result) -> tuple[str, ...]:
+    """Where a submission stands in the table: by its folders and its name, whatever its problem."""
+    return Path(result.submission).parts

@@ -91,13 +91,15 @@ class Drawing(Struct, frozen=True):
 
         There is one where the screen has room for both and so many rows more, and where it is `wanted`.
         """
+        bare = laid(())
+        if self.result.failure is None or self.result.hurdle or not is_terminal(screen.stream):
+            return bare
         from judge.report.glance import taken
         from judge.report.picture import LEAST_ROWS
         from judge.report.terminal import height
 
-        bare = laid(())
         left = height(screen) - spare - taken(bare, screen.width) - 1
-        if not wanted and (left < LEAST_ROWS or not is_terminal(screen.stream)):
+        if not wanted and left < LEAST_ROWS:
             return bare
         drawn = self.lines(screen, left)
         return laid(drawn) if drawn else bare

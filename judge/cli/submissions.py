@@ -1,19 +1,22 @@
-"""Reading the files to judge: all of them before the first is judged."""
+"""Reading the files to judge: all of them before the first is judged. Of several, one that fails is a row."""
 
 from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.errors import UsageError, nearest
 from judge.language import NAME, PATTERN, is_program
 from judge.reading import read_ordinary, read_pipe
 
 _LARGEST = 4 * 2**20  # bytes; no person writes more
+_ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
+_DANGLING = "it is a link to a file that is not there"
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
@@ -25,36 +28,95 @@ class Submission(Struct, frozen=True):
     source: bytes
 
 
+class Unjudged(Struct, frozen=True):
+    """An entry that is not judged: its name, why, and the problem where it is known."""
+
+    name: str
+    why: str
+    problem: str = ""
+
+
 def read_submissions(names: Iterable[str]) -> list[Submission]:
-    """The named files; a folder stands for its *.py, in order. A file named twice is judged once.
+    """The named files; a folder stands for the *.py in it. A file named twice is judged once.
 
     Raises:
         UsageError: one is missing, unreadable, no ordinary file or too large, or a folder holds no *.py.
     """
-    files = dict.fromkeys(file for name in names for file in _files(name))
-    return [Submission(file, _read(file)) for file in files]
+    submissions, unread = gathered(names)
+    if unread:
+        raise UsageError(unread[0].why, where=unread[0].name)
+    return submissions
 
 
-def _files(name: str) -> list[str]:
+def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission], list[Unjudged]]:
+    """The named files, as `read_submissions`, and those of several that cannot be read; `problem` is for all.
+
+    A folder stands for every *.py in it and in its folders, but for hidden ones and virtual environments.
+
+    Raises:
+        UsageError: one is missing, the only one cannot be read, or a folder holds no *.py.
+    """
+    entries = dict.fromkeys(entry for name in names for entry in _entries(name))
+    submissions, unread = [], []
+    for entry in entries:
+        if isinstance(entry, Unjudged):
+            unread.append(entry)
+            continue
+        try:
+            submissions.append(Submission(entry, _read(entry)))
+        except UsageError as fault:
+            if len(entries) == 1:
+                raise
+            unread.append(Unjudged(entry, _DANGLING if _is_dangling(entry) else fault.what))
+    return submissions, [replace(each, problem=problem) for each in unread]
+
+
+def _is_dangling(name: str) -> bool:
+    return os.path.islink(name) and not os.path.exists(name)  # noqa: PTH110, PTH114 - of any name
+
+
+def _entries(name: str) -> list[str | Unjudged]:
+    """The file of that name, or all that is to be judged in the folder. Raises UsageError."""
     if not name:  # which would be the current folder
         raise UsageError("no such file", where="''", remedy=f"name a {NAME} file")
     try:
-        is_folder = stat.S_ISDIR(Path(name).stat().st_mode)
-        if not is_folder:
+        if not stat.S_ISDIR(Path(name).stat().st_mode):
             return [name]
-        # Not glob, to which a folder that may not be read is an empty one.
-        found = sorted(path for path in Path(name).iterdir() if is_program(path) and path.is_file())
+        os.scandir(name).close()  # of a folder that cannot be read, that is said
     except OSError as fault:
+        if _is_dangling(name):
+            return [name]
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
         raise UsageError("no such file", where=repr(name)) from fault
+    found = list(_within(name))
     if not found:
         raise UsageError(
             f"this folder holds no {PATTERN} file",
             where=name,
             remedy="name a file, or a folder of submissions",
         )
-    return [str(path) for path in found]
+    return found
+
+
+def _within(folder: str) -> Iterator[str | Unjudged]:
+    """The programs in a folder, in order, those of its own folders after its own."""
+    try:
+        with os.scandir(folder) as scanned:
+            entries = sorted(scanned, key=lambda entry: entry.name)
+    except OSError as fault:
+        yield Unjudged(folder, _unreadable(folder, fault).what)
+        return
+    inner = [entry for entry in entries if entry.is_dir()]
+    yield from (entry.path for entry in entries if entry not in inner and is_program(entry.name))
+    for entry in inner:
+        if entry.is_symlink():  # it may lead back
+            yield Unjudged(entry.path, "a link to a folder is not followed")
+        elif entry.name[:1] not in (".", "_") and not os.path.exists(os.path.join(entry.path, _ENVIRONMENT)):  # noqa: PTH110, PTH118
+            below = list(_within(entry.path))
+            yield from below
+            if not below and is_program(entry.name):
+                yield Unjudged(entry.path, "this is a folder")
 
 
 def _read(name: str) -> bytes:
@@ -96,7 +158,7 @@ def _unreadable(name: str, fault: OSError) -> UsageError:
 def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     if path.is_symlink():
-        return "it is a link to a file that is not there"
+        return _DANGLING
     try:
         beside = [entry.name for entry in path.parent.iterdir()]
     except OSError:

@@ -23,6 +23,8 @@ class Wish(Struct, frozen=True):
     regression: Path | None = None
     kept: bool = True  # in the history
     db: Path | None = None
+    total: int = 1  # submissions, to all problems
+    before: int = 0  # those among them that were judged already
 
 
 def named_problem(name: str, folders: Sequence[Path]) -> Problem:

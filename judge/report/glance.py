@@ -25,7 +25,6 @@ from judge.report.results import (
     verdict_span,
 )
 from judge.report.screen import Screen, is_terminal
-from judge.report.terminal import height
 from judge.report.thresholds import threshold_lines
 from judge.report.values import counted
 from judge.run.result import Failure, Result
@@ -59,7 +58,11 @@ _CUTS = (
 
 def screen_rows(screen: Screen) -> int:
     """How many rows can be read at once; whoever reads no terminal gets what one of 24 rows shows."""
-    return height(screen) - 1 if is_terminal(screen.stream) else _ROWS
+    if not is_terminal(screen.stream):
+        return _ROWS
+    from judge.report.terminal import height  # only who sits there waits for it
+
+    return height(screen) - 1
 
 
 def glance_lines(

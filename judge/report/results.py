@@ -137,9 +137,8 @@ def place_lines(result: Result, width: int | None) -> Iterator[Line]:
 def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
     """The smallest failing case, and the command that judges it alone, which is never broken into lines."""
     yield from smallest_lines(result, found, width)
-    if found["replay"] is None:
-        return
-    yield again_line(result.submission, found["replay"])
+    if found["replay"] is not None:
+        yield again_line(result.submission, found["replay"])
 
 
 def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
@@ -257,11 +256,11 @@ def _cases(result: Result) -> tuple[int, int]:
     return sum(group.passed for group in groups), sum(group.cases for group in groups)
 
 
-def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line]:
-    """Several submissions: a row each, and how many were accepted on the last line."""
+def summary_lines(results: Sequence[Result], width: int | None, left: int = 0) -> Iterator[Line]:
+    """Several submissions: a row each, and how many were accepted on the last line, and how many are left."""
     accepted = sum(result.verdict is Verdict.AC for result in results)
-    all_right = accepted == len(results)
-    problems = list(dict.fromkeys(result.problem for result in results))
+    all_right = accepted == len(results) and not left
+    problems = list(dict.fromkeys(result.problem for result in results if result.problem))
     columns = [
         Column("submission"),
         *([Column("problem")] if len(problems) > 1 else []),
@@ -271,23 +270,25 @@ def summary_lines(results: Sequence[Result], width: int | None) -> Iterator[Line
         Column("× reference", right=True),
         Column("first failure", flexible=True),
     ]
-    shown = len(columns) - all_right
+    shown = len(columns) - (accepted == len(results))
     rows = [_summary_row(result, several=len(problems) > 1)[:shown] for result in results]
     yield from Table(tuple(columns[:shown]), rows).lines(width)
     yield line()
     style = Style.GOOD if all_right else Style.BAD
     partial = list(dict.fromkeys(result.partial for result in results if result.partial))
     text = f"{accepted} of {len(results)} accepted" + (f" on {', '.join(partial)} only" if partial else "")
+    text += f", {left} not judged" if left else ""
     yield from beside(Span(text, style), ", ".join(problems), width)
 
 
 def _summary_row(result: Result, *, several: bool) -> list[Cell]:
+    judged = result.verdict is not Verdict.JE
     return [
         Span(shown_name(result.submission), link=Link(result.submission)),
         *([result.problem] if several else []),
         verdict_span(result.verdict),
-        Span(str(result.score), Style.FAINT),
-        Span(seconds(result.time.cpu_seconds), Style.FAINT),
+        Span(str(result.score) if judged else "", Style.FAINT),
+        Span(seconds(result.time.cpu_seconds) if judged else "", Style.FAINT),
         Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
         result.failure.message if result.hurdle and result.failure else failure_place(result.failure),
     ]

@@ -60,8 +60,8 @@ def test_files_of_several_problems_are_each_judged_on_their_own(judge, submit):
     rows = [line.split()[:3] for line in ended.lines[1:4]]
     assert rows == [
         ["team/a.py", "middle", "AC"],
-        ["team/c.py", "middle", "WA"],
         ["team/b.py", "segment", "AC"],
+        ["team/c.py", "middle", "WA"],
     ]
     assert ended.lines[-1] == "2 of 3 accepted  middle, segment"
 

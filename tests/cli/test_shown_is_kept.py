@@ -21,7 +21,7 @@ FORMATS = {  # and what a line of each says of a submission
     "github": lambda line: (
         "team" + line.partition("file=team")[2].partition(",")[0] if "file=" in line else None
     ),
-    "text": lambda line: line.split()[0] if line.startswith("team/") else None,
+    "text": lambda line: line.split()[1] if line[4:].startswith("team/") else None,
 }
 
 

@@ -17,7 +17,7 @@ from judge.mistakes.family import Family
 from judge.problem.find import find_problem
 
 PICTURE = ROOT / ".github" / "screenshot.svg"
-_COMMAND = "judge run segment segment.py --group tangent --group near-tangent --group far-circle"
+_COMMAND = "judge run segment.py"
 _TITLE = "judge"
 # Colours that hold on the picture's own dark ground, whatever the page around it; SGR 2 is dimmed by hand.
 _GROUND, _TEXT, _FAINT = (13, 17, 23), (201, 209, 217), "139;148;158"

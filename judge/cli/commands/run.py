@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import closing
 from pathlib import Path
 
 import click
@@ -32,7 +31,7 @@ from judge.cli.options import (
     seed_option,
 )
 from judge.cli.outputs import OnScreen, Outputs
-from judge.cli.submissions import read_submissions
+from judge.cli.submissions import gathered
 from judge.cli.target import check_svg
 from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode
@@ -88,14 +87,17 @@ def command(
     Without arguments, the file of the kata in hand. A PROBLEM alone means its file here, count.py, and a FILE
     alone tells its problem: by the entry function it defines, the line its stub begins with, or its name.
     Files of several problems are each judged on their own. A first word that is a problem's name is the
-    problem; write ./count for a file that is called so. A folder stands for the *.py in it.
+    problem; write ./count for a file that is called so. A folder stands for every *.py in it and its folders.
 
     A FILE that defines the problem's entry function has it called; any other is run as a program that reads
     standard input.
 
+    Of several, one that cannot be read or that fits no problem is a row of the table (JE). Ctrl-C shows the
+    table so far.
+
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
-    from judge.cli.judging import judged
+    from judge.cli.judging import all_judged
 
     current = None
     if first is not None:
@@ -109,15 +111,15 @@ def command(
         problem = None
         if name is not None:
             problem = problem_of(current, folders) if current else named_problem(name, folders)
-        submissions = read_submissions(files)
-        tasks = assigned(submissions, problem, folders, db)
-        show.expect(tasks)
+        submissions, unread = gathered(files, problem.id if problem else "")
+        tasks, unfit = assigned(submissions, problem, folders, db)
+        total = show.expect(tasks, [*unread, *unfit])
         if regression is not None:
             from judge.cli.regression import agree_on  # only who asks for it waits for it
 
             agree_on(regression)
         if svg is not None:
-            check_svg(svg, len(submissions))
+            check_svg(svg, total)
         for task in tasks:
             chosen_groups(
                 task.problem, groups, kata_level
@@ -130,12 +132,13 @@ def command(
             named=not (no_name or (quiet and show.on_screen)),
             level=kata_level,
         )
-        wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db)
-        for task in tasks:
-            with closing(judged(task.problem, task.submissions, wish)) as drawings:
-                for drawing in drawings:
-                    show.result(drawing.result, several=len(submissions) > 1, drawing=drawing)
-                    drawing.save(svg)
+        wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db, total=total)
+        for drawing in all_judged(tasks, wish, show, silent=quiet and show.on_screen):
+            show.result(drawing.result, several=total > 1, drawing=drawing)
+            drawing.save(svg)
+    except KeyboardInterrupt:
+        show.close(interrupted=True)
+        raise
     except Exception as fault:
         show.fail(name or "", files, fault)
         raise

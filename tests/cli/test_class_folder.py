@@ -1,0 +1,141 @@
+"""`judge run FOLDER` with a class in it: folders in folders, entries that cannot be read, Ctrl-C."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+from cli_support import FLOOR, MEAN, ROOT
+from jsonschema import Draft202012Validator
+from test_run_screen import on_a_terminal
+
+from judge.schema import schema_of
+
+pytestmark = pytest.mark.slow
+
+SEGMENT = (ROOT / "solutions" / "segment" / "accepted" / "geometric.py").read_text()
+SLOW = "import time\ndef middle(a, b):\n    time.sleep(0.05)\n    return (a + b) / 2\n"
+
+
+@pytest.fixture
+def class_(submit):
+    """Two students' files, and what else lies about there."""
+    submit(MEAN, "class/ann/middle.py")
+    submit(SEGMENT, "class/ann/segment.py")
+    submit(FLOOR, "class/bob/try.py")
+    submit("x = 1\n", "class/bob/notes.py")
+    submit("#" * (5 * 2**20), "class/bob/huge.py")
+    submit("", "class/bob/readme.txt")
+    for hidden in (".git/a.py", "__pycache__/a.py", "env/lib/a.py"):
+        submit(MEAN, f"class/{hidden}")
+    submit("", "class/env/pyvenv.cfg")
+    Path("class/bob/gone.py").symlink_to("nowhere.py")
+    Path("class/bob/friend").symlink_to("../ann")
+    Path("class/bob/folder.py").mkdir()
+    os.mkfifo("class/bob/pipe.py")
+    return "class"
+
+
+def test_each_is_judged_on_its_problem_and_what_cannot_be_is_a_row(class_, judge):
+    ended = judge("run", "-q", class_, "--no-history")
+    assert (ended.status, ended.err) == (3, "")
+    assert ended.lines[-1] == "2 of 9 accepted  middle, segment"
+    rows = {line.split()[0]: line for line in ended.lines[1:-2]}
+    assert list(rows) == [
+        "class/ann/middle.py",
+        "class/ann/segment.py",
+        "class/bob/folder.py",
+        "class/bob/friend",
+        "class/bob/gone.py",
+        "class/bob/huge.py",
+        "class/bob/notes.py",
+        "class/bob/pipe.py",
+        "class/bob/try.py",
+    ]
+    for name, words in {
+        "ann/middle.py": "middle   AC          100",
+        "ann/segment.py": "segment  AC          100",
+        "bob/folder.py": " JE ",
+        "bob/friend": "a link to a folder is not followed",
+        "bob/gone.py": "it is a link to a file that is not there",
+        "bob/huge.py": "this file is larger than 4 MB",
+        "bob/notes.py": "defines no problem's function",
+        "bob/pipe.py": "this is a named pipe",
+        "bob/try.py": "examples, case 1",
+    }.items():
+        assert words in rows[f"class/{name}"]
+
+
+def test_scripts_miss_none(class_, judge):
+    ended = judge("run", class_, "--json", "--no-shrink", "--no-name", "--junit", "out.xml")
+    results = [json.loads(line) for line in ended.lines]
+    assert len(results) == 9
+    validator = Draft202012Validator(schema_of("run"))
+    for result in results:
+        validator.validate(result)
+    assert sum(result["verdict"] == "JE" for result in results) == 6
+    assert len(ElementTree.parse("out.xml").getroot()) == 9
+    assert len(judge("history").lines) == 1 + 3
+
+
+def test_a_problem_that_is_named_is_that_of_all(class_, judge):
+    ended = judge("run", "-q", "middle", class_, "--json")
+    assert {json.loads(line)["problem"] for line in ended.lines} == {"middle"}
+
+
+def test_the_only_file_that_cannot_be_read_is_told_of_as_before(class_, judge):
+    for name in ("class/bob/huge.py", "class/bob/gone.py", "class/bob/pipe.py", "class/bob/folder.py"):
+        ended = judge("run", "middle", name)
+        assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
+    ended = judge("run", "-q", "middle", "class/ann/middle.py", "class/bob/huge.py")
+    assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted  middle")
+
+
+def test_a_broken_problem_costs_its_own_files_only(judge, submit, pack, tmp_path, monkeypatch):
+    import shutil
+
+    broken = tmp_path / "more" / "third"
+    shutil.copytree(pack / "problems" / "middle", broken)
+    text = (broken / "problem.toml").read_text().replace('entry = "middle"', 'entry = "third"')
+    (broken / "problem.toml").write_text(text)
+    (broken / "statement.md").write_text((broken / "statement.md").read_text().replace("middle(", "third("))
+    (broken / "problem.py").write_text("raise ValueError('broken')\n")
+    monkeypatch.setenv("JUDGE_PROBLEMS", f"{broken.parent}:{os.environ['JUDGE_PROBLEMS']}")
+    submit("def third(a, b):\n    return 1\n", "class/a.py")
+    submit(MEAN, "class/b.py")
+    ended = judge("run", "-q", "class")
+    assert ended.status == 3
+    assert "broken" in next(line for line in ended.lines if "class/a.py" in line)
+    assert " AC " in next(line for line in ended.lines if "class/b.py" in line)
+
+
+def test_ctrl_c_shows_the_table_so_far(submit):
+    submit(MEAN, "class/a.py")
+    submit(SLOW, "class/b.py")
+    submit(MEAN, "class/c.py")
+    words = [sys.executable, "-m", "judge", "run", "middle", "class", "--junit", "out.xml"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        first = running.stdout.readline()
+        while not running.stdout.readline().startswith("AC  accepted"):
+            pass
+        running.send_signal(signal.SIGINT)
+        out, err = running.communicate(timeout=60)
+    assert (first.split()[:2], running.returncode, err.strip()) == (["AC", "class/a.py"], 130, "")
+    assert out.splitlines()[-1] == "1 of 1 accepted, 2 not judged  middle"
+    assert "class/a.py" in out
+    assert len(ElementTree.parse("out.xml").getroot()) == 1
+
+
+def test_a_bar_counts_the_files(submit):
+    for name in "ab":
+        submit(SLOW, f"class/{name}.py")
+    _, written = on_a_terminal("run", "-q", "middle", "class", NO_COLOR="1", COLUMNS="100")
+    assert "1 of 2: class/a.py" in written
+    assert "2 of 2: class/b.py" in written
