@@ -92,7 +92,7 @@ class Drawing(Struct, frozen=True):
         There is one where the screen has room for both and so many rows more, and where it is `wanted`.
         """
         bare = laid(())
-        if self.result.failure is None or self.result.hurdle or not is_terminal(screen.stream):
+        if self.result.failure is None or self.result.hurdle or not (wanted or is_terminal(screen.stream)):
             return bare
         from judge.report.glance import taken
         from judge.report.picture import LEAST_ROWS

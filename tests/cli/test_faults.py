@@ -96,7 +96,7 @@ def test_a_fault_in_drawing_leaves_the_verdict_alone(judge, submit, monkeypatch)
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
     monkeypatch.setattr("judge.cli.picture.Drawing.picture", faulty)
-    ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name")
+    ended = judge("run", "middle", submit(FLOOR), "--no-shrink", "--no-name", "--picture")
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")
     assert "judge: the failing case is not drawn: internal fault: ArithmeticError" in ended.err

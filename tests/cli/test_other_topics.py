@@ -91,7 +91,7 @@ def test_programs_are_judged_shrunk_and_named(kata, judge, submit):
     ended = judge("run", kata.id, submit(kata.wrong_program, "own.py"))
     assert (ended.status, ended.err) == (1, "")
     kata.sound(ended.out)
-    assert ended.lines[0] == f"own.py  {kata.id}, run as a program"
+    assert ended.lines[0] == f"WA  own.py  {kata.id}, run as a program"
     smallest = ended.out.partition("smallest case found")[2]
     wanted, got = kata.printed
     assert f"    wanted  {wanted}\n    got     {got}\n" in smallest

@@ -44,7 +44,6 @@ def refused(ended, name, *words):
     "words",
     [
         "run middle pipe.py",
-        "run middle mine.py pipe.py --json",
         "stress middle pipe.py",
         "replay middle:half:v1,2:000000 pipe.py",
     ],
@@ -53,8 +52,12 @@ def test_a_named_pipe_is_refused_before_it_is_opened(words, named_pipe):
     refused(patient(*words.split()), "pipe.py", "named pipe", "<(command)")
 
 
-def test_a_pipe_in_a_folder_is_no_submission(named_pipe):
-    assert patient("run", "-q", "middle", ".").stdout.startswith("AC  ")
+@pytest.mark.parametrize("words", ["run -q middle .", "run -q middle mine.py pipe.py"])
+def test_beside_other_files_it_is_a_row_and_they_are_judged(words, named_pipe):
+    ended = patient(*words.split())
+    assert (ended.returncode, ended.stderr) == (3, "")
+    assert "this is a named pipe, which may never be written to" in ended.stdout
+    assert ended.stdout.endswith("1 of 2 accepted  middle\n")
 
 
 def test_what_is_never_saved_again_is_not_watched(named_pipe):
