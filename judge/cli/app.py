@@ -80,7 +80,7 @@ class Commands(click.Group):
             with formatter.section(aim):
                 formatter.write_dl(rows)
         with formatter.section("More, told by `judge help commands`"):
-            formatter.write_text(", ".join(FURTHER))
+            formatter.write(f"{click.wrap_text(', '.join(FURTHER), formatter.width, '  ', '  ')}\n")
         names = [name for parameter in self.get_params(ctx) for name in parameter.opts if name[:2] == "--"]
         formatter.write(f"\nOptions: {', '.join(names)}\n")
 

@@ -19,7 +19,7 @@ from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.reference import Reference
 from judge.run.replies import Replies
-from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.run.result import Failure, GroupResult, Result
 from judge.run.settings import Settings
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.sandbox.encode import encode
@@ -55,11 +55,11 @@ def explained(data: ProblemData, routine: Routine) -> Result:
     first = next((each for each in judged if each.failure is not None), None)
     groups = tuple(each.result for each in judged)
     verdict = first.result.verdict if first else Verdict.AC
-    result = Result(data.problem.id, routine_name(routine), Mode.FUNCTION, verdict, groups)
+    runner = _RoutineRunner(data.problem, routine)
+    result = Result(data.problem.id, routine_name(routine), runner.mode, verdict, groups)
     if first is None or first.failure is None:
         return result
     result = replace(result, failure=first.failure)
-    runner = _RoutineRunner(data.problem, routine)
     rule = data.problem.time
     name = runner.reference(rule) if rule else None
     with _as_it_was(), Reference(data.problem, Boxes()) as reference:

@@ -10,10 +10,12 @@ Where chance decides which cases fail, as with rounding, far less agrees.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.mistakes.evidence import Overlap
+if TYPE_CHECKING:
+    from judge.mistakes.evidence import Overlap
 
 _NEARLY_ALL = 0.9  # of all wrong answers of either, that are the same in both
 _TRUE = (

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from judge.problem import Verdict
-from judge.run.group import group_limits
 from judge.sandbox.boundary import Usage
 
 if TYPE_CHECKING:
@@ -33,6 +32,8 @@ def with_printed(result: Result, data: ProblemData, runner: Runner, box: Box) ->
         return result
     if failure.case is None or failure.input is None:
         return result
+    from judge.run.group import group_limits  # only after a failure
+
     group = next(group for group in data.groups if group.group.name == failure.group)
     limits = group_limits(data.problem, group.group, Usage())
     printed = text_of(runner.answers(box, [group.cases[failure.case - 1]], limits).printed)

@@ -12,7 +12,7 @@ from judge import language
 
 PACKAGE = Path(judge.__file__).parent
 OWN = {  # the judge's own code and the problems' are Python whatever submissions are
-    "data/cache.py": {"*.py"},
+    "data/cache.py": {"*.py", ".py"},
     "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
     "problem/solutions.py": {"mistakes.py"},
     "report/verified.py": {" of mistakes.py judged"},
