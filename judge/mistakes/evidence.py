@@ -17,12 +17,11 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
-
-from msgspec import Struct
+from collections.abc import Iterable, Mapping, Sequence
 
 from judge.mistakes.agreement import WrongAnswer, is_ended
 from judge.mistakes.answers import Answers
+from judge.mistakes.likeness import Overlap
 from judge.mistakes.packed import PackedWrong
 from judge.values import Outline, Type, Usual
 
@@ -59,32 +58,6 @@ def log_sum(logarithms: Iterable[float]) -> float:
     terms = list(logarithms)
     largest = max(terms)
     return largest + math.log(sum(math.exp(term - largest) for term in terms))
-
-
-class Overlap(Struct, frozen=True):
-    """The cases of one group by what a submission and a known program answered."""
-
-    same: frozenset[int]  # both wrong with the same answer
-    kind: frozenset[int]  # both wrong with answers of one kind
-    other: frozenset[int]  # both wrong in different ways
-    ours: frozenset[int]  # only the submission is wrong
-    theirs: Collection[int]  # only the known program is
-    size: int
-    open: int = 0  # cases in which either would fit
-    ended: int = 0  # of `kind`, how often both end by an exception
-
-    @property
-    def failed(self) -> int:
-        """How many the known program fails."""
-        return len(self.same) + len(self.kind) + len(self.other) + len(self.theirs)
-
-    def within(self, cases: Iterable[int]) -> Overlap:
-        """The same of some cases."""
-        only = frozenset(cases)
-        same, kind, other, ours = (part & only for part in (self.same, self.kind, self.other, self.ours))
-        return Overlap(
-            same, kind, other, ours, only.intersection(self.theirs), len(only), 0, min(self.ended, len(kind))
-        )
 
 
 def _overlap(ours: Answers, wrong: Mapping[int, WrongAnswer], theirs: Answers) -> Overlap:

@@ -9,13 +9,9 @@ Where chance decides which cases fail, as with rounding, far less agrees.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterable, Sequence
 
 from msgspec import Struct
-
-if TYPE_CHECKING:
-    from judge.mistakes.evidence import Overlap
 
 _NEARLY_ALL = 0.9  # of all wrong answers of either, that are the same in both
 _TRUE = (
@@ -25,6 +21,32 @@ _COVERED = 0.5  # … but no more than these of its own are unexplained
 _HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
 _BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
 _IN_PART = 0.7  # where it does for one of two mistakes
+
+
+class Overlap(Struct, frozen=True):
+    """The cases of one group by what a submission and a known program answered."""
+
+    same: frozenset[int]  # both wrong with the same answer
+    kind: frozenset[int]  # both wrong with answers of one kind
+    other: frozenset[int]  # both wrong in different ways
+    ours: frozenset[int]  # only the submission is wrong
+    theirs: Collection[int]  # only the known program is
+    size: int
+    open: int = 0  # cases in which either would fit
+    ended: int = 0  # of `kind`, how often both end by an exception
+
+    @property
+    def failed(self) -> int:
+        """How many the known program fails."""
+        return len(self.same) + len(self.kind) + len(self.other) + len(self.theirs)
+
+    def within(self, cases: Iterable[int]) -> Overlap:
+        """The same of some cases."""
+        only = frozenset(cases)
+        same, kind, other, ours = (part & only for part in (self.same, self.kind, self.other, self.ours))
+        return Overlap(
+            same, kind, other, ours, only.intersection(self.theirs), len(only), 0, min(self.ended, len(kind))
+        )
 
 
 class Likeness(Struct, frozen=True):

@@ -223,6 +223,91 @@ def test_a_solution_is_shown_when_the_problem_is_solved(judge, solved):
         assert not history.gave_up("middle")
 
 
+@pytest.fixture
+def two_ways(pack, tmp_path, monkeypatch):
+    """A pack whose problem `middle` has two approaches and a program; its code has lines of 130 columns."""
+    shutil.copytree(pack, tmp_path / "ways")
+    accepted = tmp_path / "ways" / "solutions" / "middle" / "accepted"
+    long = " + ".join(["0"] * 30)
+    (accepted / "half_way.py").write_text(
+        f'"""from-a-on\n\nHalf of the way from a to b. Then on.\n"""\n\n\n'
+        f"def middle(a, b):\n    return a + (b - a) / 2 + {long}\n"
+    )
+    toml = tmp_path / "ways" / "problems" / "middle" / "problem.toml"
+    rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'
+    toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "ways" / "problems"))
+    return long
+
+
+TABLE = """\
+  approach  × reference  idea
+  mean              1.0  the one above
+  half-way           12  Half of the way from a to b.
+  yours                  run 1, mine.py
+
+  judge solution middle half-way  shows another one
+"""
+
+
+def test_the_approaches_stand_side_by_side_with_yours(judge, submit, two_ways, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
+    asked = []
+
+    def paces(problem, programs, bars):
+        asked.extend((problem.id, name, source.decode()) for name, source in programs)
+        return [1.0, 12.3, None]  # so that nothing depends on how busy the machine is
+
+    monkeypatch.setattr("judge.judging.pace.paces", paces)
+    ended = judge("solution", "middle")
+    assert (ended.status, ended.err) == (0, "")
+    assert ended.out.endswith(f"\n```\n\n{TABLE}")
+    assert [name for _, name, _ in asked] == ["mean.py", "half_way.py", "mine.py"]
+    assert asked[2][2] == MEAN
+    told = json.loads(judge("solution", "middle", "--json").out)
+    assert [each["ratio"] for each in told["approaches"]] == [1.0, 12.3]
+    assert told["yours"] == {"run": 1, "file": "mine.py", "ratio": None}
+
+
+def test_times_that_cannot_be_measured_cost_a_line(judge, two_ways, tmp_path):
+    (tmp_path / "ways" / "problems" / "middle" / "problem.py").write_text("BUILDERS = {}\n")
+    ended = judge("solution", "middle", "--give-up")
+    assert ended.status == 0
+    assert ended.err.startswith("judge: the times are not measured: ")
+    assert len(ended.err.splitlines()) == 1
+    assert "reference" not in ended.out
+
+
+@pytest.mark.parametrize("name", ["half-way", "half_way.py", "from-a-on", "from a on"])
+def test_an_approach_by_its_name(judge, two_ways, name):
+    told = json.loads(judge("solution", "middle", name, "--give-up", "--json").out)
+    assert (told["file"], told["idea"]) == ("half_way.py", "from-a-on")
+    assert [each["name"] for each in told["approaches"]] == ["mean", "half-way"]
+    assert all(each["ratio"] is None or each["ratio"] >= 0 for each in told["approaches"])
+    assert told["yours"] is None
+    refused(
+        judge("solution", "middle", "halfway"), "middle has no approach 'halfway'; did you mean 'half-way'?"
+    )
+
+
+def test_without_times_there_is_no_column(judge, two_ways):
+    ended = judge("solution", "middle", "--give-up", "--no-time")
+    assert "reference" not in ended.out
+    assert "  half-way  Half of the way from a to b." in ended.lines
+    told = json.loads(judge("solution", "middle", "--no-time", "--json").out)
+    assert {each["ratio"] for each in told["approaches"]} == {None}
+
+
+@pytest.mark.parametrize("columns", [30, 80, 200])
+def test_code_is_never_broken_into_lines(judge, two_ways, monkeypatch, columns):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    whole = f"    return a + (b - a) / 2 + {two_ways}"
+    words = ("solution", "middle", "half-way", "--give-up", "--no-time")
+    assert whole in judge(*words).lines
+    assert whole in on_a_terminal(*words, NO_COLOR="1", COLUMNS=str(columns))[1].replace("\r", "")
+
+
 def test_before_that_only_who_gives_up_sees_it(judge, submit):
     file = submit(FLOOR)
     refused(judge("solution", "middle"), "middle is not solved yet", "--give-up' shows it all the same")

@@ -19,7 +19,7 @@ from judge.testing import judge_problem
 
 pytestmark = pytest.mark.slow
 
-RUN_IT = {"run", "watch", "stress", "try", "replay", "data", "verify", "report"}
+RUN_IT = {"run", "watch", "stress", "try", "replay", "solution", "data", "verify", "report"}
 WORDS = {  # each command in the ways that could make a difference; `watch` never ends and has its own test
     "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
     "list": ["list", "list --json"],
@@ -69,6 +69,9 @@ def marking_pack(mark, submit, tmp_path, monkeypatch):
     shutil.copytree(PACK, tmp_path / "pack")
     module = tmp_path / "pack" / "problems" / "middle" / "problem.py"
     module.write_text(module.read_text().replace("from __future__ import annotations\n", f"{MARKING}", 1))
+    toml = module.with_name("problem.toml")
+    rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'  # there are times to measure
+    toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
     submit(MEAN)
     submit(FLOOR, "floor.py")
@@ -95,6 +98,11 @@ def test_these_commands_run_a_problems_code_and_no_others(command, words, judge,
     ended = judge(*words.format(id=practised).split())
     assert ended.status in ((0, 1, 3) if command == "verify" else (0, 1)), ended
     assert mark.exists() == (command in RUN_IT)
+
+
+def test_a_solution_without_times_runs_nothing(judge, practised, mark):
+    assert judge("solution", "middle", "--give-up", "--no-time").status == 0
+    assert not mark.exists()
 
 
 def test_watch_runs_it(practised, mark):

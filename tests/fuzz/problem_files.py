@@ -266,6 +266,7 @@ def _runs(chance: random.Random, problem: str, files: dict[str, bytes]) -> list[
         ("verify", problem, "--pin"),
         ("stress", problem, program, "--for", "0.05s", "--seed", "7"),
         ("replay", f"{problem}:{group}:v1,2:000000", program),
+        ("try", problem, "1 2", program),
         ("report", "--no-matrix"),
     ]
     chosen = [

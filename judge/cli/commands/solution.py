@@ -1,41 +1,61 @@
-"""`judge solution`: a model solution and why it works, for who has solved the problem or has given up."""
+"""`judge solution`: the approaches there are and why they work, for who has solved the problem or gave up."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.errors import ExitCode, UsageError
-from judge.kata.model import model_solution
+from judge.errors import ExitCode, JudgeError, UsageError
+from judge.kata.model import Model, approaches, chosen_approach
 from judge.problem import Problem
-from judge.report.screen import out
-from judge.report.solution import solution_text
+from judge.report.progress import progress
+from judge.report.screen import note, out
+from judge.report.solution import YOURS, approach_lines, solution_text
+
+if TYPE_CHECKING:
+    from judge.kata.history import Run
 
 SCHEMA = 1
 
 
 @click.command("solution")
-@click.argument("name", metavar="[PROBLEM]", required=False)
+@click.argument("name", metavar="[PROBLEM", required=False)
+@click.argument("approach", metavar="[APPROACH]]", required=False)
 @click.option(
     "--give-up", "giving_up", is_flag=True, help="Show it before you have solved it; that is remembered."
+)
+@click.option(
+    "--no-time", "untimed", is_flag=True, help="Do not measure how long the approaches and yours take."
 )
 @json_option
 @db_option
 @problems_option
 def command(
-    name: str | None, giving_up: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]
+    name: str | None,
+    approach: str | None,
+    giving_up: bool,
+    untimed: bool,
+    as_json: bool,
+    db: Path | None,
+    folders: tuple[Path, ...],
 ) -> ExitCode:
     """Explain a model solution.
 
     Of that problem or the kata in hand, once you have solved it; before that only with --give-up, and the
-    problem then comes back for review sooner.
+    problem then comes back for review sooner. Below it are the other approaches, which their names show, each
+    with its time beside that of your own latest accepted run, measured now.
     """
     problem = problem_in_hand(name, folders, db)
-    model = model_solution(problem)
-    solved = _admit(problem, db, giving_up=giving_up)
+    models = approaches(problem)
+    model = chosen_approach(problem, models, approach)
+    yours = _admit(problem, db, giving_up=giving_up)
+    ratios = {} if untimed or problem.time is None else _ratios(problem, models, yours)
+    run = yours[0] if yours else None
     if as_json:
         write_json(
             {
@@ -45,26 +65,61 @@ def command(
                 "idea": model.idea,
                 "explanation": model.explanation,
                 "program": model.program,
-                "solved": solved,
+                "solved": run is not None,
+                "approaches": [_approach(each, ratios) for each in models],
+                "yours": {"run": run.id, "file": run.submission, "ratio": ratios.get(YOURS)} if run else None,
             }
         )
         return ExitCode.ACCEPTED
     screen = out()
     screen.write(solution_text(problem, model, screen))
+    screen.show(approach_lines(problem, models, model, run, ratios, screen.width))
     return ExitCode.ACCEPTED
 
 
-def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> bool:
-    """Whether the problem is solved; if it is not, note that it was given up. Raises UsageError."""
+def _approach(model: Model, ratios: Mapping[str, float | None]) -> dict[str, Any]:
+    return {
+        "name": model.name,
+        "file": model.path.name,
+        "about": model.about,
+        "ratio": ratios.get(model.name),
+    }
+
+
+def _ratios(
+    problem: Problem, models: Sequence[Model], yours: tuple[Run, bytes] | None
+) -> dict[str, float | None]:
+    """The times of the approaches and of one's own, by name; none where they cannot be measured."""
+    from judge.judging.pace import paces  # only who has them measured waits for it
+
+    programs = [(model.path.name, model.source) for model in models]
+    names = [model.name for model in models]
+    if yours is not None:
+        programs.append((yours[0].submission, yours[1]))
+        names.append(YOURS)
+    try:
+        measured = paces(problem, programs, progress)
+    except JudgeError as fault:  # the solution is what was asked for
+        note(f"the times are not measured: {fault}")
+        return {}
+    return dict(zip(names, measured, strict=True))
+
+
+def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
+    """The person's latest run that solved it, and its source; None where it was given up, which is noted.
+
+    Raises UsageError where it is neither.
+    """
     from judge.kata.history import History
 
     with History.open(db, reading=not giving_up) as history:
-        if any(run.solved for run in history.runs(problem.id)):
-            return True
+        solved = [run for run in history.runs(problem.id) if run.solved]
+        if solved:
+            return solved[-1], history.source(solved[-1].id)
         if history.gave_up(problem.id):
-            return False
+            return None
         if giving_up:
             history.give_up(problem.id)
-            return False
+            return None
     remedy = f"'judge hint {problem.id}' helps, 'judge solution {problem.id} --give-up' shows it all the same"
     raise UsageError(f"{problem.id} is not solved yet", remedy=remedy)
