@@ -21,6 +21,7 @@ from judge.values import Accepted
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
 _MORE_WALL_SECONDS = 4.0
 _LONG_WAIT_SECONDS = 1.0  # of all its turns, before there is none after the first
+_LONG_IMPORT_SECONDS = 3.0  # of CPU time in the imports of all its turns, the same
 _AGAIN = "when it was run again to be timed"
 
 
@@ -55,6 +56,7 @@ class Duel:
             wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),
         )
         self._taken = Usage()
+        self._importing = 0.0  # CPU seconds of all turns' imports
         self.imported = 0.0  # CPU seconds that the submission's import took, the least of all turns
         self._accepted: bytes | None = None  # the answers that were compared last
 
@@ -65,6 +67,7 @@ class Duel:
         first = self._taken == Usage()
         spent = replies.imported.cpu_seconds
         self.imported = spent if first else min(self.imported, spent)
+        self._importing += spent
         self._taken += replies.usage + replies.imported
         given = _exactly(replies)
         if (given is None or given != self._accepted) and not _as_before(self._runner, replies, self._places):
@@ -80,7 +83,9 @@ class Duel:
         return replies.usage.cpu_seconds
 
     def goes_on(self) -> bool:
-        """Whether it has not kept the judge waiting."""
+        """Whether it has not kept the judge waiting, for nothing or for its imports."""
+        if self._importing > _LONG_IMPORT_SECONDS:
+            return False
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
 

@@ -79,6 +79,11 @@ def test_work_done_at_import_is_told_and_has_no_part_in_the_ratio(timed):
     assert eager.time.ratio.median < 1
 
 
+def test_long_imports_end_the_race(timed, monkeypatch):
+    monkeypatch.setattr("judge.run.measure._LONG_IMPORT_SECONDS", 0.0)
+    assert timed(EAGER).time.ratio.pairs == 1
+
+
 def test_work_put_off_to_the_first_call_is_charged(timed):
     lazy = timed(LAZY)
     assert not lazy.time.import_tells
