@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterable, Iterator
+from itertools import islice
 from pathlib import Path
 
 from msgspec import Struct
@@ -17,6 +18,7 @@ from judge.reading import read_ordinary, read_pipe
 _LARGEST = 4 * 2**20  # bytes; no person writes more
 _ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
 _DANGLING = "it is a link to a file that is not there"
+_MOST, _DEEPEST = 10_000, 20  # files in a folder, and levels of folders: a class is smaller
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
@@ -42,7 +44,7 @@ def read_submissions(names: Iterable[str]) -> list[Submission]:
     Raises:
         UsageError: one is missing, unreadable, no ordinary file or too large, or a folder holds no *.py.
     """
-    submissions, unread = gathered(names)
+    submissions, unread = _gathered(names, 0)
     if unread:
         raise UsageError(unread[0].why, where=unread[0].name)
     return submissions
@@ -56,7 +58,12 @@ def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission],
     Raises:
         UsageError: one is missing, the only one cannot be read, or a folder holds no *.py.
     """
-    entries = dict.fromkeys(entry for name in names for entry in _entries(name))
+    submissions, unread = _gathered(names, _DEEPEST)
+    return submissions, [replace(each, problem=problem) for each in unread]
+
+
+def _gathered(names: Iterable[str], depth: int) -> tuple[list[Submission], list[Unjudged]]:
+    entries = dict.fromkeys(entry for name in names for entry in _entries(name, depth))
     submissions, unread = [], []
     for entry in entries:
         if isinstance(entry, Unjudged):
@@ -68,15 +75,19 @@ def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission],
             if len(entries) == 1:
                 raise
             unread.append(Unjudged(entry, _DANGLING if _is_dangling(entry) else fault.what))
-    return submissions, [replace(each, problem=problem) for each in unread]
+    return submissions, unread
 
 
 def _is_dangling(name: str) -> bool:
     return os.path.islink(name) and not os.path.exists(name)  # noqa: PTH110, PTH114 - of any name
 
 
-def _entries(name: str) -> list[str | Unjudged]:
-    """The file of that name, or all that is to be judged in the folder. Raises UsageError."""
+def _entries(name: str, depth: int) -> list[str | Unjudged]:
+    """The file of that name, or all that is to be judged in the folder, so many levels down.
+
+    Raises:
+        UsageError: there is nothing, or more than anybody would want.
+    """
     if not name:  # which would be the current folder
         raise UsageError("no such file", where="''", remedy=f"name a {NAME} file")
     try:
@@ -89,7 +100,10 @@ def _entries(name: str) -> list[str | Unjudged]:
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
         raise UsageError("no such file", where=repr(name)) from fault
-    found = list(_within(name))
+    found = list(islice(_within(name, depth), _MOST + 1))
+    if len(found) > _MOST:
+        what = f"this folder holds more than {_MOST:,} {PATTERN} files"
+        raise UsageError(what, where=name, remedy="name a smaller one")
     if not found:
         raise UsageError(
             f"this folder holds no {PATTERN} file",
@@ -99,24 +113,36 @@ def _entries(name: str) -> list[str | Unjudged]:
     return found
 
 
-def _within(folder: str) -> Iterator[str | Unjudged]:
-    """The programs in a folder, in order, those of its own folders after its own."""
+def _within(folder: str, depth: int) -> Iterator[str | Unjudged]:
+    """The programs in a folder, in order, those of its own folders after its own, so many levels down."""
     try:
         with os.scandir(folder) as scanned:
             entries = sorted(scanned, key=lambda entry: entry.name)
     except OSError as fault:
         yield Unjudged(folder, _unreadable(folder, fault).what)
         return
-    inner = [entry for entry in entries if entry.is_dir()]
-    yield from (entry.path for entry in entries if entry not in inner and is_program(entry.name))
-    for entry in inner:
-        if entry.is_symlink():  # it may lead back
-            yield Unjudged(entry.path, "a link to a folder is not followed")
-        elif entry.name[:1] not in (".", "_") and not os.path.exists(os.path.join(entry.path, _ENVIRONMENT)):  # noqa: PTH110, PTH118
-            below = list(_within(entry.path))
-            yield from below
-            if not below and is_program(entry.name):
-                yield Unjudged(entry.path, "this is a folder")
+    inner = {entry.name: str(Path(entry.path)) for entry in entries if os.path.isdir(entry.path)}  # noqa: PTH112 - False where it may not be asked
+    yield from (
+        str(Path(entry.path)) for entry in entries if entry.name not in inner and is_program(entry.name)
+    )
+    if depth:
+        for name, path in inner.items():
+            yield from _below(name, path, depth)
+
+
+def _below(name: str, path: str, depth: int) -> Iterator[str | Unjudged]:
+    """What is to be judged in a folder within another one."""
+    if os.path.islink(path):  # noqa: PTH114 - it may lead back
+        yield Unjudged(path, "a link to a folder is not followed")
+    elif depth == 1:
+        yield Unjudged(path, f"this folder lies more than {_DEEPEST} levels down")
+    elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, _ENVIRONMENT)):  # noqa: PTH110, PTH118
+        empty = True
+        for each in _within(path, depth - 1):
+            empty = False
+            yield each
+        if empty and is_program(name):
+            yield Unjudged(path, "this is a folder")
 
 
 def _read(name: str) -> bytes:

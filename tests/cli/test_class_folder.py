@@ -139,3 +139,24 @@ def test_a_bar_counts_the_files(submit):
     _, written = on_a_terminal("run", "-q", "middle", "class", NO_COLOR="1", COLUMNS="100")
     assert "1 of 2: class/a.py" in written
     assert "2 of 2: class/b.py" in written
+
+
+def test_a_folder_that_is_no_class_ends_soon(judge, submit):
+    """Not the whole of a disk is read, and one file is all that these take."""
+    submit(MEAN, "a/" * 25 + "deep.py")
+    submit(MEAN, "a/near.py")
+    ended = judge("run", "-q", "middle", "a")
+    assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted  middle")
+    assert "lies more than 20 levels down" in ended.out
+    submit(MEAN, "b/inner/one.py")
+    for words in (["stress", "middle", "b"], ["replay", "middle:half:v1,2:000000", "b"]):
+        assert "this folder holds no *.py file" in judge(*words).err
+
+
+def test_more_files_than_anybody_has(judge, submit, monkeypatch):
+    monkeypatch.setattr("judge.cli.submissions._MOST", 3)
+    for name in "abcd":
+        submit(MEAN, f"class/{name}/x.py")
+    ended = judge("run", "middle", "class")
+    assert (ended.status, ended.out) == (2, "")
+    assert "class: this folder holds more than 3 *.py files; name a smaller one" in ended.err
