@@ -31,9 +31,10 @@ def draws(screen: Screen) -> bool:
 def height(screen: Screen) -> int:
     """How many rows can be seen."""
     try:
-        return os.get_terminal_size(screen.stream.fileno()).lines
+        found = os.get_terminal_size(screen.stream.fileno()).lines
     except (OSError, ValueError):
-        return shutil.get_terminal_size().lines
+        found = 0
+    return found or shutil.get_terminal_size().lines  # a terminal that does not tell says 0
 
 
 def redraw(screen: Screen, text: str, prompt: str) -> None:

@@ -1,11 +1,14 @@
 from __future__ import annotations
 
 import io
+import os
+from pathlib import Path
 
 import pytest
 
 from judge.report.layout import Column, Link, Span, Style, Table, line
 from judge.report.screen import Screen, is_terminal, note
+from judge.report.terminal import height
 
 
 class Terminal(io.StringIO):
@@ -119,3 +122,10 @@ def test_without_a_current_folder_there_is_no_link(tmp_path, monkeypatch):
     monkeypatch.chdir(gone)
     gone.rmdir()
     assert shown([line(Span("x", link=Link("x.py")))], links=True) == "x\n"
+
+
+def test_a_terminal_that_does_not_tell_its_height_has_the_usual_one(monkeypatch):
+    monkeypatch.delenv("LINES", raising=False)
+    monkeypatch.setattr("os.get_terminal_size", lambda *_: os.terminal_size((0, 0)))
+    with Path(os.devnull).open("w", encoding="utf-8") as stream:
+        assert height(Screen(stream, colour=False, width=80)) == 24
