@@ -39,8 +39,8 @@ def test_init_writes_a_stub_that_fails_and_takes_it_up(judge):
     assert "judge watch" in ended.out
     rejected = judge("run", "--no-shrink")
     assert rejected.status == 1
-    assert "NotImplementedError: middle is still to be written" in rejected.out
-    assert rejected.lines[0] == "middle.py  middle, its function called"
+    assert "middle is still to be written: fill in its body" in rejected.out
+    assert rejected.lines[0] == "RTE  middle.py  middle, its function called"
 
 
 def test_init_names_the_file_as_asked(judge, tmp_path):
