@@ -168,6 +168,13 @@ def test_a_case_that_is_none_of_the_problems_is_not_drawn(path, values):
     assert part.cases[0].facts[0][0] == "input"
 
 
+def test_what_a_function_printed_stands_with_its_case(path):
+    said = Failure("1 wanted, None given", "grid", 1, {"cx": 0}, "1", "None", printed="here <b>")
+    failed = Result("count", "mine.py", Mode.FUNCTION, Verdict.WA, failure=said)
+    (part,) = page_of(kept(path, [failed])).problems
+    assert ("printed", "here <b>", "code") in part.cases[0].facts
+
+
 def test_what_could_not_be_run_has_a_reason(path):
     failed = Result("count", "mine.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError: line 3"))
     (part,) = page_of(kept(path, [failed])).problems

@@ -116,6 +116,8 @@ def _facts(
     if shown.expected is not None and shown.input:
         yield "wanted", _cut(shown.expected), "wanted"
         yield "got", _cut(shown.got or "no answer"), "got"
+    if shown.printed:
+        yield "printed", _cut(shown.printed), "code"
     message = shown.message or first.message
     if message and message != f"{shown.expected} wanted, {shown.got} given":
         yield "why", _cut(message), ""

@@ -19,7 +19,7 @@ class Tile(Struct, frozen=True):
 class SkillLine(Struct, frozen=True):
     """One line of the checklist of skills.
 
-    `state` is "shown", "part", "lost" (the latest run fails what an earlier one passed) or "open"; `share`
+    `state` is "shown", "lost" (the latest run fails what an earlier one passed) or "open"; `share`
     says of a part how much it is; `since` is when it was first shown whole.
     """
 

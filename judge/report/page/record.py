@@ -31,6 +31,7 @@ class CaseRecord(Struct, frozen=True):
     expected: str | None = None
     got: str | None = None
     replay: str | None = None
+    printed: str = ""
 
 
 class RatioRecord(Struct, frozen=True):
