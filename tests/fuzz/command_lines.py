@@ -170,7 +170,7 @@ def _argument(chance: random.Random, argument: Any) -> list[str]:
 
 def _value(chance: random.Random, parameter: click.Parameter) -> str:
     """A value for it, a good one half of the time."""
-    values = _pool("words")[(parameter.metavar or "").strip("[].")]
+    values = _pool("words")[(parameter.metavar or "").split()[0].strip("[].")]
     return chance.choice(values[:3] if chance.random() < 0.5 else values)
 
 
