@@ -30,9 +30,9 @@ group_option: Callable[[F], F] = click.option(
 level_option: Callable[[F], F] = click.option(
     "--level",
     "kata_level",
-    metavar="LEVEL",
+    metavar="|".join(LEVELS),
     type=click.Choice(LEVELS),
-    help="Only the test groups of the interview or of the production level.",
+    help="Only the test groups of that level of the kata.",
 )
 seed_option: Callable[[F], F] = click.option(
     "--seed", type=int, metavar="N", help="Build other cases, from this seed, instead of the pinned ones."
