@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import hypot
 
+from msgspec.structs import replace
+
 from judge.problem import Problem
 from judge.problem.border import Border, Probe
 from judge.topics.circles.part import Part
@@ -93,13 +95,21 @@ _SHORT: Sequence[tuple[float, float, float, float]] = (
 
 
 def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
-    """Those of a problem with the bands `snap` and `clear`; a problem that is exact throughout has none."""
+    """Those of a problem with the bands `snap` and `clear`; a problem that is exact throughout has none.
+
+    A line alone, or with a point beside it, needs no bands to be none.
+    """
+    if part in (Part.FOOT, Part.NORMAL):
+        return (Border("no line", 0, 0, tuple(_short_alone(each, part) for each in _SHORT)),)
     if not {"snap", "clear"} <= problem.bands.keys():
         return ()
     snap, clear = float(problem.bands["snap"]), float(problem.bands["clear"])
+    if part is Part.POINT:
+        return (Border("a point", snap, clear, tuple(_lone_point(each) for each in _POINTS)),)
     ray = part is Part.RAY
     found = [Border("a tangency", snap, clear, _touches(part, -1))]
-    if not ray:  # whose first point moves so little that its number alone would have to tell
+    # A ray's first point moves so little, and a touch is a chord too: only a number would tell.
+    if part not in (Part.RAY, Part.CHORD):
         found.append(Border("a tangency from inside", snap, clear, _touches(part, 1)))
     if part is Part.SEGMENT:
         found += [
@@ -158,6 +168,12 @@ def _point(each: _Layout) -> Probe:
     return _probe((place, place), h * along, 1, _WIDEST, scale, far, alike=True)
 
 
+def _lone_point(each: _Layout) -> Probe:
+    """A point on the circle, and inside it when the radius grows: (cx, cy, r, P)."""
+    probe = _point(each)
+    return replace(probe, case=probe.case[:4])
+
+
 def _probe(
     ends: tuple[_Pair, _Pair],
     radius: float,
@@ -197,6 +213,18 @@ def _short(each: tuple[float, float, float, float], *, ray: bool) -> Probe:
     sizes = {"extent": extent, "radius": radius, "coordinate": max(extent, far)}
     case = (beside, far, radius, (0.0, far), (0.0, 0.0 if ray else far))
     return Probe(case, (4, 0), 0.0, 1, sizes, _WIDEST)
+
+
+def _short_alone(each: tuple[float, float, float, float], part: Part) -> Probe:
+    """The same without a circle: (A, B, P), P on the line, or (A, B)."""
+    scale, _, *lengths = each
+    beside, far = (length * scale for length in lengths)
+    if part is Part.NORMAL:
+        start = (beside, far)
+        return Probe((start, start), (1, 0), beside, 1, {"extent": max(start)}, _WIDEST)
+    sizes = {"extent": beside, "coordinate": max(beside, far)}
+    start = (0.0, far)
+    return Probe((start, start, (beside, far)), (1, 0), 0.0, 1, sizes, _WIDEST)
 
 
 def _step(place: _Pair, direction: tuple[int, int], steps: float) -> _Pair:
