@@ -30,7 +30,7 @@ Lined = Callable[[CircleLine], Found]
 
 _FINEST = 1e-15  # of the extent: what figures of doubles still hold
 _FLATTEST = 1e-12  # of the line: far below what a threshold for a slope would be
-_NEAREST = 1e-12  # of the extent: how far a point beside a line may be from it
+_NEAREST = 1e-9  # of the extent: how far a point beside a line may be from it
 _EXACT = 1e-30  # what integers of any size are asked for
 _QUANTITIES = ("r", "x of the first point", "y of the first point", "x of the second", "y of the second")
 

@@ -51,7 +51,8 @@ def beside(
     kind = draw.choice(feet)
     length = draw.integer(1, size) << draw.integer(*longer)
     gap = draw.integer(1, size)
-    starts = {"before": gap, "after": -length - gap, "between": -draw.integer(0, length), "at-end": 0}
+    inner = draw.integer(0, draw.choice((length, min(gap, length))))  # anywhere, or near A
+    starts = {"before": gap, "after": -length - gap, "between": -inner, "at-end": 0}
     require(kind in starts, f"{kind!r} is a place for a foot")
     start = starts[kind]
     height = 0 if on else draw.integer(1, size)
