@@ -86,6 +86,7 @@ def on_circle(cx, cy, r, p):
 
 ANSWERS = {
     "distance": distance,
+    "foot": foot,
 }
 
 
