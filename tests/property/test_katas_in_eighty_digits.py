@@ -87,6 +87,7 @@ def on_circle(cx, cy, r, p):
 ANSWERS = {
     "distance": distance,
     "foot": foot,
+    "normal-form": normal_form,
 }
 
 
