@@ -88,6 +88,7 @@ ANSWERS = {
     "distance": distance,
     "foot": foot,
     "normal-form": normal_form,
+    "on-circle": on_circle,
 }
 
 
