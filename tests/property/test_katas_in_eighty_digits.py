@@ -84,7 +84,31 @@ def on_circle(cx, cy, r, p):
     return 1 if gap > 0 else -1
 
 
+def quadratic(cx, cy, r, a, b):
+    """The common points by b² − a·c, in order of t; None for A == B."""
+    c, d = vec((cx, cy)), minus(vec(b), vec(a))
+    if d == (0, 0):
+        return None
+    f, r = minus(vec(a), c), exactly(r)
+    square, along = dot(d, d), dot(f, d)
+    foot = f[0] - along / square * d[0], f[1] - along / square * d[1]
+    if abs(norm(foot) - r) <= SNAP * max(r, reach(f, minus(vec(b), c))):
+        roots = [-along / square]
+    else:
+        under = along * along - square * (dot(f, f) - r * r)
+        half = under.sqrt() if under > 0 else None
+        roots = [] if half is None else [(-along - half) / square, (-along + half) / square]
+    return [(c[0] + f[0] + t * d[0], c[1] + f[1] + t * d[1]) for t in roots]
+
+
+def chord(*case):
+    """How far the common points are apart."""
+    points = quadratic(*case)
+    return norm(minus(points[0], points[-1])) if points else None
+
+
 ANSWERS = {
+    "chord": chord,
     "distance": distance,
     "foot": foot,
     "normal-form": normal_form,
