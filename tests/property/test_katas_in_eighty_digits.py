@@ -111,6 +111,7 @@ ANSWERS = {
     "chord": chord,
     "distance": distance,
     "foot": foot,
+    "line-points": quadratic,
     "normal-form": normal_form,
     "on-circle": on_circle,
 }
