@@ -67,7 +67,8 @@ def extent(scene: Scene) -> Fraction:
 def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
     """The points of the case, the wanted ones and the given ones."""
     line = scene.line
-    centre = scene.centre if line.r or scene.centre != "C" else "C (r = 0)"
+    is_circle = scene.part not in (Part.FOOT, Part.NORMAL)
+    centre = "C (r = 0)" if is_circle and not line.r else scene.centre
     yield Spot(Fraction(line.cx), Fraction(line.cy), centre), Role.CASE
     for at, name in zip((scene.start, scene.end), _names(scene), strict=True):
         if name:

@@ -27,8 +27,13 @@ def grid(draw: Draw, *, size: int) -> Figure:
 
 
 def uniform(draw: Draw, *, size: int, numbers: str = "any") -> Figure:
-    """The three points anywhere in ±size."""
-    return typed(draw, grid(draw, size=size), numbers)
+    """The three points anywhere in ±size; in every fourth figure A and B are opposite corners, in ints."""
+    figure = grid(draw, size=size)
+    if draw.integer(0, 3) == 0:
+        x, y = size * draw.sign(), size * draw.sign()
+        point = draw.choice((figure.centre, (-x, -y), (x, -y)))
+        return line(point, 0, (x, y), (-x, -y))
+    return typed(draw, figure, numbers)
 
 
 def beside(

@@ -12,7 +12,7 @@ from judge.data.draw import Draw, require
 from judge.topics.circles.figures.figure import Figure, Recipe, draw_point, typed
 from judge.topics.circles.figures.numbers import off_by_one
 from judge.topics.circles.figures.posing import posed, rational_chord
-from judge.topics.circles.recipes.whole import whole_segment
+from judge.topics.circles.recipes.whole import BOUND, whole_segment
 
 _SIDES = ("inside", "on", "outside")
 
@@ -44,14 +44,20 @@ def point_circle(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) ->
 
 
 def whole(draw: Draw) -> Figure:
-    """Whole numbers up to the bounds: exactly on the circle, off by one in |f|² − r², or nearly on it."""
-    kind = draw.choice(("on", "point", "one"))
+    """Whole numbers up to the bounds: exactly on the circle, off by one in |f|² − r², or nearly on it.
+
+    corners: P and the centre are opposite corners of the bounds, so that |f|² alone leaves 64 bits.
+    """
+    kind = draw.choice(("on", "point", "one", "one", "corners", "corners"))
+    if kind == "corners":
+        x, y = BOUND * draw.sign(), BOUND * draw.sign()
+        return Figure((x, y), draw.choice((0, draw.integer(1, BOUND))), ((-x, -y),))
     if kind != "one":
         figure = whole_segment(draw, kinds=(kind,))
         on = [point for point in figure.points if _gap(figure, point) == 0 or kind == "point"]
         return Figure(figure.centre, figure.radius, (on[0],))
-    x, y, radius = off_by_one(draw, 1 << 28, draw.sign())
-    if radius < 1 << 25:
+    x, y, radius = off_by_one(draw, 1 << draw.integer(22, 28), draw.sign())
+    if radius < 1 << 20:
         draw.reject()  # the band is that of a large circle
     cx, cy = draw_point(draw, 1 << 29)
     return typed(draw, Figure((cx, cy), radius, ((cx + x, cy + y),)), "any")
