@@ -1,0 +1,47 @@
+"""Recipes for a circle that an infinite line cuts: through its centre, and given by points near or far.
+
+Each draws a figure of two points, A and B. What goes to `posed` is explained there (posing.py).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isqrt, ldexp
+from typing import Any
+
+from judge.data.draw import Draw
+from judge.topics.circles.figures.figure import Figure, Recipe, line, typed
+from judge.topics.circles.figures.posing import posed
+
+
+def diameter(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
+    """A line through the centre; A and B anywhere on it."""
+    radius = draw.integer(1, size)
+    start = draw.integer(-2 * size, 2 * size - 1)
+    figure = line((0, 0), radius, (start, 0), (draw.integer(start + 1, 2 * size), 0))
+    return posed(draw, figure, poses=poses, **pose)
+
+
+def spread(draw: Draw, *, size: int, octaves: Sequence[int], poses: Sequence[str], **pose: Any) -> Figure:
+    """A line that cuts the circle; A and B are 2**octaves (bounds, which may be negative) of its size apart.
+
+    Where they are close together A is inside the circle: rounding turns the line, and it cuts all the same.
+    """
+    octave = draw.integer(*octaves)
+    radius = draw.integer(2, size)
+    offset = draw.integer(1 - radius, radius - 1)
+    inner = isqrt(radius * radius - offset * offset - 1)
+    start = draw.integer(-size, size) if octave >= 0 else draw.integer(-inner, inner)
+    length = draw.integer(1, size) << max(0, octave)
+    figure = line((0, 0), radius, (start, offset), (start + length, offset))
+    figure = posed(draw, figure, poses=poses, numbers="float", **pose)
+    if octave < 0:
+        (ax, ay), (bx, by) = figure.points
+        near = ax + ldexp(bx - ax, octave), ay + ldexp(by - ay, octave)
+        if near == (ax, ay):
+            draw.reject()
+        figure = line(figure.centre, figure.radius, (ax, ay), near)
+    return typed(draw, figure, "any")
+
+
+RECIPES: Mapping[str, Recipe] = {"diameter": diameter, "spread": spread}

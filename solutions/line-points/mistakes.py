@@ -1,0 +1,196 @@
+"""How the points of a line on a circle go wrong."""
+
+from math import atan2, copysign, hypot, sqrt
+
+
+def foot(cx, cy, r, A, B):
+    "right"
+    # + diameter-for-radius: r = r / 2
+    # + diameter-for-radius: r = 2 * r
+    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
+    # + swapped-coordinates: cx, cy = cy, cx
+    # : The centre is taken as (cy, cx). Its x belongs to the x of the points.
+    # + reversed-order: A, B = B, A
+    # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
+    ax, ay = A[0] - cx, A[1] - cy
+    # ? forgotten-centre@unused: ax, ay = A
+    # ? forgotten-centre: ax, ay = A[0] - cx, A[1]
+    # : Only one coordinate of the centre is subtracted. Subtract both.
+    bx, by = B[0] - cx, B[1] - cy
+    # ? forgotten-centre@unused: bx, by = B
+    ox, oy = cx, cy
+    # ? forgotten-centre@unused: ox, oy = 0, 0
+    # ? forgotten-centre: ox, oy = 0, 0
+    # : The points are given as seen from the centre. Add it to them again.
+    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    # = extent = max(r, hypot(ax, ay), hypot(bx, by))
+    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    # ? coordinate-epsilon: extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
+    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : extent from the centre, and add nothing to it.
+    # ? radius-epsilon: extent = r
+    near = 1e-10 * extent
+    # = near = 1e-9 * extent
+    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? tight-epsilon: near = {1e-16..1e-13} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    # ? point-for-direction: dx, dy = B
+    length = hypot(dx, dy)
+    # ? unit-forgotten: length = 1 if dx or dy else 0
+    # + zero-radius: if r == 0: return []
+    # + zero-radius: if r == 0: return [(cx, cy)]
+    # : For a radius of 0 the centre is returned, wherever the line is. It is a common point only if it lies on
+    # : the line.
+    # + zero-radius: if r == 0: return None
+    # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
+    if length == 0:
+        return None
+        # ? no-degenerate: return []
+        # ? no-degenerate: return [A] if abs(hypot(ax, ay) - r) <= near else []
+        # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
+    # ? no-degenerate: pass
+    # : The direction is divided by its length without asking whether it has one: for A == B that is a
+    # : division by zero. Return None before anything else.
+    ux, uy = dx / length, dy / length
+    side = ux * ay - uy * ax
+    # ? swapped-coordinates: side = ux * ax - uy * ay
+    # : The cross product is taken with x and y mixed up. It is ux·fy − uy·fx.
+    # ? global-frame: side = ux * A[1] - uy * A[0] - (ux * cy - uy * cx)
+    # ? global-frame: side = (B[0] * A[1] - A[0] * B[1] + (B[1] - A[1]) * cx - (B[0] - A[0]) * cy) / length
+    d = abs(side)
+    # ? forgotten-abs: d = side
+    # ? cancellation: d = sqrt(max(0.0, ax * ax + ay * ay - (ux * ax + uy * ay) ** 2))
+    # : The distance of the line is the root of |f|² − m², two squares that are nearly equal when A is far
+    # : away. The cross product gives it without a difference: |D × f| / |D|.
+    m = -(ux * ax + uy * ay)
+    # ? foot-sign: m = ux * ax + uy * ay
+    where = 1 if d > r + near else 0 if d >= r - near else -1
+    # ? equality: where = 1 if d > r else 0 if d == r else -1
+    # ? equality: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
+    # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1
+    # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
+    # : lengths, within a small part of the extent.
+    # ? tangent-missed: where = 1 if d > r - near else -1
+    # ? tangent-twice: where = 1 if d > r + near else -1
+    # ? tangent-twice: where = 1 if d > r else -1
+    # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of others.
+    # : Treat the touch as a case of its own, within a small part of the extent.
+    # ? sqrt-of-negative@a: where = 0 if abs(d - r) <= near else -1
+    # ? sqrt-of-negative@b: where = 0 if abs(d - r) <= near else -1
+    # : Nothing keeps a line that misses the circle from the root: the program ends there. Return [] first.
+    if where == 1:
+        return []
+        # ? none-for-empty: return None
+        # ? none-for-empty: return False
+        # : A miss is answered with False. Return an empty list.
+    if where == 0:
+        roots = [m]
+        # ? tangent-twice: roots = [m, m]
+    else:
+        h = sqrt(abs((r - d) * (r + d)))
+        # = h = sqrt((r - d) * (r + d))
+        # = h = sqrt(max(0.0, r * r - d * d))
+        # ? sqrt-of-negative@a: h = sqrt(abs(r * r - d * d))
+        # : The absolute value is taken under the root, "to be safe", so that a miss gets points as well.
+        # ? sqrt-of-negative@b: h = sqrt(r * r - d * d)
+        # ? radius-not-squared: h = sqrt(max(0.0, r - d * d))
+        # ? wrong-sign: h = sqrt(r * r + d * d)
+        # ? unit-forgotten: h = sqrt((r - d) * (r + d)) * length
+        roots = [m - h, m + h]
+        # ? reversed-order: roots = [m + h, m - h]
+        # ? unsorted: roots = [m - h, m + h] if side > 0 else [m + h, m - h]
+        # ? unsorted: roots = [m - h, m + h] if side < 0 else [m + h, m - h]
+        # ? first-root-only: roots = [m - h]
+        # ? first-root-only: roots = [m + h]
+        # ? foot-only: roots = [m]
+    # + clamped: roots = [s for s in roots if -near <= s <= length + near]
+    # + clamped: roots = [s for s in roots if -near <= s]
+    # : Points before A are left out, as of a ray. The line has no ends.
+    # + clamped: roots = sorted({min(max(s, 0.0), length) for s in roots})
+    # : Points that are not on AB are moved to its ends. The line has no ends.
+    points = [(ox + ax + s * ux, oy + ay + s * uy) for s in roots]
+    # = points = [(ox - side * uy + (s - m) * ux, oy + side * ux + (s - m) * uy) for s in roots]
+    # ? sorted-by-x: points = sorted((ox + ax + s * ux, oy + ay + s * uy) for s in roots)
+    # ? sorted-by-x: points = sorted(((ox + ax + s * ux, oy + ay + s * uy) for s in roots), key=lambda p: p[1])
+    # : The points are sorted by y. Order them by t, on the way from A to B.
+    # ? unsorted: points = sorted(((ox + ax + s * ux, oy + ay + s * uy) for s in roots), key=lambda p: atan2(p[1] - cy, p[0] - cx))
+    # : The points are put in the order of their angles about the centre. Order them by t.
+    # ? parameter-for-point: points = [s / length for s in roots]
+    # ? unit-forgotten: points = [(ox + ax + s * dx, oy + ay + s * dy) for s in roots]
+    return points
+    # ? set-of-points: return set(points)
+    # ? set-of-points: return dict(enumerate(points))
+    # : The points come in a dict. Return a list of them.
+
+
+def quadratic(cx, cy, r, A, B):
+    "right"
+    fx, fy = A[0] - cx, A[1] - cy
+    gx, gy = B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy), abs(gx), abs(gy))
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    a = dx * dx + dy * dy
+    if a == 0:
+        return None
+    b = fx * dx + fy * dy
+    c = fx * fx + fy * fy - r * r
+    # ? wrong-sign: c = fx * fx + fy * fy + r * r
+    # ? radius-not-squared: c = fx * fx + fy * fy - r
+    k = dx * fy - dy * fx
+    disc = r * r * a - k * k
+    # ? cancellation@e: disc = b * b - a * c
+    # ? cancellation@f: disc = b * b - a * c
+    # ? cancellation@g: disc = b * b - a * c
+    gap = abs(k) / sqrt(a) - r
+    where = 1 if gap > near else 0 if gap >= -near else -1
+    # ? cancellation@e: where = 1 if disc < -near * r * a else 0 if disc <= near * r * a else -1
+    # ? cancellation@f: where = 1 if disc < -1e-12 * b * b else 0 if disc <= 1e-12 * b * b else -1
+    # ? cancellation@g: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
+    # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
+    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
+    # ? tangent-twice: where = -1 if disc >= 0 else 1
+    if where == 1:
+        return []
+    if where == 0:
+        ts = [-b / a]
+    else:
+        root = sqrt(abs(disc))
+        q = -(b + copysign(root, b))
+        # ? sign-of-zero: q = -(b + ((b > 0) - (b < 0)) * root)
+        # ? sign-of-zero@g: q = -(b + ((b > 0) - (b < 0)) * root)
+        ts = sorted([q / a, c / q])
+        # ? sign-of-zero@g: ts = sorted([q / a, c / q if q else q / a])
+        # = ts = [(-b - root) / a, (-b + root) / a]
+        # ? reversed-order: ts = [q / a, c / q]
+        # : The stable formula gives the roots q/a and c/q as they come: where b is negative, q/a is the greater one.
+        # : Sort them by t.
+        # ? unhalved: ts = [(-b - root) / (2 * a), (-b + root) / (2 * a)]
+    # + clamped: ts = [t for t in ts if 0 <= t <= 1]
+    return [(A[0] + t * dx, A[1] + t * dy) for t in ts]
+    # ? sorted-by-x: return sorted((A[0] + t * dx, A[1] + t * dy) for t in ts)
+    # ? parameter-for-point: return ts
+
+
+def slope(cx, cy, r, A, B):
+    "slope-intercept"
+    fx, fy, gx, gy = A[0] - cx, A[1] - cy, B[0] - cx, B[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy), abs(gx), abs(gy))
+    if A == B:
+        return None
+    # + slope-intercept: if fx == gx: return []
+    # : An upright line, which has no slope, is answered with []. Work with the direction B − A.
+    m = (gy - fy) / (gx - fx)
+    # = m = (gy - fy) / ((gx - fx) or 1e-9)
+    # = m = (gy - fy) / ((gx - fx) or 1e-12)
+    n = fy - m * fx
+    a, b, c = 1 + m * m, m * n, n * n - r * r
+    d = abs(n) / sqrt(a)
+    if d > r + near:
+        return []
+    s = sqrt(max(0.0, b * b - a * c))
+    xs = [-b / a] if d >= r - near else [(-b - s) / a, (-b + s) / a]
+    if gx < fx:
+        xs = xs[::-1]
+    # = pass
+    return [(cx + x, cy + m * x + n) for x in xs]
