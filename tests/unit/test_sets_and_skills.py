@@ -58,13 +58,17 @@ def ids(chosen):
 
 
 def test_the_shipped_sets_hold_the_problems_that_name_them_in_order():
-    assert set_names() == ["junior", "middle", "senior", "professional", "path"]
+    assert set_names() == ["first-steps", "junior", "middle", "senior", "professional", "path"]
     assert ids(find_set("junior")) == ["count"]
     assert ids(find_set("middle")) == ["count", "segment"]
     assert ids(find_set("senior")) == ["segment", "ray-nearest"]
     assert ids(find_set("professional")) == ["ray-nearest", "exact-count"]
     path = find_set("path")
-    assert ids(path)[:4] == ["count", "segment", "ray-nearest", "exact-count"]
+    steps = ids(find_set("first-steps"))
+    assert ids(path)[: len(steps)] == steps
+    assert steps[0] == "distance-squared"
+    old = ["count", "segment", "ray-nearest", "exact-count"]
+    assert [name for name in ids(path) if name in old] == old
     assert {problem.id for problem in all_problems()} == set(ids(path))
     assert path.faults == ()
     for name in set_names():
@@ -95,7 +99,8 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     own = '[skills]\n"no slopes" = ["whole"]\n"half" = { groups = ["half"], about = "Halves are kept." }\n'
     extra = problem("halves", 'sets = ["junior", "path"]\nplace = 1', own)
     assert ids(find_set("junior", extra)) == ["halves", "count"], "its place comes before none"
-    assert ids(find_set("path", extra))[:3] == ["halves", "count", "segment"]
+    path = ids(find_set("path", extra))
+    assert path.index("distance-squared") < path.index("halves") < path.index("count")
     skills = {skill.name: skill for skill in skills_of(find_set("path", extra).problems, extra)}
     assert Need("halves", ("whole",)) in skills["no slopes"].needs
     assert skills["half"] == Skill("half", "Halves are kept.", (Need("halves", ("half",)),))
@@ -171,7 +176,7 @@ def test_an_own_set_comes_first_and_may_mix_packs(folder):
 def test_a_set_that_is_not_there():
     with pytest.raises(UsageError, match="did you mean 'senior'"):
         find_set("seniro")
-    with pytest.raises(UsageError, match="there are junior, middle"):
+    with pytest.raises(UsageError, match="there are first-steps, junior, middle"):
         find_set("qqq")
 
 

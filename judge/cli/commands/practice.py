@@ -44,7 +44,8 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     hand already. Its file is PROBLEM.py in the current folder; if it is not there it is begun as 'judge init'
     does. Nothing is ever taken up by itself: run this again for the next kata.
 
-    The sets are junior, middle, senior, professional and path, which is all of them and the usual one.
+    The sets are first-steps, junior, middle, senior, professional and path, which is all of them and the
+    usual one.
     """
     chosen = find_set(name, folders)
     tell_faults(chosen)

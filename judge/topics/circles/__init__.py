@@ -1,6 +1,7 @@
 """Circles, and the lines, segments and rays that meet them.
 
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
+plane(Kind…)          the topic of first steps: points and perhaps a circle in whole numbers
 
 line.py        a circle and a directed line in scaled integers
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
@@ -10,6 +11,7 @@ figures/       what recipes are made of
 images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
 borders.py     figures in which a submission's own threshold can be measured
+plane.py       first steps, each of a kind
 simpler.py     simpler cases like a failing one
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
@@ -26,7 +28,8 @@ from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.signature import builders
+from judge.topics.circles.plane import Kind, plane
+from judge.topics.circles.signature import builders, points_only
 from judge.topics.circles.simpler import simpler, special
 
 if TYPE_CHECKING:
@@ -34,7 +37,20 @@ if TYPE_CHECKING:
     from judge.problem import Problem
     from judge.problem.topic import Decision
 
-__all__ = ["LINE", "RAY", "SEGMENT", "Bands", "CircleLine", "Part", "builders", "mirror_images", "topic_of"]
+__all__ = [
+    "LINE",
+    "RAY",
+    "SEGMENT",
+    "Bands",
+    "CircleLine",
+    "Kind",
+    "Part",
+    "builders",
+    "mirror_images",
+    "plane",
+    "points_only",
+    "topic_of",
+]
 
 
 def topic_of(part: Part) -> Topic:

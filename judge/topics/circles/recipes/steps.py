@@ -1,0 +1,161 @@
+"""Recipes for first steps: a few points and perhaps a circle in whole numbers, just so or nearly so.
+
+Each draws a figure whose numbers are all within `reach`, which is one bound or several of which one is drawn.
+`off` are the whole numbers by which something is missed, 0 where it is met.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isqrt
+
+from judge.data.draw import Draw, require
+from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, draw_point
+from judge.topics.circles.figures.lines import primitive, with_cross
+from judge.topics.circles.figures.numbers import off_by_one, pythagorean
+
+Reach = int | Sequence[int]
+IntPoint = tuple[int, int]
+
+_STEPS = 3  # how many lengths of A→B a third point may be away along the line
+
+
+def scattered(draw: Draw, *, reach: Reach, points: int, circle: bool = False) -> Figure:
+    """So many points anywhere; with `circle` one about any centre, its radius at least 1."""
+    size = _reach(draw, reach)
+    centre = draw_point(draw, size) if circle else (0, 0)
+    radius = draw.integer(1, size) if circle else 0
+    return Figure(centre, radius, tuple(draw_point(draw, size) for _ in range(points)))
+
+
+def lined_up(draw: Draw, *, reach: Reach) -> Figure:
+    """Two points that agree in y, in x or in both."""
+    size = _reach(draw, reach)
+    x, y = draw_point(draw, size)
+    other = x if draw.integer(0, 5) == 0 else draw.integer(-size, size)
+    return draw_mirrored(draw, Figure((0, 0), 0, ((x, y), (other, y))))
+
+
+def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
+    """A, B and P: the cross product of B − A and P − A is `off`, or a small multiple of it."""
+    size = _reach(draw, reach)
+    direction = _direction(draw, max(1, size // 8))
+    times = draw.integer(1, 2)
+    away = with_cross(direction, draw.choice(off), draw.integer(-_STEPS, _STEPS))
+    end = times * direction[0], times * direction[1]
+    return _fitted(draw, 0, ((0, 0), end, away), size, swap=draw.boolean())
+
+
+def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
+    """A circle and P: on it, or off it by less than one; in every second case as near as ints come."""
+    size = _reach(draw, reach) // 2
+    if size >= 8:
+        size = min(size, 1 << draw.integer(3, size.bit_length()))  # every magnitude alike
+    if on:
+        p, q, h = (1, 0, 1) if size < 5 or draw.integer(0, 3) == 0 else pythagorean(draw, min(size, 1 << 12))
+        times = draw.integer(1, size // h)
+        return _fitted(draw, h * times, ((p * times, q * times),), 2 * size)
+    if size >= 8 and draw.boolean():
+        x, y, radius = off_by_one(draw, size, draw.sign())
+    else:
+        x, y = draw_point(draw, size)
+        radius = isqrt(x * x + y * y) + draw.integer(0, 1)
+    if radius == 0 or x * x + y * y == radius * radius:
+        draw.reject()
+    return _fitted(draw, radius, ((x, y),), 2 * size)
+
+
+def right_angle(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
+    """A, B and P: the scalar product of A − P and B − P is `off`, 0 on the circle with the diameter AB."""
+    size = _reach(draw, reach)
+    first = _direction(draw, max(1, size // 8))
+    u, v = with_cross(first, draw.choice(off), draw.integer(-_STEPS, _STEPS))
+    second = v, -u  # a quarter turn makes a scalar product of the cross product
+    return _fitted(draw, 0, (first, second, (0, 0)), size, swap=draw.boolean())
+
+
+def level(draw: Draw, *, reach: Reach) -> Figure:
+    """A and B on a level or upright line, and P anywhere."""
+    size = _reach(draw, reach)
+    (x, y), other = draw_point(draw, size), draw.integer(-size, size)
+    if x == other:
+        draw.reject()
+    return draw_mirrored(draw, Figure((0, 0), 0, ((x, y), (other, y), draw_point(draw, size))))
+
+
+def tangent(draw: Draw, *, reach: int) -> Figure:
+    """A circle and a line that touches it, at a grid point or not."""
+    p, q, h = (1, 0, 1) if draw.integer(0, 3) == 0 else pythagorean(draw, max(5, reach))
+    radius = draw.integer(1, reach)
+    return _line(draw, (p, q), h * radius, radius, reach)
+
+
+def nearly(draw: Draw, *, reach: int) -> Figure:
+    """A circle and a line that hits or misses it by as little as it can, for any radius or the best."""
+    direction = _direction(draw, 2 * reach)
+    square = direction[0] ** 2 + direction[1] ** 2
+    lengths = [(isqrt(r * r * square), r) for r in range(1, reach + 1)]
+    gaps = [
+        (abs(k * k - r * r * square) * reach // r, k, r)
+        for root, r in lengths
+        for k in (root, root + 1)
+        if k * k != r * r * square
+    ]
+    _, cross, radius = min(gaps) if draw.boolean() else draw.choice(gaps)
+    return _line(draw, direction, cross, radius, reach)
+
+
+def _line(draw: Draw, direction: IntPoint, cross: int, radius: int, reach: int) -> Figure:
+    """The line along `direction` with that cross product as seen from the centre."""
+    x, y = with_cross(direction, cross * draw.sign(), draw.integer(-_STEPS, _STEPS))
+    times = draw.integer(1, 3)
+    end = x + times * direction[0], y + times * direction[1]
+    return _fitted(draw, radius, ((x, y), end), reach, swap=draw.boolean())
+
+
+def _direction(draw: Draw, size: int) -> IntPoint:
+    """A vector without a common factor; every magnitude up to `size` is as likely."""
+    most = 1 << draw.integer(0, size.bit_length())
+    x, y = draw_point(draw, min(size, most))
+    if x == y == 0:
+        draw.reject()
+    return primitive(x, y)
+
+
+def _fitted(
+    draw: Draw, radius: int, points: tuple[IntPoint, ...], reach: int, *, swap: bool = False
+) -> Figure:
+    """The figure about the origin, mirrored and moved anywhere within `reach`; `swap` exchanges A and B."""
+    if swap:
+        points = (points[1], points[0], *points[2:])
+    figure = draw_mirrored(draw, Figure((0, 0), radius, points))
+    (dx, dy) = (_room(draw, [0, *(int(point[axis]) for point in figure.points)], reach) for axis in (0, 1))
+    require(radius <= reach, "the radius is within reach")
+    moved = tuple((x + dx, y + dy) for x, y in figure.points)
+    return Figure((dx, dy), radius, moved)
+
+
+def _room(draw: Draw, values: Sequence[int], reach: int) -> int:
+    """How far these may all be moved and stay within `reach`, drawn; some rooms have no place."""
+    low, high = -reach - min(values), reach - max(values)
+    if low > high:
+        draw.reject()
+    return draw.integer(low, high)
+
+
+def _reach(draw: Draw, reach: Reach) -> int:
+    size = draw.choice(reach) if isinstance(reach, Sequence) else reach
+    require(size == int(size) and size > 0, "reach is a whole number above 0")
+    return int(size)
+
+
+RECIPES: Mapping[str, Recipe] = {
+    "scattered": scattered,
+    "lined_up": lined_up,
+    "beside_line": beside_line,
+    "beside_circle": beside_circle,
+    "right_angle": right_angle,
+    "level": level,
+    "tangent": tangent,
+    "nearly": nearly,
+}
