@@ -39,18 +39,16 @@ def lined_up(draw: Draw, *, reach: Reach) -> Figure:
 def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
     """A, B and P: the cross product of B − A and P − A is `off`, or a small multiple of it."""
     size = _reach(draw, reach)
-    direction = _direction(draw, max(1, size // 8))
-    times = draw.integer(1, 2)
-    away = with_cross(direction, draw.choice(off), draw.integer(-_STEPS, _STEPS))
+    direction = _direction(draw, 2 * size)
+    times = draw.choice((1, 1, 1, 2))
+    away = _away(draw, direction, off)
     end = times * direction[0], times * direction[1]
     return _fitted(draw, 0, ((0, 0), end, away), size, swap=draw.boolean())
 
 
 def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
     """A circle and P: on it, or off it by less than one; in every second case as near as ints come."""
-    size = _reach(draw, reach) // 2
-    if size >= 8:
-        size = min(size, 1 << draw.integer(3, size.bit_length()))  # every magnitude alike
+    size = _magnitude(draw, _reach(draw, reach) // 2)
     if on:
         p, q, h = (1, 0, 1) if size < 5 or draw.integer(0, 3) == 0 else pythagorean(draw, min(size, 1 << 12))
         times = draw.integer(1, size // h)
@@ -68,8 +66,8 @@ def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
 def right_angle(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
     """A, B and P: the scalar product of A − P and B − P is `off`, 0 on the circle with the diameter AB."""
     size = _reach(draw, reach)
-    first = _direction(draw, max(1, size // 8))
-    u, v = with_cross(first, draw.choice(off), draw.integer(-_STEPS, _STEPS))
+    first = _direction(draw, 2 * size)
+    u, v = _away(draw, first, off)
     second = v, -u  # a quarter turn makes a scalar product of the cross product
     return _fitted(draw, 0, (first, second, (0, 0)), size, swap=draw.boolean())
 
@@ -113,13 +111,23 @@ def _line(draw: Draw, direction: IntPoint, cross: int, radius: int, reach: int) 
     return _fitted(draw, radius, ((x, y), end), reach, swap=draw.boolean())
 
 
+def _away(draw: Draw, direction: IntPoint, off: Sequence[int]) -> IntPoint:
+    """A vector whose cross product with `direction` is one of `off`; long ones leave room for nothing else."""
+    cross = draw.choice(off)
+    return with_cross(direction, cross, 0 if cross and draw.boolean() else draw.integer(-_STEPS, _STEPS))
+
+
 def _direction(draw: Draw, size: int) -> IntPoint:
-    """A vector without a common factor; every magnitude up to `size` is as likely."""
-    most = 1 << draw.integer(0, size.bit_length())
-    x, y = draw_point(draw, min(size, most))
+    """A vector without a common factor, of any magnitude."""
+    x, y = draw_point(draw, _magnitude(draw, size))
     if x == y == 0:
         draw.reject()
     return primitive(x, y)
+
+
+def _magnitude(draw: Draw, size: int) -> int:
+    """The size in every second case, else anything up to it, every power of two as likely as the next."""
+    return size if draw.boolean() else min(size, 1 << draw.integer(0, size.bit_length()))
 
 
 def _fitted(
