@@ -47,20 +47,24 @@ def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
 
 
 def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
-    """A circle and P: on it, or off it by less than one; in every second case as near as ints come."""
-    size = _magnitude(draw, _reach(draw, reach) // 2)
+    """A circle and P: on it, or off it by less than one; mostly as near as ints come."""
+    most = _reach(draw, reach)
+    size = most // 2
     if on:
+        size = _magnitude(draw, size)
         p, q, h = (1, 0, 1) if size < 5 or draw.integer(0, 3) == 0 else pythagorean(draw, min(size, 1 << 12))
         times = draw.integer(1, size // h)
-        return _fitted(draw, h * times, ((p * times, q * times),), 2 * size)
-    if size >= 8 and draw.boolean():
+        return _fitted(draw, h * times, ((p * times, q * times),), most)
+    if draw.integer(0, 3):
+        size = min(size, 1 << draw.integer(0, size.bit_length()))
+    if size >= 8 and draw.integer(0, 3):
         x, y, radius = off_by_one(draw, size, draw.sign())
     else:
         x, y = draw_point(draw, size)
         radius = isqrt(x * x + y * y) + draw.integer(0, 1)
     if radius == 0 or x * x + y * y == radius * radius:
         draw.reject()
-    return _fitted(draw, radius, ((x, y),), 2 * size)
+    return _fitted(draw, radius, ((x, y),), most)
 
 
 def right_angle(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
@@ -112,7 +116,7 @@ def _line(draw: Draw, direction: IntPoint, cross: int, radius: int, reach: int) 
 
 
 def _away(draw: Draw, direction: IntPoint, off: Sequence[int]) -> IntPoint:
-    """A vector whose cross product with `direction` is one of `off`; long ones leave room for nothing else."""
+    """A vector whose cross product with `direction` is one of `off`, the shortest one in many cases."""
     cross = draw.choice(off)
     return with_cross(direction, cross, 0 if cross and draw.boolean() else draw.integer(-_STEPS, _STEPS))
 
