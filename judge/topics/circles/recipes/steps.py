@@ -85,6 +85,16 @@ def level(draw: Draw, *, reach: Reach) -> Figure:
     return draw_mirrored(draw, Figure((0, 0), 0, ((x, y), (other, y), draw_point(draw, size))))
 
 
+def level_beyond(draw: Draw, *, reach: Reach) -> Figure:
+    """A and B on a level or upright line, and P not between them, but beyond one of them or just above it."""
+    size = _reach(draw, reach)
+    x, y = draw.integer(-size, size - 2), draw.integer(-size, size)
+    other = draw.integer(x + 1, size - 1)
+    p = draw.integer(other, size), draw.integer(-size, size)
+    ends = ((x, y), (other, y))[:: -1 if draw.boolean() else 1]
+    return draw_mirrored(draw, Figure((0, 0), 0, (*ends, p)))
+
+
 def tangent(draw: Draw, *, reach: int) -> Figure:
     """A circle and a line that touches it, at a grid point or not."""
     p, q, h = (1, 0, 1) if draw.integer(0, 3) == 0 else pythagorean(draw, max(5, reach))
@@ -168,6 +178,7 @@ RECIPES: Mapping[str, Recipe] = {
     "beside_circle": beside_circle,
     "right_angle": right_angle,
     "level": level,
+    "level_beyond": level_beyond,
     "tangent": tangent,
     "nearly": nearly,
 }
