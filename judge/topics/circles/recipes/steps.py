@@ -7,7 +7,9 @@ Each draws a figure whose numbers are all within `reach`, which is one bound or 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isqrt
+from fractions import Fraction
+from functools import lru_cache
+from math import gcd, isqrt
 
 from judge.data.draw import Draw, require
 from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, draw_point
@@ -17,6 +19,7 @@ from judge.topics.circles.figures.numbers import off_by_one, pythagorean
 Reach = int | Sequence[int]
 IntPoint = tuple[int, int]
 
+_BEST = 2  # how many choices are passed over at most for the one that comes nearest
 _STEPS = 3  # how many lengths of A→B a third point may be away along the line
 
 
@@ -103,24 +106,37 @@ def tangent(draw: Draw, *, reach: int) -> Figure:
 
 
 def nearly(draw: Draw, *, reach: int) -> Figure:
-    """A circle and a line that hits or misses it by as little as it can, for any radius or the best."""
-    direction = _direction(draw, 2 * reach)
-    square = direction[0] ** 2 + direction[1] ** 2
-    lengths = [(isqrt(r * r * square), r) for r in range(1, reach + 1)]
-    gaps = [
-        (abs(k * k - r * r * square) * reach // r, k, r)
-        for root, r in lengths
-        for k in (root, root + 1)
-        if k * k != r * r * square
-    ]
-    _, cross, radius = min(gaps) if draw.boolean() else draw.choice(gaps)
+    """A circle and a line that hits or misses it by less than one; mostly by as little as numbers allow."""
+    across = draw.integer(1, 2 * reach)
+    gaps = _narrowest(across, reach)
+    best = draw.integer(0, 3) > 0
+    direction, cross, radius = gaps[draw.integer(0, _BEST if best else len(gaps) - 1)]
     return _line(draw, direction, cross, radius, reach)
+
+
+@lru_cache(maxsize=128)
+def _narrowest(across: int, reach: int) -> tuple[tuple[IntPoint, int, int], ...]:
+    """Directions that go so far in x and no farther in y, cross products and radii, the nearest first."""
+    found = []
+    for up in (up for up in range(across + 1) if gcd(across, up) == 1):
+        square = across * across + up * up
+        for radius in range(1, reach + 1):
+            product = radius * radius * square
+            root = isqrt(product)
+            # d² - r² = (k² - r²a)/a, and d - r is about that over 2·r.
+            found += [
+                (Fraction(abs(cross * cross - product), square * radius), (across, up), cross, radius)
+                for cross in (root, root + 1)
+                if cross * cross != product
+            ]
+    return tuple(each[1:] for each in sorted(found))
 
 
 def _line(draw: Draw, direction: IntPoint, cross: int, radius: int, reach: int) -> Figure:
     """The line along `direction` with that cross product as seen from the centre."""
-    x, y = with_cross(direction, cross * draw.sign(), draw.integer(-_STEPS, _STEPS))
-    times = draw.integer(1, 3)
+    long = max(map(abs, direction)) > reach // 2
+    steps, times = (draw.integer(-1, 0), 1) if long else (draw.integer(-_STEPS, _STEPS), draw.integer(1, 3))
+    x, y = with_cross(direction, cross * draw.sign(), steps)
     end = x + times * direction[0], y + times * direction[1]
     return _fitted(draw, radius, ((x, y), end), reach, swap=draw.boolean())
 
