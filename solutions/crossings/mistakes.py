@@ -70,6 +70,8 @@ def product(cx, cy, r, A, B):
     # ? float-arithmetic: gap = (lambda t: r - hypot(fx + t * dx, fy + t * dy))(-(fx * dx + fy * dy) / a)
     # ? float-arithmetic: gap = (lambda t: r * r - (fx + t * dx) ** 2 - (fy + t * dy) ** 2)(-(fx * dx + fy * dy) / a)
     # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= {1e-4..1e-1} else r - d)(abs(k) / hypot(dx, dy))
+    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= 2e-5 else r - d)(abs(k) / hypot(dx, dy))
+    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r * r) <= {1e-3..1e-1} else r * r - d)(k * k / a)
     # ? nearly-on-is-on: gap = (lambda g: 0 if abs(g) <= 1 else g)(r * r * a - k * k)
     # ? swapped-answers: gap = k * k - r * r * a
     if gap < 0:

@@ -6,7 +6,7 @@ Each draws a figure whose numbers are all within `reach`, which is one bound or 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isqrt
@@ -18,8 +18,10 @@ from judge.topics.circles.figures.numbers import off_by_one, pythagorean
 
 Reach = int | Sequence[int]
 IntPoint = tuple[int, int]
+Near = tuple[IntPoint, int, int]  # a direction, a cross product with it, a radius
 
-_BEST = 2  # how many choices are passed over at most for the one that comes nearest
+_BEST = 2  # of the choices that go so far in x, the last that counts as nearest
+_LEAST = 20  # how many of all choices do
 _STEPS = 3  # how many lengths of A→B a third point may be away along the line
 
 
@@ -106,30 +108,39 @@ def tangent(draw: Draw, *, reach: int) -> Figure:
 
 
 def nearly(draw: Draw, *, reach: int) -> Figure:
-    """A circle and a line that hits or misses it by less than one; mostly by as little as numbers allow."""
-    across = draw.integer(1, 2 * reach)
+    """A circle and a line that hits or misses it by less than one; mostly by as little as numbers allow.
+
+    That is the least for how far the line goes in x, or the least of all.
+    """
+    across = draw.choice((0, draw.integer(1, 2 * reach)))
     gaps = _narrowest(across, reach)
-    best = draw.integer(0, 3) > 0
-    direction, cross, radius = gaps[draw.integer(0, _BEST if best else len(gaps) - 1)]
+    last = draw.choice((_BEST, len(gaps) - 1)) if across else len(gaps) - 1
+    direction, cross, radius = gaps[draw.integer(0, last)]
     return _line(draw, direction, cross, radius, reach)
 
 
 @lru_cache(maxsize=128)
-def _narrowest(across: int, reach: int) -> tuple[tuple[IntPoint, int, int], ...]:
-    """Directions that go so far in x and no farther in y, cross products and radii, the nearest first."""
-    found = []
+def _narrowest(across: int, reach: int) -> tuple[Near, ...]:
+    """Directions that go so far in x and no farther in y, cross products and radii: the nearest first.
+
+    For 0 the nearest of all directions.
+    """
+    if not across:
+        every = (near for each in range(1, 2 * reach + 1) for near in _gaps(each, reach))
+        return tuple(near for _, near in sorted(every)[:_LEAST])
+    return tuple(near for _, near in sorted(_gaps(across, reach)))
+
+
+def _gaps(across: int, reach: int) -> Iterator[tuple[Fraction, Near]]:
+    """Each with d² - r² over r, which is about twice d - r."""
     for up in (up for up in range(across + 1) if gcd(across, up) == 1):
         square = across * across + up * up
         for radius in range(1, reach + 1):
-            product = radius * radius * square
-            root = isqrt(product)
-            # d² - r² = (k² - r²a)/a, and d - r is about that over 2·r.
-            found += [
-                (Fraction(abs(cross * cross - product), square * radius), (across, up), cross, radius)
-                for cross in (root, root + 1)
-                if cross * cross != product
-            ]
-    return tuple(each[1:] for each in sorted(found))
+            root = isqrt(radius * radius * square)
+            for cross in (root, root + 1):
+                off = abs(cross * cross - radius * radius * square)
+                if off:
+                    yield Fraction(off, square * radius), ((across, up), cross, radius)
 
 
 def _line(draw: Draw, direction: IntPoint, cross: int, radius: int, reach: int) -> Figure:
