@@ -74,6 +74,7 @@ def projection(A, B, P):
     # ? floor-division: return A[0] + int(along / square) * dx, A[1] + int(along / square) * dy
     # : t is cut to a whole number, and the foot is A, B or another whole step. Multiply first, then divide.
     # ? float-answer: return A[0] + along / square * dx, A[1] + along / square * dy
+    # ? float-arithmetic: return int(A[0] + along / square * dx), int(A[1] + along / square * dy)
     # ? wrong-direction: return A[0] - along * dx // square, A[1] - along * dy // square
     # ? forgotten-start: return along * dx // square, along * dy // square
     # : A is not added in the end: the way from A to the foot is returned. The foot is A plus that.

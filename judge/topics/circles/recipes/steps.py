@@ -90,6 +90,18 @@ def level(draw: Draw, *, reach: Reach) -> Figure:
     return draw_mirrored(draw, Figure((0, 0), 0, ((x, y), (other, y), draw_point(draw, size))))
 
 
+def level_rounded(draw: Draw, *, reach: Reach) -> Figure:
+    """The same with the foot near 0, so far from A that doubles round f/D times D, which is the way to it."""
+    size = _reach(draw, reach)
+    start, other, foot = draw.integer(-size, size), draw.integer(-size, size), draw.integer(-9, 9)
+    span, way = other - start, foot - start
+    if span == 0 or way / span * span == way:
+        draw.reject()
+    y = draw.integer(-size, size)
+    points = ((start, y), (other, y), (foot, draw.integer(-size, size)))
+    return draw_mirrored(draw, Figure((0, 0), 0, points))
+
+
 def level_beyond(draw: Draw, *, reach: Reach) -> Figure:
     """A and B on a level or upright line, and P not between them, but beyond one of them or just above it."""
     size = _reach(draw, reach)
@@ -205,6 +217,7 @@ RECIPES: Mapping[str, Recipe] = {
     "beside_circle": beside_circle,
     "right_angle": right_angle,
     "level": level,
+    "level_rounded": level_rounded,
     "level_beyond": level_beyond,
     "tangent": tangent,
     "nearly": nearly,
