@@ -37,7 +37,6 @@ def squares(cx, cy, r, P):
     # ? caret-for-power@both: square = (dx ^ 2) + (dy ^ 2)
     # ? minus-for-plus: square = dx * dx - dy * dy
     # ? minus-for-plus: square = abs(dx * dx - dy * dy)
-    # ? doubled-for-squared@double: square = 2 * abs(dx) + 2 * abs(dy)
     # ? float-arithmetic@hypot: square = hypot(dx, dy)
     # ? float-arithmetic@root: square = sqrt(dx * dx + dy * dy)
     # ? float-arithmetic@dist: square = dist((cx, cy), P)
@@ -62,7 +61,6 @@ def squares(cx, cy, r, P):
     # ? forgotten-square: limit = r
     # ? caret-for-power@both: limit = r ^ 2
     # ? caret-for-power: limit = r ^ 2
-    # ? doubled-for-squared@double: limit = 2 * r
     # ? doubled-for-squared: limit = 2 * r
     # : r is doubled, not squared. Write `r * r` or `r ** 2`.
     # ? float-arithmetic@hypot: limit = r

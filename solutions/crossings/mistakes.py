@@ -72,6 +72,10 @@ def product(cx, cy, r, A, B):
     # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= {1e-4..1e-1} else r - d)(abs(k) / hypot(dx, dy))
     # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= 2e-5 else r - d)(abs(k) / hypot(dx, dy))
     # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r * r) <= {1e-3..1e-1} else r * r - d)(k * k / a)
+    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 1)
+    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 2)
+    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 3)
+    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 4)
     # ? nearly-on-is-on: gap = (lambda g: 0 if abs(g) <= 1 else g)(r * r * a - k * k)
     # ? swapped-answers: gap = k * k - r * r * a
     if gap < 0:

@@ -140,6 +140,12 @@ def centred(A, B, P):
     # : The radius is rounded down to a whole number. Compare squares, with nothing halved.
     return sign(square(int(2 * P[0] - 2 * mx), int(2 * P[1] - 2 * my)) - r2)
     # ? diameter-for-radius: return sign(square(P[0] - mx, P[1] - my) - r2)
+    # ? centre-at-an-end: return sign(square(P[0] - A[0], P[1] - A[1]) - r2)
+    # : The circle around A through B is taken. The centre is half-way between A and B.
+    # ? centre-at-an-end: return sign(square(P[0] - B[0], P[1] - B[1]) - r2)
+    # : The circle around B through A is taken. The centre is half-way between A and B.
+    # ? floor-division: return (lambda x, y: sign(square(P[0] - x, P[1] - y) - square(A[0] - x, A[1] - y)))((A[0] + B[0]) // 2, (A[1] + B[1]) // 2)
+    # ? box-for-circle: return -1 if all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P)) else 1
     # ? float-arithmetic: return sign(square(P[0] - mx, P[1] - my) - r2 / 4)
     # : The centre and the squares are floats, which hold about 16 digits. Draw the figure twice as large, and all of it is
     # : whole.

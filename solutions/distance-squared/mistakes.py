@@ -78,6 +78,18 @@ def legs(P, Q):
     # : The power of 2.0 is a float, which holds about 16 digits. Write ** 2.
     # ? float-arithmetic: return round(abs(complex(dx, dy)) ** 2)
     # ? overflow-32: return wrap(dx * dx + dy * dy)
+    # ? overflow-32: return (dx * dx + dy * dy) % (1 << 32)
+    # ? float-answer: return dist(P, Q) ** 2
+    # ? float-answer: return hypot(dx, dy) ** 2
+    # ? float-answer: return sqrt(dx * dx + dy * dy) ** 2
+    # ? float-answer: return float(dx * dx + dy * dy)
+    # ? float-answer: return dx**2.0 + dy**2.0
+    # ? forgotten-brackets: return Q[0] - P[0] ** 2 + Q[1] - P[1] ** 2
+    # ? forgotten-brackets: return P[0] - Q[0] ** 2 + P[1] - Q[1] ** 2
+    # ? forgotten-brackets: return abs(Q[0] ** 2 - P[0] ** 2) + abs(Q[1] ** 2 - P[1] ** 2)
+    # : The coordinates are squared before they are subtracted. Subtract first: (a - b)² is not a² - b².
+    # ? forgotten-brackets: return Q[0] ** 2 - P[0] ** 2 + Q[1] ** 2 - P[1] ** 2
+    # : The coordinates are squared before they are subtracted. Subtract first: (a - b)² is not a² - b².
 
 
 def back(P, Q):

@@ -53,6 +53,8 @@ def product(A, B, P):
     # ? float-arithmetic: cross = (lambda t: (t + pi) % (2 * pi) - pi if abs(abs(t) - pi) > 1e-15 else 0)(atan2(fy, fx) - atan2(dy, dx)) if fx or fy else 0
     # : The angles of the two ways are compared. An angle is rounded, and small differences are lost. Take the cross
     # : product, in whole numbers.
+    # ? angles-compared: cross = atan2(fy, fx) - atan2(dy, dx)
+    # ? float-arithmetic: cross = float(A[0]) * (B[1] - P[1]) + float(B[0]) * (P[1] - A[1]) + float(P[0]) * (A[1] - B[1])
     # ? overflow-32: cross = wrap(dx * fy - dy * fx)
     # ? nearly-on-is-on: cross = cross if (cross := dx * fy - dy * fx) ** 2 > 1 else 0
     # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= {1e-9..1e-3/3} * hypot(dx, dy) else k)(dx * fy - dy * fx)
