@@ -52,7 +52,7 @@ def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
 
 
 def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
-    """A circle and P: on it, or off it by less than one; mostly as near as ints come."""
+    """A circle and P: on it, or off it by one at most, mostly as near as ints come."""
     most = _reach(draw, reach)
     size = most // 2
     if on:
