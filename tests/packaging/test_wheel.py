@@ -15,7 +15,7 @@ pytest.importorskip("hatchling")
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = ROOT / "judge" / "report" / "page" / "templates"
-PROBLEMS = {"count", "exact-count", "ray-nearest", "segment"}
+PROBLEMS = {path.parent.name for path in (ROOT / "problems").glob("*/problem.toml")}
 
 
 @pytest.fixture(scope="module")
