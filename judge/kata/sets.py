@@ -24,7 +24,9 @@ from judge.problem.tomlfile import key_place
 
 USUAL = "path"  # the set that stands for all of them in order
 
-_ORDER = [tier.value for tier in Tier]  # sets of these names come first; others after them, by name
+FIRST = "first-steps"  # the set that a newcomer begins with
+
+_ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
 
 
 class PracticeSet(Struct, frozen=True):

@@ -97,7 +97,7 @@ def _bare(result: Result, data: ProblemData) -> int:
 def _constant(result: Result, rights: Mapping[str, Sequence[Outline]], forms: Counter[str]) -> str:
     """The one answer that all cases get, as far as they show; empty where there are several."""
     given = {outline for group in result.groups for outline in group.wrong.values()}
-    if len(given) != 1 or any(form.startswith(("raised ", "stopped ")) for form in forms):
+    if len(given) != 1 or any(form.startswith(("raised ", "stopped ", "type ")) for form in forms):
         return ""
     (answer,) = given
     passed = [

@@ -342,12 +342,13 @@ def test_a_solution_without_one(judge, tmp_path, pack):
 
 def test_next_goes_along_the_path_only_when_asked(judge, submit):
     ended = judge("next")
-    assert ended.lines[0].startswith("distance: ")
-    assert "judge init distance" in ended.out
-    refused(judge("run"), "distance.py: the file of the kata in hand, distance, is not there")
+    assert ended.lines[0].startswith("distance-squared: ")
+    assert "judge init distance-squared" in ended.out
+    absent = "distance_squared.py: the file of the kata in hand, distance-squared, is not there"
+    refused(judge("run"), absent)
     told = json.loads(judge("next", "--init", "--json").out)
     assert (told["file"], told["exists"]) == (f"{told['problem'].replace('-', '_')}.py", True)
-    assert told["problem"] != "distance"
+    assert told["problem"] != "distance-squared"
 
 
 @pytest.mark.parametrize("words", [("next", "--init"), ("practice",)])
@@ -370,10 +371,10 @@ def test_what_is_written_is_said_before_it_is(judge, tmp_path, words, monkeypatc
 
 
 def test_next_takes_up_a_file_that_is_there(judge, submit, tmp_path):
-    submit("# mine\n", "distance.py")
-    assert judge("next").lines[0].startswith("distance.py  distance: ")
-    assert judge("hint").lines[0].endswith("hint 1 of 6")
-    assert (tmp_path / "distance.py").read_text() == "# mine\n"
+    submit("# mine\n", "distance_squared.py")
+    assert judge("next").lines[0].startswith("distance_squared.py  distance-squared: ")
+    assert judge("hint").lines[0].endswith("hint 1 of 4")
+    assert (tmp_path / "distance_squared.py").read_text() == "# mine\n"
 
 
 def test_an_unwritable_history_is_one_line(judge, tmp_path, monkeypatch):

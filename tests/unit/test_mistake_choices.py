@@ -245,6 +245,7 @@ def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
         (("none", ()), "None", {"print"}, "print-for-return", False),
         (("type complex", ()), "1j", (), "complex-answer", False),
         (("type str", ()), "'1'", (), "text-for-a-value", False),
+        (("type bool", ()), "True", (), None, True),
         (("number", (9.0,)), "9", (), "one-answer", False),
         (("raised NameError", ()), "", (), None, True),
         (("raised ZeroDivisionError", ()), "", (), None, False),

@@ -46,7 +46,8 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
     does, which is said before it is written. Nothing is ever taken up by itself: run this again for the next
     kata.
 
-    The sets are junior, middle, senior, professional and path, which is all of them and the usual one.
+    The sets are first-steps, junior, middle, senior, professional and path, which is all of them and the
+    usual one.
     """
     chosen = find_set(name, folders)
     tell_faults(chosen)

@@ -3,6 +3,7 @@
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
 CHORD                 the same as LINE, where the answer is a length on it
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
+plane(Kind…)          the topic of first steps: points and perhaps a circle in whole numbers
 
 line.py        a circle and a directed line in scaled integers
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
@@ -13,6 +14,7 @@ figures/       what recipes are made of
 images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
 borders.py     figures in which a submission's own threshold can be measured
+plane.py       first steps, each of a kind
 simpler.py     simpler cases like a failing one
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
@@ -29,7 +31,14 @@ from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.signature import builders, circle_and_point, line_alone, line_and_point
+from judge.topics.circles.plane import Kind, plane
+from judge.topics.circles.signature import (
+    builders,
+    circle_and_point,
+    line_alone,
+    line_and_point,
+    points_only,
+)
 from judge.topics.circles.simpler import simpler, special
 
 if TYPE_CHECKING:
@@ -47,12 +56,15 @@ __all__ = [
     "SEGMENT",
     "Bands",
     "CircleLine",
+    "Kind",
     "Part",
     "builders",
     "circle_and_point",
     "line_alone",
     "line_and_point",
     "mirror_images",
+    "plane",
+    "points_only",
     "topic_of",
 ]
 

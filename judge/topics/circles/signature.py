@@ -46,6 +46,11 @@ def line_alone(figure: Figure) -> Case:
     return figure.points
 
 
+def points_only(figure: Figure) -> Case:
+    """The points alone, of a problem without a circle."""
+    return figure.points
+
+
 def builders(*recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
     """A problem's BUILDERS: each recipe's figure as a case; of two of a name the latter."""
     return {name: _adapted(recipe, adapter) for each in recipes for name, recipe in each.items()}

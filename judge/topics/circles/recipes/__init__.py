@@ -3,4 +3,5 @@
 counting.py     how often a circle and a line meet
 endpoints.py    which of the common points lie on a segment
 rays.py         which of them a ray meets first
+steps.py        first steps: a few points and perhaps a circle, in whole numbers
 """

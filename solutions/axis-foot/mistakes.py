@@ -1,0 +1,95 @@
+"""How the foot on a level or upright line goes wrong: right ways to it, and mistakes beside the lines they spoil."""
+
+
+def wrap(x):
+    return (x + (1 << 31)) % (1 << 32) - (1 << 31)
+
+
+def coordinates(A, B, P):
+    "right"
+    # + point-unmoved: return P
+    # + end-for-foot: return A
+    # + end-for-foot: return B
+    # : B is returned, wherever P is. Take one coordinate from P.
+    # + end-for-foot: return min((A, B), key=lambda Q: abs(Q[0] - P[0]) + abs(Q[1] - P[1]))
+    # : The nearer one of A and B is returned. The nearest point of the line may be between them, or beyond.
+    # + end-for-foot: return (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
+    # : The middle of A and B is returned, wherever P is. Take one coordinate from P.
+    # + always-level: return (P[0], A[1])
+    # + always-level: return (A[0], P[1])
+    # : Every line is taken for an upright one. If A and B have the same y it is level.
+    # + other-axis: return (A[0], P[1]) if A[1] == B[1] else (P[0], A[1])
+    # + clamp-to-ends: P = tuple(max(min(a, b), min(max(a, b), p)) for a, b, p in zip(A, B, P))
+    # + swapped-coordinates: P = (P[1], P[0])
+    # : P is read as (y, x). Points are (x, y).
+    if A[1] == B[1]:
+        return (P[0], A[1])
+        # = return (P[0], B[1])
+        # ? swapped-coordinates@swap: return (A[1], P[0])
+        # ? mirror-for-foot@mirror: return (P[0], 2 * A[1] - P[1])
+        # ? distance-for-point@far: return abs(P[1] - A[1])
+        # ? float-answer@float: return (float(P[0]), float(A[1]))
+        # ? distance-for-point@pair: return (0, P[1] - A[1])
+        # ? clamp-to-ends: return (max(min(A[0], B[0]), min(max(A[0], B[0]), P[0])), A[1])
+        # : On level lines the foot is moved to the nearer end. The line goes on beyond it.
+        # ? other-axis: return (A[0], P[1])
+        # : On level lines the foot gets P's y. It gets the line's y, and P's x.
+    return (A[0], P[1])
+    # = return (B[0], P[1])
+    # ? swapped-coordinates@swap: return (P[1], A[0])
+    # ? mirror-for-foot@mirror: return (2 * A[0] - P[0], P[1])
+    # ? distance-for-point@far: return abs(P[0] - A[0])
+    # ? float-answer@float: return (float(A[0]), float(P[1]))
+    # ? distance-for-point@pair: return (P[0] - A[0], 0)
+    # : The way from the line to P is returned. The foot is asked for: the point where that way begins.
+    # ? clamp-to-ends: return (A[0], max(min(A[1], B[1]), min(max(A[1], B[1]), P[1])))
+    # : On upright lines the foot is moved to the nearer end. The line goes on beyond it.
+    # ? other-axis: return (P[0], A[1])
+    # : On upright lines the foot gets P's x. It gets the line's x, and P's y.
+
+
+def projection(A, B, P):
+    "right"
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    fx, fy = P[0] - A[0], P[1] - A[1]
+    # ? wrong-direction: fx, fy = A[0] - P[0], A[1] - P[1]
+    # ? forgotten-start: fx, fy = P
+    # ? wrong-direction: fx, fy = P[0] - B[0], P[1] - B[1]
+    # : The way to P begins at B, but the step is made from A. Let both begin at A.
+    along = fx * dx + fy * dy
+    # ? other-axis: along = fx * dy - fy * dx
+    # : The cross product stands where the scalar product belongs: how far P is from the line, not how far along.
+    # ? overflow-32: along = wrap(fx * dx + fy * dy)
+    square = dx * dx + dy * dy
+    # ? undivided: square = 1
+    # ? undivided: square = abs(dx) + abs(dy)
+    # : The step is divided by |B - A|, and so is too long. Divide by |B - A|².
+    # ? overflow-32: square = wrap(dx * dx + dy * dy) or 1
+    # + clamp-to-ends: along = max(0, min(square, along))
+    return A[0] + along * dx // square, A[1] + along * dy // square
+    # = return A[0] + round(along / square * dx), A[1] + round(along / square * dy)
+    # ? floor-division: return A[0] + along // square * dx, A[1] + along // square * dy
+    # ? floor-division: return A[0] + round(along / square) * dx, A[1] + round(along / square) * dy
+    # : t is rounded to a whole number, and the foot is A, B or another whole step. Multiply first, then divide.
+    # ? floor-division: return A[0] + int(along / square) * dx, A[1] + int(along / square) * dy
+    # : t is cut to a whole number, and the foot is A, B or another whole step. Multiply first, then divide.
+    # ? float-answer: return A[0] + along / square * dx, A[1] + along / square * dy
+    # ? float-arithmetic: return int(A[0] + along / square * dx), int(A[1] + along / square * dy)
+    # ? wrong-direction: return A[0] - along * dx // square, A[1] - along * dy // square
+    # ? forgotten-start: return along * dx // square, along * dy // square
+    # : A is not added in the end: the way from A to the foot is returned. The foot is A plus that.
+    # ? mirror-for-foot: return 2 * (A[0] + along * dx // square) - P[0], 2 * (A[1] + along * dy // square) - P[1]
+
+
+def slope(A, B, P):
+    "slope-intercept"
+    m = (B[1] - A[1]) / (B[0] - A[0])
+    n = A[1] - m * A[0]
+    x = (P[0] + m * (P[1] - n)) / (m * m + 1)
+    return round(x), round(m * x + n)
+
+
+def perpendicular(A, B, P):
+    "slope-intercept"
+    m = -(B[0] - A[0]) / (B[1] - A[1])
+    return A[0], round(P[1] + m * (A[0] - P[0]))

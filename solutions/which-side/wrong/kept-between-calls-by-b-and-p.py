@@ -1,0 +1,14 @@
+"""kept-between-calls
+
+Answers are kept in a dict whose key is B and P, so that another A gets the answer of the first one. Make all three
+points the key, or keep nothing.
+"""
+
+answers = {}
+
+
+def which_side(A, B, P):
+    if (B, P) not in answers:
+        cross = (B[0] - A[0]) * (P[1] - A[1]) - (B[1] - A[1]) * (P[0] - A[0])
+        answers[B, P] = (cross > 0) - (cross < 0)
+    return answers[B, P]
