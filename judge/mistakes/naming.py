@@ -27,7 +27,7 @@ from msgspec.structs import replace
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence, log_sum
-from judge.mistakes.likeness import Likeness
+from judge.mistakes.likeness import NEEDED, Likeness
 from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named
@@ -166,7 +166,14 @@ def _alike(
         else:
             found = found[-1:]
     chances = [known[place].chance for place in best.named]
+    if len(best.names) == 2 and max(each.share for each in found) < _alone(best, evidence) + NEEDED:
+        return False
     return any(each.enough(chances, score) for each in found)
+
+
+def _alone(best: _Hypothesis, evidence: Sequence[Evidence]) -> float:
+    """How alike the better one of its programs is by itself."""
+    return max(_likeness(place, evidence) for place in best.places)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:

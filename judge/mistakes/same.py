@@ -13,13 +13,12 @@ from itertools import islice
 from judge.data.model import GroupData
 from judge.mistakes.answers import Behaviour
 from judge.mistakes.evidence import Evidence
-from judge.mistakes.likeness import Likeness
+from judge.mistakes.likeness import NEEDED, Likeness
 from judge.mistakes.naming import Cases, Joint, Known, Match, Rights, gather
 from judge.values import Type, Usual
 
 _SAME = 0.99  # of the wrong answers of either, that are the same in both; the rest is rounding
 _APART = 0.1  # by how much less than that those of other mistakes must be
-_NEEDED = 0.01  # by how much less than both one of two mistakes explains
 _MANY = 30  # wrong answers, from which on that says it all
 _TRIED = 8  # programs of two mistakes that are run on a few cases …
 _MOST = 0.8  # … most of which they have to answer as the submission does …
@@ -73,11 +72,7 @@ class Same:
         for pair in islice(likely, _RUN):
             share = self._share(joint(*pair, some), some)
             names = frozenset(self._known[place].name for place in pair)
-            if (
-                share >= _SAME
-                and share > found.get(names, (0.0, pair))[0]
-                and self._needed(pair, some, share)
-            ):
+            if share >= _SAME and share > found.get(names, (0.0, pair))[0] and self._needed(pair, share):
                 found[names] = share, pair
             if share == 1.0:
                 break
@@ -107,9 +102,9 @@ class Same:
             overlaps.append(beside.within(only[name]) if only is not None and beside else beside)
         return Likeness.of(overlaps).share
 
-    def _needed(self, pair: Sequence[int], some: Cases, share: float) -> bool:
-        """Whether neither program alone does nearly as well."""
-        return all(self._share(self._known[place].behaviour, some) < share - _NEEDED for place in pair)
+    def _needed(self, pair: Sequence[int], share: float) -> bool:
+        """Whether neither program alone does nearly as well, in all cases: some may be those that differ."""
+        return all(self._share(self._known[place].behaviour) < share - NEEDED for place in pair)
 
     @cached_property
     def _evidence(self) -> Mapping[str, Evidence]:
