@@ -6,29 +6,37 @@ once are found as well, by running the program that makes both.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
-from itertools import islice
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Behaviour
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import NEEDED, Likeness
-from judge.mistakes.naming import Cases, Joint, Known, Match, Rights, gather
+from judge.mistakes.naming import Known, Match, Rights, gather
 from judge.values import Type, Usual
+
+Cases = Mapping[str, Sequence[int]]  # by the group's name
+# what the program answers that makes two known mistakes, in some cases; None where nobody can write it
+Joint = Callable[[int, int, Cases], Behaviour | None]
 
 _SAME = 0.99  # of the wrong answers of either, that are the same in both; the rest is rounding
 _APART = 0.1  # by how much less than that those of other mistakes must be
 _MANY = 30  # wrong answers, from which on that says it all
-_TRIED = 8  # programs of two mistakes that are run on a few cases …
-_MOST = 0.8  # … most of which they have to answer as the submission does …
-_RUN = 2  # … before so many of them are run on more, at most as many as these of each group
-_SOME = 8
+_TRIED = 20  # programs of two mistakes that are run on a few cases …
+_MOST = 0.7  # … most of which they have to answer as the submission does …
+_RUN = 3  # … before so many of them are run on some
+_FEW, _SOME = 12, 60  # of the cases that it fails; and of the others
+_MISSED = 0.05  # of those, that may be different …
+_CLEARLY = 1.5  # … and so many times as many have to be with other mistakes
 ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
 class Same:
-    """The known programs held against one submission; `rights` are the outlines of all right answers."""
+    """The known programs held against one submission; `rights` are the outlines of all right answers.
+
+    `joint` runs the program that makes two of the mistakes.
+    """
 
     def __init__(
         self,
@@ -37,12 +45,15 @@ class Same:
         groups: Sequence[GroupData],
         answer: Type,
         rights: Rights,
+        joint: Joint | None = None,
     ) -> None:
         self._submission = submission
         self._known = known
         self._groups = [data for data in groups if data.group.name in submission]
         self._answer = answer
         self._rights = rights
+        self._joint = joint
+        self._known_shares: dict[tuple[tuple[int, int], bool], float] = {}
 
     def one(self, places: Sequence[int]) -> Match | None:
         """The one mistake of a program, of those at `places`, that answers as the submission does."""
@@ -59,38 +70,73 @@ class Same:
             return None
         return self._match((places[shares.index(most)],))
 
-    def two(self, pairs: Sequence[tuple[int, int]], joint: Joint) -> Match | None:
+    def two(self, pairs: Iterable[tuple[int, int]]) -> Match | None:
         """The two mistakes of which the program that makes both answers as the submission does.
 
-        `pairs` are tried in order, as long as they are few; a mistake that one of them does not need is none.
+        `pairs` are tried in order, as long as they are few. Where others do nearly as well, or one of the two
+        does alone, none is told.
         """
-        if not pairs or wrong_answers(self._submission) < _MANY:
+        if self._joint is None or wrong_answers(self._submission) < _MANY:
             return None
-        few, some = self._cases(1), self._cases(_SOME)
-        found: dict[frozenset[str], tuple[float, tuple[int, int]]] = {}
-        likely = (pair for pair in pairs[:_TRIED] if self._share(joint(*pair, few), few) >= _MOST)
-        for pair in islice(likely, _RUN):
-            share = self._share(joint(*pair, some), some)
-            names = frozenset(self._known[place].name for place in pair)
-            if share >= _SAME and share > found.get(names, (0.0, pair))[0] and self._needed(pair, share):
-                found[names] = share, pair
-            if share == 1.0:
+        tried: list[tuple[float, tuple[int, int]]] = []
+        for pair in pairs:
+            share = self._of_both(pair, self._few)
+            if share is not None and share >= _MOST:
+                tried.append((share, pair))
+            if len(self._known_shares) == _TRIED:
                 break
-        if len(found) != 1:
+        found: dict[frozenset[str], tuple[float, tuple[int, int]]] = {}
+        for _, pair in sorted(tried, key=lambda each: -each[0]):
+            names = frozenset(self._known[place].name for place in pair)
+            if names not in found:
+                found[names] = self.fits(*pair) or 0.0, pair
+            if len(found) == _RUN or found[names][0] == 1.0:
+                break
+        best, *others = sorted(found.values(), reverse=True) or [(0.0, (0, 0))]
+        missed = 1 - best[0]
+        if missed > _MISSED or any(1 - share <= _CLEARLY * missed for share, _ in others):
             return None
-        ((_, pair),) = found.values()
-        return self._match(pair)
+        return self._match(best[1]) if self._needed(best[1], best[0]) else None
 
-    def _cases(self, count: int) -> Cases:
-        """Some cases of each group: of those that fail, and as many that may pass, evenly from all of it."""
-        found = {}
-        for data in self._groups:
-            wrong, size = sorted(self._submission[data.group.name].wrong), len(data.cases)
-            chosen = {*wrong[:: len(wrong) // count + 1]}
-            if wrong and count > 1:
-                chosen |= {*range(0, size, size // count + 1)}
-            found[data.group.name] = sorted(chosen)
-        return found
+    def fits(self, one: int, other: int) -> float | None:
+        """How much the program that makes both mistakes answers as the submission does, of 1, in some cases.
+
+        None where nobody can write it.
+        """
+        return self._of_both((one, other), self._some)
+
+    def _of_both(self, pair: tuple[int, int], only: Cases) -> float | None:
+        key = pair, only is self._some
+        if key not in self._known_shares:
+            does = self._joint(*pair, only) if self._joint else None
+            if does is None:
+                return None
+            self._known_shares[key] = self._share(does, only)
+        return self._known_shares[key]
+
+    @cached_property
+    def _few(self) -> Cases:
+        return self._cases(_FEW, 0)
+
+    @cached_property
+    def _some(self) -> Cases:
+        return self._cases(_SOME, _SOME)
+
+    def _cases(self, wrong: int, right: int) -> Cases:
+        """At most so many of the cases that it fails and passes, evenly from all of them."""
+        fails = [(name, case) for name, each in self._submission.items() for case in sorted(each.wrong)]
+        passes = [
+            (name, case)
+            for name, each in self._submission.items()
+            for case in range(each.reached)
+            if case not in each.wrong
+        ]
+        found: dict[str, list[int]] = {data.group.name: [] for data in self._groups}
+        for cases, most in ((fails, wrong), (passes, right)):
+            for name, case in cases[:: -(-len(cases) // most) or 1] if most else ():
+                if name in found:
+                    found[name].append(case)
+        return {name: sorted(cases) for name, cases in found.items()}
 
     def _share(self, does: Behaviour | None, only: Cases | None = None) -> float:
         """Of the wrong answers of either, how many are the same in both; in all cases, or in some."""
