@@ -22,7 +22,7 @@ _TRUE = (
 _COVERED = 0.5  # … but no more than these of its own are unexplained
 _HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
 _BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
-BOTH = 0.95  # the same for two mistakes at once, by the program that makes both
+BOTH = 0.92  # the same for two mistakes at once, by the program that makes both
 IN_PART = 0.7  # where it does for one of two mistakes
 NEEDED = 0.02  # by how much less than two mistakes each of them explains alone; less is a side of the one
 

@@ -26,9 +26,10 @@ _MANY = 30  # wrong answers, from which on that says it all
 _TRIED = 20  # programs of two mistakes that are run on a few cases …
 _MOST = 0.7  # … most of which they have to answer as the submission does …
 _RUN = 3  # … before so many of them are run on some
-_FEW, _SOME = 12, 60  # of the cases that it fails; and of the others
-_MISSED = 0.05  # of those, that may be different …
-_CLEARLY = 1.5  # … and so many times as many have to be with other mistakes
+_FEW, _SOME = 12, 45  # of the cases that it fails; and of the others
+_MISSED = 0.08  # of those, that may be different …
+_MISSED_BY_CHANCE = 0.12, 0.04  # … where chance decides for one of the two, and for both
+_CLEARLY = 1.5  # and so many times as many have to be with other mistakes
 ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
 
 
@@ -92,11 +93,18 @@ class Same:
                 found[names] = self.fits(*pair) or 0.0, pair
             if len(found) == _RUN or found[names][0] == 1.0:
                 break
-        best, *others = sorted(found.values(), reverse=True) or [(0.0, (0, 0))]
+        if not found:
+            return None
+        best, *others = sorted(found.values(), reverse=True)
         missed = 1 - best[0]
-        if missed > _MISSED or any(1 - share <= _CLEARLY * missed for share, _ in others):
+        if missed > self._allowed(best[1]) or any(1 - share <= _CLEARLY * missed for share, _ in others):
             return None
         return self._match(best[1]) if self._needed(best[1], best[0]) else None
+
+    def _allowed(self, pair: Sequence[int]) -> float:
+        """The share of the cases in which the program that makes both may answer something else."""
+        chances = sum(self._known[place].chance for place in pair)
+        return _MISSED_BY_CHANCE[chances - 1] if chances else _MISSED
 
     def fits(self, one: int, other: int) -> float | None:
         """How much the program that makes both mistakes answers as the submission does, of 1, in some cases.

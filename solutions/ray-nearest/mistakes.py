@@ -197,6 +197,8 @@ def quadratic(cx, cy, r, O, D):
     # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the extent.
     if where == 1:
         return None
+        # ? sentinel-miss@m1: return -1
+        # ? sentinel-miss@m2: return 0
         # ? sentinel-miss: return -1
         # : A line that passes the circle is reported as −1, although a circle behind the origin is None.
         # : Return None for both: −1 is a number like any other.
@@ -314,6 +316,8 @@ def quadratic(cx, cy, r, O, D):
     # : t that is rounding. t = 0 is allowed: 0 is the answer there.
     if first is None:
         return None
+        # ? sentinel-miss@m1: return -1
+        # ? sentinel-miss@m2: return 0
         # ? sentinel-miss: return -1
         # ? sentinel-miss@s1: return -1
         # ? sentinel-miss@s2: return 0
