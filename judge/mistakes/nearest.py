@@ -19,10 +19,10 @@ from judge.values import Outline
 
 _LIKE = 0.45  # of the cases that either fails, that both fail, for a program to be worth comparing
 _BY_CHANCE = 0.2  # the same where chance decides which cases fail
-_SINGLES = 36  # that are kept at most, the likeliest
+_SINGLES = 24  # that are kept at most, the likeliest
 _SAME = 0.98  # the same for a program that may answer as the submission does everywhere
 _PAIR = 0.7  # the same for two programs together that are weighed, group by group
-_PAIRS = 16  # that are kept at most, the likeliest
+_PAIRS = 8  # that are kept at most, the likeliest
 _WITHIN = 0.6  # of a program's failures, that are the submission's as well, for it to be one of two
 _SAMPLE = 100  # cases that it fails, and as many others, by which two programs at once are rated
 _DIGITS = 1e-6  # to which two answers are the same then
@@ -61,7 +61,11 @@ def nearest(submission: Behaviour, known: Sequence[Known], groups: Sequence[Grou
     within = {mask for mask in masks if mask and (mask & ours).bit_count() >= _WITHIN * mask.bit_count()}
     pairs = _pairs(sorted(within), ours)
     paired = {mask for _, *two in pairs for mask in two}
-    worth = {*likely[:_SINGLES], *(place for place, mask in enumerate(masks) if mask in paired)}
+    firsts: dict[tuple[int, str], int] = {}  # of a mistake's that fail the same cases
+    for place, mask in enumerate(masks):
+        if mask in paired:
+            firsts.setdefault((mask, known[place].name), place)
+    worth = {*likely[:_SINGLES], *firsts.values()}
     same = (place for place, share in enumerate(shares) if share >= _SAME)
     together = _together(submission, known, groups)
     return Nearest(tuple(same), tuple(sorted(worth)), together)

@@ -157,8 +157,12 @@ class Same:
         return Likeness.of(overlaps).share
 
     def _needed(self, pair: Sequence[int], share: float) -> bool:
-        """Whether neither program alone does nearly as well, in all cases: some may be those that differ."""
-        return all(self._share(self._known[place].behaviour) < share - NEEDED for place in pair)
+        """Whether neither program alone does nearly as well, in some cases and in all."""
+        known = [self._known[place].behaviour for place in pair]
+        return all(
+            self._share(each, self._some) < share - NEEDED and self._share(each) < 1 - NEEDED
+            for each in known
+        )
 
     @cached_property
     def _evidence(self) -> Mapping[str, Evidence]:
