@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 
 from judge.data.model import GroupData
-from judge.mistakes.answers import Behaviour
+from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import NEEDED, Likeness
 from judge.mistakes.naming import Known, Match, Rights, gather
@@ -91,15 +91,42 @@ class Same:
             names = frozenset(self._known[place].name for place in pair)
             if names not in found:
                 found[names] = self.fits(*pair) or 0.0, pair
-            if len(found) == _RUN or found[names][0] == 1.0:
+            if len(found) == _RUN:
                 break
         if not found:
             return None
-        best, *others = sorted(found.values(), reverse=True)
+        best, *others = self._told_apart(sorted(found.values(), reverse=True))
         missed = 1 - best[0]
         if missed > self._allowed(best[1]) or any(1 - share <= _CLEARLY * missed for share, _ in others):
             return None
         return self._match(best[1]) if self._needed(best[1], best[0]) else None
+
+    def _told_apart(self, found: list[tuple[float, tuple[int, int]]]) -> list[tuple[float, tuple[int, int]]]:
+        """The same, where the first two do as well by what they answer where they differ."""
+        if len(found) < 2 or (1 - found[1][0]) > _CLEARLY * (1 - found[0][0]):
+            return found
+        (_, first), (_, second) = found[:2]
+        wrong = [
+            {(name, case) for place in pair for name, each in self._behaves(place) for case in each.wrong}
+            for pair in (first, second)
+        ]
+        differ = sorted(wrong[0] ^ wrong[1])
+        only: dict[str, list[int]] = {data.group.name: [] for data in self._groups}
+        for name, case in differ[:: -(-len(differ) // _SOME) or 1]:
+            if name in only:
+                only[name].append(case)
+        told = [
+            (self._share(self._joint(*pair, only) if self._joint else None, only), pair)
+            for pair in (first, second)
+        ]
+        if told[0][0] == told[1][0]:
+            return found
+        best = max(told)[1]
+        other, share = (second if best == first else first), min(each for each, _ in told)
+        return [(found[0][0], best), (min(share, found[1][0]), other), *found[2:]]
+
+    def _behaves(self, place: int) -> Iterable[tuple[str, Answers]]:
+        return self._known[place].behaviour.items()
 
     def _allowed(self, pair: Sequence[int]) -> float:
         """The share of the cases in which the program that makes both may answer something else."""
