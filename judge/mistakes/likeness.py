@@ -20,7 +20,9 @@ _TRUE = (
 _COVERED = 0.5  # … but no more than these of its own are unexplained
 _HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
 _BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
-_IN_PART = 0.7  # where it does for one of two mistakes
+BOTH = 0.92  # the same for two mistakes at once, by the program that makes both
+IN_PART = 0.7  # where it does for one of two mistakes
+NEEDED = 0.02  # by how much less than two mistakes each of them explains alone; less is a side of the one
 
 
 class Overlap(Struct, frozen=True):
@@ -88,7 +90,9 @@ class Likeness(Struct, frozen=True):
             share = self._of_either(self.alike)
             return share >= _HALF or (share >= _BY_CHANCE and score >= _SURE)
         if any(chances):
-            return self.share >= _IN_PART
+            return self.share >= IN_PART
         if self.share >= _NEARLY_ALL:
             return True
+        if len(chances) > 1:
+            return False  # two can be made to fit too much
         return self.same >= _TRUE * self.theirs and self.same >= _COVERED * self.ours

@@ -17,10 +17,10 @@ from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Program, Progress, computed
 from judge.mistakes.makers import Maker, Makers, distinct, read_makers
-from judge.mistakes.naming import Cases, Joint, Known, Match, best_match
+from judge.mistakes.naming import Known, Match, best_match
 from judge.mistakes.nearest import nearest
 from judge.mistakes.rights import right_outlines
-from judge.mistakes.same import Same, as_match, twins, wrong_answers
+from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answers
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.run.matrix import Matrix, kill_matrix
@@ -105,14 +105,16 @@ class Namer:
         """What explains the submission, or else the programs that answer just as it does."""
         data, rights = self._data, self._rights
         near = nearest(does, known, data.groups)
-        same = Same(does, known, data.groups, data.problem.answer, rights)
-        joint = self._joint(read, makers)
-        match = same.one(near.same) or (joint and same.two(near.pairs, joint))
+        same = Same(does, known, data.groups, data.problem.answer, rights, self._joint(read, makers))
+        match = same.one(near.same) or same.two(near.pairs)
         if match is None:
             worth = near.worth
-            joint = self._joint(read, [makers[place] for place in worth])
+
+            def fits(one: int, other: int) -> float | None:
+                return same.fits(worth[one], worth[other])
+
             few = [known[place] for place in worth]
-            match = best_match(does, few, data.groups, data.problem.answer, joint, rights)
+            match = best_match(does, few, data.groups, data.problem.answer, fits, rights)
             match = match and match.at(worth)
         return match, () if match else twins(does, known)
 
@@ -138,7 +140,7 @@ class Namer:
         if family is None:
             return None
 
-        def joint(one: int, other: int, only: Cases | None) -> Behaviour | None:
+        def joint(one: int, other: int, only: Cases) -> Behaviour | None:
             first, second = makers[one].choice, makers[other].choice
             both = family.together(first, second) if first and second else None
             if both is None:

@@ -18,8 +18,6 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cache
-from typing import cast
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -27,7 +25,7 @@ from msgspec.structs import replace
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence, log_sum
-from judge.mistakes.likeness import Likeness
+from judge.mistakes.likeness import BOTH, IN_PART, NEEDED, Likeness
 from judge.values import Outline, Type, Usual
 
 LEAST = 0.7  # the score below which nothing is named
@@ -48,11 +46,10 @@ _PARTNERS = 10  # programs that each of them is tried with
 Rights = Mapping[str, Sequence[Outline]]  # of the right answers, by the group's name
 
 
-Cases = Mapping[str, Sequence[int]]  # by the group's name
-# what a program answers that does as two known ones do, at once, in all cases or some
-Joint = Callable[[int, int, Cases | None], Behaviour | None]
+# how much of what two programs at once answer is what the submission answers; None where nobody knows
+Fits = Callable[[int, int], float | None]
 
-_CHECKED = 1  # hypotheses of two mistakes whose program is run
+_CHECKED = 2  # hypotheses of two mistakes whose program is run
 
 
 class Known(Struct, frozen=True):
@@ -86,13 +83,13 @@ def best_match(
     known: Sequence[Known],
     groups: Sequence[GroupData],
     answer: Type,
-    joint: Joint | None = None,
+    fits: Fits | None = None,
     rights: Rights | None = None,
 ) -> Match | None:
     """What explains the submission's wrong answers, or None where nothing does well enough.
 
-    Two mistakes at once fail where either does, unless `joint` knows better. `rights` are found where they
-    are not given.
+    Two mistakes at once fail where either does, unless `fits` knows better. `rights` are found where they are
+    not given.
     """
     if not known or not any(answers.wrong for answers in submission.values()):
         return None
@@ -102,10 +99,7 @@ def best_match(
     groups = [data for data in groups if data.group.name in submission]
     evidence = gather(submission, known, groups, rights, answer, usual)
     found = sorted(_hypotheses(evidence, known), key=lambda each: -each.total)
-    if joint is not None:
-        joint = cast("Joint", cache(joint))
-        found = _checked(found, evidence, known, groups, joint)
-    found = _told_apart(found, evidence)
+    found = _told_apart(_checked(found, evidence, known, fits) if fits else found, evidence)
     against = [_UNKNOWN, _of_one_answer(submission, groups, evidence, rights)]
     for best in found:
         if best.total <= max(against):
@@ -114,7 +108,7 @@ def best_match(
         probability = math.exp(best.total - log_sum(rivals + against))
         explained = _explained(best, evidence)
         score = probability * min(1.0, explained / _EXPLAINED)
-        if score >= LEAST and _alike(best, score, evidence, known, groups, joint):
+        if score >= LEAST and _alike(best, score, evidence, known):
             return Match(best.named, explained, score, _close(best, found))
         if len(best.names) == 1:
             return None  # two mistakes may be too much to say where one of them is not
@@ -141,32 +135,27 @@ def _likeness(place: int, evidence: Sequence[Evidence]) -> float:
     return Likeness.of(each.overlap(place) for each in evidence).share
 
 
-def _alike(
-    best: _Hypothesis,
-    score: float,
-    evidence: Sequence[Evidence],
-    known: Sequence[Known],
-    groups: Sequence[GroupData],
-    joint: Joint | None,
-) -> bool:
+def _alike(best: _Hypothesis, score: float, evidence: Sequence[Evidence], known: Sequence[Known]) -> bool:
     """Whether what the hypothesis does is what the submission does, case by case."""
     one, *others = best.places
-    does = joint(one, others[0], None) if joint and len(best.names) == 2 else None
     found = [Likeness.of(each.overlap(place) for each in evidence) for place in best.places]
-    if does is not None:
-        found = [
-            Likeness.of(
-                each.beside(does.get(data.group.name)) for each, data in zip(evidence, groups, strict=True)
-            )
-        ]
-    elif others:
+    if others:
         found.append(Likeness.of(each.both(one, *others) for each in evidence))
         if len(best.names) == 1:
             found.append(Likeness.of(each.midway(one, *others) for each in evidence))
         else:
             found = found[-1:]
     chances = [known[place].chance for place in best.named]
+    if best.fits is not None:
+        return True
+    if len(best.names) == 2 and found[0].share < _alone(best, evidence) + NEEDED:
+        return False
     return any(each.enough(chances, score) for each in found)
+
+
+def _alone(best: _Hypothesis, evidence: Sequence[Evidence]) -> float:
+    """How alike the better one of its programs is by itself."""
+    return max(_likeness(place, evidence) for place in best.places)
 
 
 def _close(best: _Hypothesis, found: Iterable[_Hypothesis]) -> tuple[int, ...]:
@@ -184,6 +173,7 @@ class _Hypothesis(Struct, frozen=True):
     places: tuple[int, ...]
     ratios: Sequence[float]
     total: float
+    fits: float | None = None  # how well the program of two mistakes does, where it has been run
 
     @property
     def named(self) -> tuple[int, ...]:
@@ -242,27 +232,22 @@ def _hypotheses(evidence: Sequence[Evidence], known: Sequence[Known]) -> Iterabl
 
 
 def _checked(
-    found: Sequence[_Hypothesis],
-    evidence: Sequence[Evidence],
-    known: Sequence[Known],
-    groups: Sequence[GroupData],
-    joint: Joint,
+    found: Sequence[_Hypothesis], evidence: Sequence[Evidence], known: Sequence[Known], fits: Fits
 ) -> list[_Hypothesis]:
-    """The same with the likeliest two at once as the program has it that makes both; again in order."""
-    likeliest = [each for each in found if len(each.names) == 2][:_CHECKED]
-    checked = []
+    """Without those of two mistakes that the program which makes both does not bear out."""
+    checked, run = [], 0
     for each in found:
-        near = joint if each in likeliest and each.total > found[0].total - _SECOND else None
-        does = near(each.places[0], each.places[1], None) if near else None
-        if does is not None:
-            chance = any(known[place].chance for place in each.places)
-            ratios = [
-                one.against(does[data.group.name], chance) if data.group.name in does else 0.0
-                for one, data in zip(evidence, groups, strict=True)
-            ]
-            each = _Hypothesis(each.names, each.places, ratios, sum(ratios) - _SECOND)
+        share = None
+        if len(each.names) == 2 and each.total > found[0].total - _SECOND and run < _CHECKED:
+            share = fits(*each.places)
+        if share is not None:
+            run += 1
+            least = IN_PART if any(known[place].chance for place in each.places) else BOTH
+            if share < max(least, _alone(each, evidence) + NEEDED):
+                continue
+            each = replace(each, fits=share)
         checked.append(each)
-    return sorted(checked, key=lambda each: -each.total)
+    return checked
 
 
 def _partners(place: int, evidence: Sequence[Evidence], known: Sequence[Known]) -> list[int]:

@@ -136,7 +136,9 @@ def quadratic(cx, cy, r, O, D):
     # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
     # ? overflow-64@where: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-64@roots: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32@roots: disc = wrap(r * r * a - k * k, 32)
     d = abs(k) / length
     # ? cancellation: d = sqrt(max(0.0, fx * fx + fy * fy - b * b / a))
     # ? forgotten-abs: d = k / length
@@ -186,13 +188,17 @@ def quadratic(cx, cy, r, O, D):
     # ? cancellation@u: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? cancellation@c4: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? tangent-missed: where = -1 if disc > 0 else 1
-    # ? overflow-64@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
-    # ? overflow-32@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
+    # ? overflow-64@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-64@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-32@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-32@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
     # ? tangent-missed: where = -1 if gap < 0 else 1
     # : d < r makes two points, and all else is a miss: a tangent is none, or has two points where it was
     # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the extent.
     if where == 1:
         return None
+        # ? sentinel-miss@m1: return -1
+        # ? sentinel-miss@m2: return 0
         # ? sentinel-miss: return -1
         # : A line that passes the circle is reported as −1, although a circle behind the origin is None.
         # : Return None for both: −1 is a number like any other.
@@ -227,6 +233,8 @@ def quadratic(cx, cy, r, O, D):
         # : nearly equal. Find the far point first, and the near one from the power of the origin: near ·
         # : far = f·f - r².
         # ? cancellation@c0: ts = [(-b - root) / a, (-b + root) / a]
+        # ? overflow-64@roots: ts = [(-b - root) / a, (-b + root) / a]
+        # ? overflow-32@roots: ts = [(-b - root) / a, (-b + root) / a]
         # ? floor-division: ts = [(-b - root) // a, (-b + root) // a]
         # ? sqrt-of-negative@a: ts = [(-b - root) / a, (-b + root) / a]
         # ? forgotten-centre@d: ts = [(-b - root) / a, (-b + root) / a]
@@ -308,6 +316,8 @@ def quadratic(cx, cy, r, O, D):
     # : t that is rounding. t = 0 is allowed: 0 is the answer there.
     if first is None:
         return None
+        # ? sentinel-miss@m1: return -1
+        # ? sentinel-miss@m2: return 0
         # ? sentinel-miss: return -1
         # ? sentinel-miss@s1: return -1
         # ? sentinel-miss@s2: return 0

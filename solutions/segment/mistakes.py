@@ -120,6 +120,7 @@ def geometric(cx, cy, r, A, B):
         # : A == B is answered with that point if it is not outside the circle, as if that were a disc.
         # : Return it only if its distance from the centre is the radius.
         # ? inside-ends@disc: return [A] if hypot(ax, ay) <= r + point else []
+        # ? inside-ends@both: return [A] if hypot(ax, ay) <= r + point else []
     # ? no-degenerate: pass
     # + short-is-a-point: if length < {1e-9..1e-4/2}: return [A] if abs(hypot(ax, ay) - r) <= point else []
     ux, uy = dx / length, dy / length
@@ -208,6 +209,7 @@ def geometric(cx, cy, r, A, B):
         # ? first-root-only: roots = [m + h]
     # + inside-ends: if len(roots) == 2 and roots[0] < -slack and roots[1] > length + slack: return [A, B]
     # + inside-ends@disc: roots = (lambda a, b: [] if a > b + near else [a] if b - a <= near else [a, b])(max(0.0, roots[0]), min(length, roots[-1]))
+    # + inside-ends@both: if len(roots) == 2: roots = [max(roots[0], 0.0), min(roots[1], length)] if roots[0] <= length + near and roots[1] >= -near else []
     # + inside-ends@clip2: if len(roots) == 2: roots = [s for s in (max(roots[0], 0.0), min(roots[1], length))] if max(roots[0], 0.0) <= min(roots[1], length) + near else []
     # : The part of the segment within the circle is returned by its two ends, whether they are on the
     # : circle or inside. The circle is the curve; an end inside it is nothing.
@@ -331,7 +333,9 @@ def quadratic(cx, cy, r, A, B):
     # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
     # ? overflow-64@where: disc = wrap(r * r * a - k * k, 64)
+    # ? overflow-64@roots: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
+    # ? overflow-32@roots: disc = wrap(r * r * a - k * k, 32)
     # : The half-chord is √(r − d²), with the radius as it is. Square the radius.
     length = sqrt(a)
     gap = abs(k) / length - r
@@ -360,8 +364,10 @@ def quadratic(cx, cy, r, A, B):
     # ? tangent-twice: where = -1 if disc >= 0 else 1
     # ? radius-not-squared@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? overflow-64@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
-    # ? overflow-32@where: where = 1 if disc < -2 * near * r * a else 0 if disc <= 2 * near * r * a else -1
+    # ? overflow-64@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-64@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-32@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
+    # ? overflow-32@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
     if where == 1:
         return []
         # ? none-for-empty: return None
@@ -387,6 +393,8 @@ def quadratic(cx, cy, r, A, B):
         # : The stable formula gives the roots q/a and c/q as they come: where both are on the segment b is
         # : negative, and q/a is the greater one. Sort them by t before returning.
         # ? reversed-order: ts = [(-b + root) / a, (-b - root) / a]
+        # ? overflow-64@roots: ts = [(-b - root) / a, (-b + root) / a]
+        # ? overflow-32@roots: ts = [(-b - root) / a, (-b + root) / a]
         # ? radius-not-squared@b: ts = [(-b - root) / a, (-b + root) / a]
         # ? radius-not-squared@k: ts = [(-b - root) / a, (-b + root) / a]
     slack = near / length
