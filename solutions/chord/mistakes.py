@@ -23,6 +23,7 @@ def half_chord(cx, cy, r, A, B):
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
     # : extent from the centre, and add nothing to it.
     # ? radius-epsilon: extent = r
+    # ? length-epsilon: extent = hypot(bx - ax, by - ay)
     near = 1e-10 * extent
     # = near = 1e-9 * extent
     # ? absolute-epsilon: near = {1e-15..1e-3/3}

@@ -47,6 +47,7 @@ def lengths(cx, cy, r, P):
     if abs(d - r) <= near:
         return 0
         # ? boolean: return True
+        # ? boolean@both: return True
         # ? only-on-or-off: return 1
     # ? equality: if d == r: return 0
     # ? equality: if fx * fx + fy * fy == r * r: return 0
@@ -70,6 +71,7 @@ def lengths(cx, cy, r, P):
     # ? absolute-epsilon: if abs(d - r) <= max(1e-9, 1e-9 * r): return 0
     # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
     return 1 if d > r else -1
+    # ? boolean@both: return False
     # ? boolean: return d > r
     # : The answer is whether P is outside, True or False. Return −1, 0 or 1.
     # ? boolean: return d < r

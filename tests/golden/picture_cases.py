@@ -30,6 +30,11 @@ CASES = {
     "ray-on-circle": ("ray-nearest", (0, 0, 5, (3, 4), (-1, -2)), "4.4"),
     "exact-hairline": ("exact-count", (0, 0, HUGE**2, (0, HUGE**2 - 1), (HUGE**2, HUGE**2 - 1)), "1"),
     "hostile": ("segment", (0, 0, 5, (-7, 2), (7, -1)), "<script>\"'&\x00\x1b[2J]]>\ud800\u202e"),
+    "distance": ("distance", ((0, 0), (3, 4), (5, 0)), "2.5"),
+    "foot": ("foot", ((0, 0), (3, 4), (2, 5)), "(1.0, (3.0, 4.0))"),
+    "normals": ("normal-form", ((3, 0), (1, 5)), "(0.928, 0.371, -2.78)"),
+    "on-circle": ("on-circle", (0, 0, 5, (3, 4.000002)), "0"),
+    "chord": ("chord", (0, 0, 5, (-6, 3), (6, 3)), "4.0"),
 }
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from judge.data.draw import Draw
 from judge.topics.circles.figures.figure import Figure, Recipe, line, typed
 from judge.topics.circles.figures.posing import posed
+from judge.topics.circles.recipes import edges
 
 
 def diameter(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
@@ -44,4 +45,9 @@ def spread(draw: Draw, *, size: int, octaves: Sequence[int], poses: Sequence[str
     return typed(draw, figure, "any")
 
 
-RECIPES: Mapping[str, Recipe] = {"diameter": diameter, "spread": spread}
+def touch_edge(draw: Draw, *, close: Sequence[int], **parameters: Any) -> Figure:
+    """A line that is, or nearly is, a tangent; in every second figure B is 2**-close of the extent from A."""
+    return edges.tangent(draw, close=close if draw.boolean() else (), **parameters)
+
+
+RECIPES: Mapping[str, Recipe] = {"diameter": diameter, "spread": spread, "touch-edge": touch_edge}
