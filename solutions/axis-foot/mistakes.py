@@ -22,6 +22,10 @@ def coordinates(A, B, P):
     # + clamp-to-ends: P = tuple(max(min(a, b), min(max(a, b), p)) for a, b, p in zip(A, B, P))
     # + swapped-coordinates: P = (P[1], P[0])
     # : P is read as (y, x). Points are (x, y).
+    # + clamp-to-ends: if not all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P) if a != b): return None
+    # : Where the foot is beyond A or B, None is returned. The line goes on for ever: the foot is there.
+    # + forgotten-start: return (P[0], 0) if A[1] == B[1] else (0, P[1])
+    # : The line is taken to run through (0, 0). Take its y, or its x, from A.
     if A[1] == B[1]:
         return (P[0], A[1])
         # = return (P[0], B[1])
