@@ -22,6 +22,10 @@ def coordinates(A, B, P):
     # + clamp-to-ends: P = tuple(max(min(a, b), min(max(a, b), p)) for a, b, p in zip(A, B, P))
     # + swapped-coordinates: P = (P[1], P[0])
     # : P is read as (y, x). Points are (x, y).
+    # + clamp-to-ends: if not all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P) if a != b): return None
+    # : Where the foot is beyond A or B, None is returned. The line goes on for ever: the foot is there.
+    # + forgotten-start: return (P[0], 0) if A[1] == B[1] else (0, P[1])
+    # : The line is taken to run through (0, 0). Take its y, or its x, from A.
     if A[1] == B[1]:
         return (P[0], A[1])
         # = return (P[0], B[1])
@@ -30,10 +34,9 @@ def coordinates(A, B, P):
         # ? distance-for-point@far: return abs(P[1] - A[1])
         # ? float-answer@float: return (float(P[0]), float(A[1]))
         # ? distance-for-point@pair: return (0, P[1] - A[1])
+        # ? distance-for-point@back: return (0, A[1] - P[1])
         # ? clamp-to-ends: return (max(min(A[0], B[0]), min(max(A[0], B[0]), P[0])), A[1])
         # : On level lines the foot is moved to the nearer end. The line goes on beyond it.
-        # ? other-axis: return (A[0], P[1])
-        # : On level lines the foot gets P's y. It gets the line's y, and P's x.
     return (A[0], P[1])
     # = return (B[0], P[1])
     # ? swapped-coordinates@swap: return (P[1], A[0])
@@ -42,10 +45,10 @@ def coordinates(A, B, P):
     # ? float-answer@float: return (float(A[0]), float(P[1]))
     # ? distance-for-point@pair: return (P[0] - A[0], 0)
     # : The way from the line to P is returned. The foot is asked for: the point where that way begins.
+    # ? distance-for-point@back: return (A[0] - P[0], 0)
+    # : The way from P to the line is returned. The foot is asked for: the point where that way ends.
     # ? clamp-to-ends: return (A[0], max(min(A[1], B[1]), min(max(A[1], B[1]), P[1])))
     # : On upright lines the foot is moved to the nearer end. The line goes on beyond it.
-    # ? other-axis: return (P[0], A[1])
-    # : On upright lines the foot gets P's x. It gets the line's x, and P's y.
 
 
 def projection(A, B, P):

@@ -77,6 +77,12 @@ def product(cx, cy, r, A, B):
     # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 3)
     # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 4)
     # ? nearly-on-is-on: gap = (lambda g: 0 if abs(g) <= 1 else g)(r * r * a - k * k)
+    # ? end-for-line: gap = r * r - fx * fx - fy * fy
+    # ? end-for-line: gap = r * r - (fx + dx) ** 2 - (fy + dy) ** 2
+    # : The distance of C from B is taken. The line may pass much nearer: take its distance from C.
+    # ? absolute-value: gap = abs(r * r * a - k * k)
+    # ? undivided: gap = r * (abs(dx) + abs(dy)) - abs(k)
+    # : |k| is divided by |dx| + |dy|, the way around the corner. Compare k² with r²·|B - A|².
     # ? swapped-answers: gap = k * k - r * r * a
     if gap < 0:
         return 0

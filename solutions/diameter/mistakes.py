@@ -64,6 +64,10 @@ def doubled(A, B, P):
     # ? float-arithmetic@hypot: across = hypot(ux, uy)
     # ? rounded-root@root: across = isqrt(ux * ux + uy * uy)
     # ? rounded-root@near: across = round(hypot(ux, uy))
+    # ? rounded-root: across = isqrt(ux * ux + uy * uy) ** 2
+    # : The diameter is rounded down to a whole number and squared again. |B - A|² is whole as it is.
+    # ? rounded-root: across = round(hypot(ux, uy)) ** 2
+    # : The diameter is rounded to a whole number and squared again. |B - A|² is whole as it is.
     # ? forgotten-square: across = hypot(ux, uy)
     # : The distance squared is compared with the diameter itself. Square both.
     # ? diameter-for-radius: across = (ux * ux + uy * uy) // 4
@@ -104,6 +108,8 @@ def angle(A, B, P):
     # ? sum-for-difference: ax, ay, bx, by = A[0] + P[0], A[1] + P[1], B[0] + P[0], B[1] + P[1]
     # : P is added where it has to be subtracted. The way from P to A is A - P.
     # ? centre-at-an-end: bx, by = B[0] - A[0], B[1] - A[1]
+    # : The angle is taken at A, between B and P. The right angle is at P: take A - P and B - P.
+    # ? centre-at-an-end: ax, ay, bx, by = P[0] - A[0], P[1] - A[1], B[0] - A[0], B[1] - A[1]
     # : The angle is taken at A, between B and P. The right angle is at P: take A - P and B - P.
     dot = ax * bx + ay * by
     # ? cross-for-dot: dot = ax * by - ay * bx

@@ -29,6 +29,10 @@ def product(A, B, P):
     # ? sides-exchanged: fx, fy = A[0] - P[0], A[1] - P[1]
     # : The way from P to A is taken, and left and right change places. Take P - A.
     # ? sum-for-difference: fx, fy = P[0] + A[0], P[1] + A[1]
+    # ? forgotten-start: fx, fy = P[0] - B[0], P[1] - A[1]
+    # : x is seen from B and y from A. Let both begin at the same point.
+    # ? forgotten-start: fx, fy = P[0] - A[0], P[1] - B[1]
+    # : x is seen from A and y from B. Let both begin at the same point.
     # ? forgotten-start: fx, fy = P[0] - A[0], P[1]
     # : A is subtracted from P in x only. Subtract it in y as well.
     # + segment-for-line: if not min(A[0], B[0]) <= P[0] <= max(A[0], B[0]): return 0

@@ -8,7 +8,7 @@ from math import isqrt
 
 
 def circle_side(cx, cy, r, P):
-    square = abs(P[0] - cx) ** 2 + abs(P[1] - cy) ** 2
+    square = (P[0] - cx) ** 2 + (P[1] - cy) ** 2
     root = isqrt(square)
     if root != r:
         return -1 if root < r else 1
