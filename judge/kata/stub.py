@@ -76,9 +76,25 @@ def _rounding(problem: Problem) -> str:
         [
             f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:",
             f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""',
-            f"{_INDENT}return {answer.rounded.format(name)}",
+            *_returned(answer.rounded.format(name)),
         ]
     )
+
+
+def _returned(expression: str) -> Iterator[str]:
+    """The lines that return it, broken as formatters break them where one is too long."""
+    line = f"{_INDENT}return {expression}"
+    whole = ast.parse(expression, mode="eval").body
+    if len(line) <= _WIDTH or not isinstance(whole, ast.IfExp | ast.Tuple):
+        yield line
+    elif isinstance(whole, ast.IfExp):
+        yield f"{_INDENT}if {ast.unparse(whole.test)}:"
+        yield f"{_INDENT * 2}return {ast.unparse(whole.body)}"
+        yield from _returned(ast.unparse(whole.orelse))
+    else:
+        yield f"{_INDENT}return ("
+        yield from (f"{_INDENT * 2}{ast.unparse(part)}," for part in whole.elts)
+        yield f"{_INDENT})"
 
 
 def _wrapped(text: str, width: int) -> list[str]:

@@ -256,19 +256,19 @@ def test_a_solution_without_one(judge, tmp_path, pack):
 
 def test_next_goes_along_the_path_only_when_asked(judge, submit):
     ended = judge("next")
-    assert ended.lines[0].startswith("count: ")
-    assert "judge init count" in ended.out
-    refused(judge("run"), "count.py: the file of the kata in hand, count, is not there")
+    assert ended.lines[0].startswith("distance: ")
+    assert "judge init distance" in ended.out
+    refused(judge("run"), "distance.py: the file of the kata in hand, distance, is not there")
     told = json.loads(judge("next", "--init", "--json").out)
     assert (told["file"], told["exists"]) == (f"{told['problem'].replace('-', '_')}.py", True)
-    assert told["problem"] != "count"
+    assert told["problem"] != "distance"
 
 
 def test_next_takes_up_a_file_that_is_there(judge, submit, tmp_path):
-    submit("# mine\n", "count.py")
-    assert judge("next").lines[0].startswith("count.py  count: ")
+    submit("# mine\n", "distance.py")
+    assert judge("next").lines[0].startswith("distance.py  distance: ")
     assert judge("hint").lines[0].endswith("hint 1 of 6")
-    assert (tmp_path / "count.py").read_text() == "# mine\n"
+    assert (tmp_path / "distance.py").read_text() == "# mine\n"
 
 
 def test_an_unwritable_history_is_one_line(judge, tmp_path, monkeypatch):

@@ -12,6 +12,8 @@ from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
+from judge.kata.sets import find_set
+from judge.kata.stub import file_name
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
@@ -81,14 +83,15 @@ def test_a_session_from_the_first_kata_to_the_last(judge, own_pack, tmp_path):
 
 
 def test_it_takes_up_the_first_that_is_not_passed(judge, own_pack):
-    passed("count")
+    first, second, third = [each.id for each in find_set("path").problems][:3]
+    passed(first)
     judge("practice")
-    assert current().problem == "segment"
-    passed("segment")
-    assert current().problem == "segment"
+    assert current().problem == second
+    passed(second)
+    assert current().problem == second
     judge("practice")
-    assert current().problem == "ray-nearest"
-    assert Path("ray_nearest.py").is_file()
+    assert current().problem == third
+    assert Path(file_name(find_problem(third))).is_file()
 
 
 def test_a_kata_of_the_set_that_is_in_hand_stays_in_hand(judge, own_pack, tmp_path):
@@ -98,7 +101,7 @@ def test_a_kata_of_the_set_that_is_in_hand_stays_in_hand(judge, own_pack, tmp_pa
     found = json.loads(judge("practice", "--json").out)
     assert found["current"] == {"problem": "ray-nearest", "file": "my-ray.py", "new": False}
     judge("practice", "junior")  # which does not hold it
-    assert current().problem == "count"
+    assert current().problem == find_set("junior").problems[0].id
 
 
 def test_a_file_that_is_there_is_never_written_over(judge, own_pack, tmp_path):
@@ -198,8 +201,8 @@ def test_the_checklist_as_json(judge, own_pack):
 
 
 def test_everything_passed_is_every_skill_shown(judge, own_pack):
-    for problem in ("count", "segment", "ray-nearest", "exact-count"):
-        passed(problem)
+    for problem in find_set("path").problems:
+        passed(problem.id)
     found = json.loads(judge("progress", "--json").out)
     assert len(found["skills"]) >= 25
     assert {skill["state"] for skill in found["skills"]} == {"shown"}
@@ -236,5 +239,5 @@ def test_a_kata_that_cannot_be_found_from_here(judge, own_pack, monkeypatch):
 
 def test_the_shipped_solutions_are_nobodys_progress(judge, own_pack, process):
     process("run", "-q", "exact-count", ROOT / "solutions" / "exact-count" / "accepted")
-    assert "0 of 4 passed" in judge("practice").out
+    assert f"0 of {len(find_set('path').problems)} passed" in judge("practice").out
     assert "exact-count" in judge("history").out

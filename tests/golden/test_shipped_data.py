@@ -13,7 +13,7 @@ from judge.data.validate import Validator, prove
 from judge.problem.load import load_problem
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
-NAMES = ["count", "exact-count", "ray-nearest", "segment"]
+NAMES = sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml"))
 
 
 @pytest.fixture(scope="module", params=NAMES)
@@ -40,7 +40,7 @@ def test_every_case_is_proved(problem, data):
 
 
 def test_there_are_cases_and_points_enough(problem, data):
-    assert sum(len(group.cases) for group in data.groups) >= 1000
+    assert sum(len(group.cases) for group in data.groups) >= 400
     assert sum(group.points for group in problem.groups) == 100
     assert problem.examples
 
@@ -49,4 +49,5 @@ def test_there_are_cases_and_points_enough(problem, data):
 def test_any_seed_gives_full_groups_of_other_cases(problem, data, seed):
     other = load_data(problem, seed=seed, cache=False)
     assert [len(group.cases) for group in other.groups] == [group.count for group in problem.groups]
-    assert sum(a.cases != b.cases for a, b in zip(data.groups, other.groups, strict=True)) >= 10
+    changed = sum(a.cases != b.cases for a, b in zip(data.groups, other.groups, strict=True))
+    assert changed == len(problem.groups) - 1  # all but the examples

@@ -35,9 +35,9 @@ def test_the_two_commands_are_one_line_each_and_set_themselves_up(name):
     ((command,),) = [re.findall(rf"<!-- {name} -->\n```sh\n(.*)\n```", README)]
     assert command.startswith("python3 -m venv .venv && .venv/bin/pip install ")
     if name == "judge":
-        for problem in all_problems():
-            if problem.folder.parent == ROOT / "problems":
-                assert problem.id in command
+        assert "in solutions/*/accepted; do .venv/bin/judge run -q $(basename ${s%/*}) $s ||" in command
+        shipped = {each.id for each in all_problems() if each.folder.parent == ROOT / "problems"}
+        assert {place.parent.name for place in ROOT.glob("solutions/*/accepted")} == shipped
     else:
         assert "[test]" in command
         assert command.endswith(".venv/bin/pytest")

@@ -1,9 +1,12 @@
 """Circles, and the lines, segments and rays that meet them.
 
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
+CHORD                 the same as LINE, where the answer is a length on it
+POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
 
 line.py        a circle and a directed line in scaled integers
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
+part.py        what a problem is about
 signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
@@ -26,7 +29,7 @@ from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.signature import builders
+from judge.topics.circles.signature import builders, circle_and_point, line_alone, line_and_point
 from judge.topics.circles.simpler import simpler, special
 
 if TYPE_CHECKING:
@@ -34,13 +37,30 @@ if TYPE_CHECKING:
     from judge.problem import Problem
     from judge.problem.topic import Decision
 
-__all__ = ["LINE", "RAY", "SEGMENT", "Bands", "CircleLine", "Part", "builders", "mirror_images", "topic_of"]
+__all__ = [
+    "CHORD",
+    "FOOT",
+    "LINE",
+    "NORMAL",
+    "POINT",
+    "RAY",
+    "SEGMENT",
+    "Bands",
+    "CircleLine",
+    "Part",
+    "builders",
+    "circle_and_point",
+    "line_alone",
+    "line_and_point",
+    "mirror_images",
+    "topic_of",
+]
 
 
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
     return Topic(
-        images=mirror_images,
+        images=None if part is Part.NORMAL else mirror_images,  # which turns left into right
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
@@ -64,3 +84,7 @@ def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
 LINE = topic_of(Part.LINE)
 SEGMENT = topic_of(Part.SEGMENT)
 RAY = topic_of(Part.RAY)
+CHORD = topic_of(Part.CHORD)
+POINT = topic_of(Part.POINT)
+FOOT = topic_of(Part.FOOT)
+NORMAL = topic_of(Part.NORMAL)

@@ -48,6 +48,13 @@ class Bands:
             return 1
         return 2 if line.delta > 0 else 0
 
+    def side(self, line: CircleLine) -> int:
+        """Where the line's point A is: -1 inside the circle, 0 on it, 1 outside."""
+        if self._snap.starts_on_circle(line):
+            return 0
+        square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2
+        return 1 if square > line.r * line.r else -1
+
     def segment(self, line: CircleLine) -> tuple[int, ...]:
         """The common points on the closed segment t = 0 … 1, in order of t, as `which` of `CircleLine.point`.
 

@@ -107,15 +107,21 @@ _ACROSS: Sequence[tuple[_Triple, float, float]] = (  # (direction of A from C, s
 
 
 def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
-    """Those of a problem with the bands `snap` and `clear`; a problem that is exact throughout has none."""
+    """Those of a problem with the bands `snap` and `clear`; a problem that is exact throughout has none.
+
+    A line alone, or with a point beside it, needs no bands to be none.
+    """
+    if part in (Part.FOOT, Part.NORMAL):
+        return (Border("no line", 0, 0, tuple(_short_alone(each, part) for each in _SHORT)),)
     if not {"snap", "clear"} <= problem.bands.keys():
         return ()
     snap, clear = float(problem.bands["snap"]), float(problem.bands["clear"])
+    if part is Part.POINT:
+        return (Border("a point", snap, clear, tuple(_lone_point(each) for each in _POINTS)),)
     ray = part is Part.RAY
-    found = [
-        Border("a tangency", snap, clear, _touches(part, -1)),
-        Border("a tangency from inside", snap, clear, _touches(part, 1)),
-    ]
+    found = [Border("a tangency", snap, clear, _touches(part, -1))]
+    if part is not Part.CHORD:  # a touch is a chord too: only a number would tell
+        found.append(Border("a tangency from inside", snap, clear, _touches(part, 1)))
     if part is Part.SEGMENT:
         found += [
             Border("the end B", snap, clear, tuple(_end(each, last=True) for each in _ENDS)),
@@ -185,6 +191,12 @@ def _point(each: _Layout) -> Probe:
     return _probe((place, place), h * along, 1, _WIDEST, scale, far, alike=True)
 
 
+def _lone_point(each: _Layout) -> Probe:
+    """A point on the circle, and inside it when the radius grows: (cx, cy, r, P)."""
+    probe = _point(each)
+    return replace(probe, case=probe.case[:4])
+
+
 def _probe(
     ends: tuple[_Pair, _Pair],
     radius: float,
@@ -234,6 +246,18 @@ def _across(each: tuple[_Triple, float, float]) -> Probe:
     sizes = {"extent": h * scale, "coordinate": max(map(abs, (far, h * scale, *start)))}
     case = (far, -far, h * scale, start, start)
     return Probe(case, (4, 0), start[0], 1, sizes, _WIDEST, least=2 * _INSIDE)
+
+
+def _short_alone(each: tuple[float, float, float, float], part: Part) -> Probe:
+    """The same without a circle: (A, B, P), P on the line, or (A, B)."""
+    scale, _, *lengths = each
+    beside, far = (length * scale for length in lengths)
+    if part is Part.NORMAL:
+        start = (beside, far)
+        return Probe((start, start), (1, 0), beside, 1, {"extent": max(start)}, _WIDEST)
+    sizes = {"extent": beside, "coordinate": max(beside, far)}
+    start = (0.0, far)
+    return Probe((start, start, (beside, far)), (1, 0), 0.0, 1, sizes, _WIDEST)
 
 
 def _step(place: _Pair, direction: tuple[int, int], steps: float) -> _Pair:

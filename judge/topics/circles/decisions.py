@@ -4,6 +4,8 @@
     end       a root's distance to an end of the segment, the root on it or beyond
     point     ||A − C| − r| where A == B, the point inside or outside
     origin    a root's distance to a ray's origin, the root ahead or behind
+    beside    the distance of a point from a line, the point on its left or on its right
+    foot      the distance of a foot from the nearest of A and B, the foot before A, after B or between them
     apart     |B − A|, how short a line is given; of a ray |D|
     slope     |dx| of a line that is nearly vertical, |dy| of one that is nearly horizontal, in parts of |D|
 
@@ -21,21 +23,24 @@ from judge.problem.topic import Decision
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.signature import circle_and_pairs
+from judge.topics.circles.signature import line_of, read
 
 Found = Iterable[tuple[str, float]]
 Lined = Callable[[CircleLine], Found]
 
 _FINEST = 1e-15  # of the extent: what figures of doubles still hold
 _FLATTEST = 1e-12  # of the line: far below what a threshold for a slope would be
+_NEAREST = 1e-9  # of the extent: how far a point beside a line may be from it
 _EXACT = 1e-30  # what integers of any size are asked for
 _QUANTITIES = ("r", "x of the first point", "y of the first point", "x of the second", "y of the second")
 
 
 def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
     """The decisions of a problem about so much of a line; without bands, of one that is exact."""
-    if circle_and_pairs(tuple(_stand_in(each.type.depth) for each in problem.parameters)) is None:
+    if read(part, tuple(_stand_in(each.type.depth) for each in problem.parameters)) is None:
         return ()
+    if part in (Part.FOOT, Part.NORMAL):
+        return tuple(_beside(part))
     if not problem.bands:
         return (
             Decision("tangent", ("hit", "miss"), _of(part, tangencies), least=_EXACT),
@@ -44,9 +49,12 @@ def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
         )
     bands = Bands.of(problem.bands)
     snap, clear = float(bands.snap), float(bands.clear)
-    turns: list[tuple[str, tuple[str, ...], Lined]] = [("tangent", ("hit", "miss"), tangencies)]
+    turns: list[tuple[str, tuple[str, ...], Lined]] = []
+    if part is not Part.POINT:
+        turns.append(("tangent", ("hit", "miss"), tangencies))
     if part is Part.SEGMENT:
         turns.append(("end", ("on", "beyond"), partial(ends, bands)))
+    if part in (Part.SEGMENT, Part.POINT):
         turns.append(("point", ("inside", "outside"), points))
     if part is Part.RAY:
         turns.append(("origin", ("ahead", "behind"), partial(origins, bands)))
@@ -60,10 +68,22 @@ def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
             by_extent = _of(part, partial(extents, measure, side))
             title = f"{name}, {side}, by the extent"
             found.append(Decision(title, quantities, by_extent, within=snap, beyond=clear))
+    if part is Part.POINT:
+        return tuple(found)
     least, most = (1e-6, 1e6) if part is Part.RAY else (_FINEST, 1.0)
     found.append(Decision("apart", ("apart",), _of(part, lengths), least=least, most=most))
     found.append(Decision("slope", ("vertical", "horizontal"), _of(part, slopes), least=_FLATTEST))
     return tuple(found)
+
+
+def _beside(part: Part) -> Iterator[Decision]:
+    """What there is to say of a line without a circle."""
+    nearest = _NEAREST if part is Part.FOOT else 1e-6  # no answer is any finer where the origin is beside it
+    yield Decision("beside", ("left", "right"), _of(part, besides), least=nearest)
+    if part is Part.FOOT:
+        yield Decision("foot", ("before", "between", "after"), _of(part, feet), least=1e-6)
+    yield Decision("apart", ("apart",), _of(part, lengths), least=_FINEST)
+    yield Decision("slope", ("vertical", "horizontal"), _of(part, slopes), least=_FLATTEST)
 
 
 def _stand_in(depth: int) -> tuple[int, int] | int:
@@ -72,8 +92,8 @@ def _stand_in(depth: int) -> tuple[int, int] | int:
 
 def _of(part: Part, measure: Lined) -> Callable[[Case], Found]:
     def measured(case: Case) -> Found:
-        line = CircleLine.ray(*case) if part is Part.RAY else CircleLine.through(*case)
-        return measure(line) if line.extent else ()
+        line = line_of(part, case)
+        return measure(line) if line is not None and line.extent else ()
 
     return measured
 
@@ -107,6 +127,21 @@ def origins(bands: Bands, line: CircleLine) -> Iterator[tuple[str, float]]:
     for which in bands.meets(line):
         t = line.root(which)
         yield ("ahead" if t.sign() > 0 else "behind"), _length(line, t)
+
+
+def besides(line: CircleLine) -> Iterator[tuple[str, float]]:
+    """The distance of C from the line."""
+    if line.k:
+        share = line.distance() * (1 << line.shift) / line.extent
+        yield ("left" if line.k < 0 else "right"), float(share)
+
+
+def feet(line: CircleLine) -> Iterator[tuple[str, float]]:
+    """How far the foot of the perpendicular from C is from the nearest of A and B, along the line."""
+    if line.a:
+        t = line.root(0)
+        side = "before" if t < 0 else "after" if t > 1 else "between"
+        yield side, min(_length(line, t), _length(line, t - 1))
 
 
 def lengths(line: CircleLine) -> Iterator[tuple[str, float]]:

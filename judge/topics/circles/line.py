@@ -92,6 +92,22 @@ class CircleLine(Struct, frozen=True):
             make(y + p * self.dy, q * self.dy, self.delta, bottom),
         )
 
+    def distance(self) -> Surd:
+        """|k|/|D|, the distance of C from the line, in the caller's units; 0 for a degenerate line."""
+        return Surd(0, abs(self.k), self.a, self.a << self.shift) if self.a else make(0, 0, 0, 1)
+
+    def chord(self) -> Surd:
+        """2√Δ/|D|, how much of the line the circle holds, in the caller's units; ValueError for a miss."""
+        return Surd(0, 2, self.delta * self.a, self.a << self.shift) if self.delta else make(0, 0, 0, 1)
+
+    def left_normal(self) -> tuple[Surd, Surd]:
+        """The unit vector on the left of D, (−dy, dx)/|D|. Raises ZeroDivisionError for a degenerate line."""
+        return Surd(0, -self.dy, self.a, self.a), Surd(0, self.dx, self.a, self.a)
+
+    def height(self) -> Surd:
+        """The signed distance of C from the line, positive on the left of D. Raises as `left_normal`."""
+        return Surd(0, -self.k, self.a, self.a << self.shift)
+
     def extent_length(self) -> Surd:
         """The extent e in the caller's units."""
         return make(self.extent, 0, 0, 1 << self.shift)
@@ -99,6 +115,11 @@ class CircleLine(Struct, frozen=True):
     def extent_parameter(self) -> Surd:
         """e/|D|: the extent in units of t; 0 for a degenerate line, which has no parameter."""
         return Surd(0, self.extent, self.a, self.a) if self.a else make(0, 0, 0, 1)
+
+    def extent_step(self) -> Surd:
+        """e/max(|dx|, |dy|): the extent in units of t, rational; 0 for a degenerate line."""
+        step = max(abs(self.dx), abs(self.dy))
+        return make(self.extent, 0, 0, step) if step else make(0, 0, 0, 1)
 
     def _fold(self, which: int) -> tuple[int, int]:
         """which·√Δ as (p, q) of p + q·√Δ, with q = 0 where Δ is a perfect square."""

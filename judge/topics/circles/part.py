@@ -1,4 +1,4 @@
-"""How much of a line a problem is about."""
+"""What a problem is about: how much of the line counts, and how its cases are read."""
 
 from __future__ import annotations
 
@@ -6,8 +6,17 @@ from enum import Enum
 
 
 class Part(Enum):
-    """The part of the line A + t·D that counts."""
+    """The part of the line A + t·D that counts; a case is (cx, cy, r, A, B) where nothing else is said."""
 
     LINE = "line"  # all of it
+    CHORD = "chord"  # all of it, and the answer is a length on it
     SEGMENT = "segment"  # t from 0 to 1
-    RAY = "ray"  # t from 0
+    RAY = "ray"  # t from 0; (cx, cy, r, O, D)
+    POINT = "point"  # none: (cx, cy, r, P), read as the line from P to P
+    FOOT = "foot"  # all of it: (A, B, P), the circle is the point P
+    NORMAL = "normal"  # all of it: (A, B), the circle is the origin
+
+    @property
+    def endless(self) -> bool:
+        """Whether the whole infinite line counts."""
+        return self not in (Part.SEGMENT, Part.RAY)

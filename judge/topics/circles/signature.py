@@ -1,7 +1,8 @@
 """Between a figure and the arguments of a call: which of them are places in the plane, and in what order.
 
 The flat signature is (cx, cy, r, points …, vectors …): a circle's numbers one by one, points and vectors as
-pairs. An adapter makes a case of a figure, so that one recipe serves problems of different signatures.
+pairs. An adapter makes a case of a figure, so that one recipe serves problems of different signatures;
+`read` and `line_of` go the other way.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from judge.data.draw import Draw
 from judge.problem import Case, Parameter
 from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import Figure, Recipe
+from judge.topics.circles.line import CircleLine
+from judge.topics.circles.part import Part
 from judge.values import Type
 
 Adapter = Callable[[Figure], Case]
@@ -26,6 +29,21 @@ Change = Callable[[Point], Point]  # of a point or a vector
 def flat(figure: Figure) -> Case:
     """The arguments cx, cy, r, the points, the vectors."""
     return (*figure.centre, figure.radius, *figure.points, *figure.vectors)
+
+
+def circle_and_point(figure: Figure) -> Case:
+    """The arguments cx, cy, r, P; P is the figure's first point."""
+    return (*figure.centre, figure.radius, figure.points[0])
+
+
+def line_and_point(figure: Figure) -> Case:
+    """The arguments A, B, P; P is the figure's centre."""
+    return (*figure.points, figure.centre)
+
+
+def line_alone(figure: Figure) -> Case:
+    """The arguments A, B."""
+    return figure.points
 
 
 def builders(*recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
@@ -81,3 +99,24 @@ def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:
     if not isinstance(p, tuple) or not isinstance(q, tuple):
         return None
     return (cx, cy), radius, p, q
+
+
+def read(part: Part, case: Case) -> tuple[Point, Number, Point, Point] | None:
+    """The centre, the radius and the two pairs that such a case stands for; None for any other case."""
+    if part is Part.POINT and len(case) == 4:
+        return circle_and_pairs((*case, case[3]))
+    if part is Part.FOOT and len(case) == 3 and all(isinstance(each, tuple) for each in case):
+        return case[2], 0, case[0], case[1]
+    if part is Part.NORMAL and len(case) == 2 and all(isinstance(each, tuple) for each in case):
+        return (0, 0), 0, case[0], case[1]
+    return circle_and_pairs(case) if part not in (Part.POINT, Part.FOOT, Part.NORMAL) else None
+
+
+def line_of(part: Part, case: Case) -> CircleLine | None:
+    """The same as a circle and a directed line in integers."""
+    found = read(part, case)
+    if found is None:
+        return None
+    centre, radius, first, second = found
+    build = CircleLine.ray if part is Part.RAY else CircleLine.through
+    return build(*centre, radius, first, second)

@@ -48,15 +48,17 @@ def _argument(value: Any) -> str:
     return text if len(text) <= 26 else f"{text[:12]}…{text[-6:]} ({len(text.lstrip('-'))} digits)"
 
 
-_NO_LINE = {Part.LINE: "A = B: no line", Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
+_NO_LINE = {Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
 
 
 def _situation(scene: Scene, exact: Exact) -> str:
     """The geometry in words; `e` is explained because the lens measures in it."""
     line = scene.line
-    parts = [] if line.a else [_NO_LINE[scene.part]]
+    parts = [] if line.a or scene.part is Part.POINT else [_NO_LINE.get(scene.part, "A = B: no line")]
     parts.append(gap_words(scene))
-    banded = exact == 1 or len(scene.wanted) == 1
+    if scene.part is Part.POINT and exact == 0 and scene.gap.sign():
+        parts.append("which counts as on it here")
+    banded = scene.part not in (Part.FOOT, Part.NORMAL) and (exact == 1 or len(scene.wanted) == 1)
     if line.a and banded and scene.gap.sign() and abs(scene.gap) <= scene.snap * line.extent:
         parts.append("which counts as tangent here")
     return f"{', '.join(parts)}; e = {short(line.extent_length(), 3)}"

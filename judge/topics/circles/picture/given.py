@@ -15,16 +15,17 @@ _DEPTH = 3  # levels of lists that are looked into
 
 @dataclass(frozen=True, slots=True)
 class Drawable:
-    """The numbers in an answer, in the caller's units: its points, or the one number it is."""
+    """The numbers in an answer, in the caller's units: its points, its one number, or the three it is."""
 
     points: tuple[tuple[Fraction, Fraction], ...] = ()
     number: Fraction | None = None
+    triple: tuple[Fraction, Fraction, Fraction] | None = None
 
 
 def read_given(raw: Raw) -> Drawable:
     """What `raw` holds: every two numbers in a list of their own are a point."""
     if type(raw) in (list, tuple):
-        return Drawable(tuple(islice(_points(raw, _DEPTH), _MOST)))
+        return Drawable(tuple(islice(_points(raw, _DEPTH), _MOST)), triple=_triple(raw))
     return Drawable(number=_number(raw))
 
 
@@ -38,6 +39,13 @@ def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:
         for item in items[:_MOST]:
             if type(item) in (list, tuple):
                 yield from _points(item, depth - 1)
+
+
+def _triple(items: Raw) -> tuple[Fraction, Fraction, Fraction] | None:
+    if len(items) != 3:
+        return None
+    x, y, z = map(_number, items)
+    return None if x is None or y is None or z is None else (x, y, z)
 
 
 def _number(raw: Raw) -> Fraction | None:

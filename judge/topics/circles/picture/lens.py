@@ -17,8 +17,9 @@ from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Dot, Mark, Panel, Role, Stroke
 from judge.exact import Surd
 from judge.topics.circles.part import Part
+from judge.topics.circles.picture.answers import Spot
 from judge.topics.circles.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
-from judge.topics.circles.picture.scene import Scene, Spot
+from judge.topics.circles.picture.scene import Scene
 from judge.topics.circles.picture.strokes import circle, pieces, straight
 from judge.topics.circles.picture.whole import scale_bar, whole_frame
 
@@ -104,6 +105,9 @@ def gap_words(scene: Scene) -> str:
     line, gap = scene.line, scene.gap
     what = "the line" if line.a else ("O" if scene.part is Part.RAY else "the point")
     side = gap.sign()
+    if scene.part in (Part.FOOT, Part.NORMAL):
+        away = f"is {short(abs(gap) / extent(scene))} e from" if side else "runs through" if line.a else "is"
+        return f"{what} {away} {scene.centre}"
     if not side:
         if not line.r:
             return f"{what} is exactly on the circle's one point" if line.a else f"{what} is exactly on C"
@@ -118,11 +122,11 @@ def gap_words(scene: Scene) -> str:
 
 def _ends(scene: Scene) -> list[_Place]:
     line = scene.line
-    ends = {
-        Part.LINE: (),
+    ends: tuple[tuple[tuple[int, int], str], ...] = {
         Part.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
         Part.RAY: ((scene.start, "O"),),
-    }[scene.part]
+        Part.POINT: ((scene.start, "P"),),
+    }.get(scene.part, ())
     places = []
     for (x, y), name in ends if line.a else ends[:1]:
         square = (x - line.cx) ** 2 + (y - line.cy) ** 2
@@ -132,7 +136,7 @@ def _ends(scene: Scene) -> list[_Place]:
         where = (
             f"{share} e {'outside' if side > 0 else 'inside'} the circle" if side else "exactly on the circle"
         )
-        label = name if line.a else ("O" if scene.part is Part.RAY else "A = B")
+        label = "A = B" if scene.part is Part.SEGMENT and not line.a else name
         note = f"{label} is {where}"
         places.append(_Place(abs(rounded(away)), Fraction(x), Fraction(y), f"{label} and the circle", note))
     return places

@@ -12,7 +12,8 @@ from judge.drawing.frame import Frame, direction, length, rounded
 from judge.drawing.lengths import short
 from judge.drawing.shapes import Dot, Mark, Role, Stroke
 from judge.topics.circles.part import Part
-from judge.topics.circles.picture.scene import Scene, Spot
+from judge.topics.circles.picture.answers import Spot
+from judge.topics.circles.picture.scene import Scene
 from judge.topics.circles.picture.strokes import straight
 
 _TOGETHER = 0.035  # marks closer than this share a label
@@ -66,7 +67,8 @@ def extent(scene: Scene) -> Fraction:
 def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
     """The points of the case, the wanted ones and the given ones."""
     line = scene.line
-    yield Spot(Fraction(line.cx), Fraction(line.cy), "C" if line.r else "C (r = 0)"), Role.CASE
+    centre = scene.centre if line.r or scene.centre != "C" else "C (r = 0)"
+    yield Spot(Fraction(line.cx), Fraction(line.cy), centre), Role.CASE
     for at, name in zip((scene.start, scene.end), _names(scene), strict=True):
         if name:
             yield Spot(Fraction(at[0]), Fraction(at[1]), name), Role.CASE
@@ -77,6 +79,8 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
 def _names(scene: Scene) -> tuple[str, str]:
     if scene.part is Part.RAY:
         return ("O", "O + D (t = 1)") if scene.line.a else ("O (D = 0)", "")
+    if scene.part is Part.POINT:
+        return "P", ""
     return ("A", "B") if scene.line.a else ("A = B", "")
 
 

@@ -6,23 +6,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from judge.drawing.frame import ExactNumber
 from judge.exact import Surd
 from judge.problem.topic import Shown
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
-from judge.topics.circles.picture.given import Drawable, read_given
-from judge.topics.circles.signature import circle_and_pairs
-from judge.values import Exact, Real
-
-
-@dataclass(frozen=True, slots=True)
-class Spot:
-    """An exact point in units of the scene, and its label."""
-
-    x: ExactNumber
-    y: ExactNumber
-    text: str
+from judge.topics.circles.picture.answers import Spot, foot_of, given_spots, wanted_spots
+from judge.topics.circles.picture.given import read_given
+from judge.topics.circles.signature import line_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +20,7 @@ class Scene:
     """Everything a picture is drawn from. Lengths count units of 2**-shift of `line`.
 
     `wanted` are the exact common points, `given` those of the submission. `snap` is the band's width in
-    units of the extent, 0 where the problem has none.
+    units of the extent, 0 where the problem has none. `centre` is what C is called where it is no circle's.
     """
 
     part: Part
@@ -38,6 +28,7 @@ class Scene:
     wanted: tuple[Spot, ...]
     given: tuple[Spot, ...]
     snap: Fraction
+    centre: str = "C"
 
     @property
     def start(self) -> tuple[int, int]:
@@ -52,10 +43,7 @@ class Scene:
     @property
     def foot(self) -> tuple[Fraction, Fraction]:
         """The point of the line that is next to the centre; A where there is no line."""
-        line = self.line
-        if not line.a:
-            return Fraction(line.ax), Fraction(line.ay)
-        return line.cx - Fraction(line.k * line.dy, line.a), line.cy + Fraction(line.k * line.dx, line.a)
+        return foot_of(self.line)
 
     @property
     def gap(self) -> Surd:
@@ -67,48 +55,22 @@ class Scene:
 
 
 def read_scene(part: Part, shown: Shown) -> Scene | None:
-    """The scene of a case, or None where its arguments are not (cx, cy, r, A, B) or (cx, cy, r, O, D)."""
-    case = circle_and_pairs(tuple(_argument(value) for value in shown.values.values()))
-    if case is None:
+    """The scene of a case, or None where its arguments are none of that kind."""
+    line = line_of(part, tuple(_argument(value) for value in shown.values.values()))
+    if line is None:
         return None
-    (cx, cy), radius, first, second = case
-    build = CircleLine.ray if part is Part.RAY else CircleLine.through
-    line = build(cx, cy, radius, first, second)
     snap = shown.problem.bands.get("snap", Fraction(0))
-    given = _given(line, part, read_given(shown.given))
-    return Scene(part, line, _wanted(line, shown.exact), given, snap)
+    wanted = wanted_spots(part, line, shown.exact)
+    return Scene(
+        part, line, wanted, given_spots(part, line, read_given(shown.given)), snap, _centre(part, shown)
+    )
 
 
 def _argument(value: Any) -> Any:
     return tuple(value) if isinstance(value, list) else value
 
 
-def _wanted(line: CircleLine, exact: Exact) -> tuple[Spot, ...]:
-    one = 1 << line.shift
-    if isinstance(exact, list | tuple):
-        return _numbered([(Surd.of(x.x) * one, Surd.of(y.x) * one) for x, y in exact], "wanted")
-    if isinstance(exact, Real):
-        t = Surd.of(exact.x)
-        at = (t * line.dx + line.ax, t * line.dy + line.ay)
-        return (Spot(*at, f"wanted t = {t.decimal(6)}"),)
-    if not exact:
-        return ()
-    roots = (0,) if exact == 1 else (-1, 1)
-    points = [line.point(which) for which in roots]
-    return tuple(Spot(x * one, y * one, "common point") for x, y in points)
-
-
-def _given(line: CircleLine, part: Part, given: Drawable) -> tuple[Spot, ...]:
-    one = 1 << line.shift
-    if given.points:
-        return _numbered([(x * one, y * one) for x, y in given.points], "got")
-    if part is not Part.RAY or given.number is None:
-        return ()
-    t = given.number
-    return (Spot(t * line.dx + line.ax, t * line.dy + line.ay, f"got t = {Surd.of(t).decimal(6)}"),)
-
-
-def _numbered(points: list[tuple[Any, Any]], word: str) -> tuple[Spot, ...]:
-    if len(points) == 1:
-        return (Spot(*points[0], word),)
-    return tuple(Spot(*point, f"{word} {place}") for place, point in enumerate(points, 1))
+def _centre(part: Part, shown: Shown) -> str:
+    if part is Part.FOOT:
+        return list(shown.values)[2]  # P, or whatever the problem calls its point
+    return "(0, 0)" if part is Part.NORMAL else "C"

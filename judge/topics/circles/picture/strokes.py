@@ -72,12 +72,12 @@ def straight(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     along = (line.dx * fx + line.dy * fy) / frame.unit
     start = over_root(along, line.a)
     end = over_root(along + line.a / frame.unit, line.a)
-    return pieces(scene.part, offset, u, start, end)
+    return (*pieces(scene.part, offset, u, start, end), *_across(frame, scene))
 
 
 def pieces(part: Part, offset: Dot, u: Dot, start: float, end: float) -> tuple[Stroke, ...]:
     """A line through `offset` along `u`, drawn between its ends as far as the part has any."""
-    first = -_REACH if part is Part.LINE else max(-_REACH, min(_REACH, start))
+    first = -_REACH if part.endless else max(-_REACH, min(_REACH, start))
     last = max(-_REACH, min(_REACH, end)) if part is Part.SEGMENT else _REACH
     strokes = [*_piece(offset, u, -_REACH, first), *_piece(offset, u, last, _REACH)]
     return (*strokes, *_piece(offset, u, first, last, Role.LINE))
@@ -88,3 +88,15 @@ def _piece(offset: Dot, u: Dot, first: float, last: float, role: Role = Role.BEY
         return []
     dots = tuple((offset[0] + u[0] * at, offset[1] + u[1] * at) for at in (first, last))
     return [Stroke(part, role, arrow=role is Role.LINE) for part in polyline(dots)]
+
+
+def _across(frame: Frame, scene: Scene) -> list[Stroke]:
+    """What runs across the line: the perpendicular to a point beside it, or normals as arrows."""
+    foot = frame.place(*scene.foot)
+    if scene.part is Part.FOOT:
+        ends = (frame.place(scene.line.cx, scene.line.cy), foot)
+        return [Stroke(part, Role.BEYOND) for part in polyline(ends)]
+    if scene.part is not Part.NORMAL:
+        return []
+    tips = [frame.place(spot.x, spot.y) for spot in (*scene.wanted, *scene.given)]
+    return [Stroke(part, Role.LINE, arrow=True) for tip in tips for part in polyline((foot, tip))]

@@ -1,0 +1,79 @@
+"""How "inside, on or outside" goes wrong."""
+
+from fractions import Fraction
+from math import hypot, sqrt
+
+
+def lengths(cx, cy, r, P):
+    "right"
+    # + diameter-for-radius: r = r / 2
+    # + diameter-for-radius: r = 2 * r
+    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
+    # + swapped-coordinates: cx, cy = cy, cx
+    # : The centre is taken as (cy, cx). Its x belongs to the x of P.
+    fx, fy = P[0] - cx, P[1] - cy
+    # = fx, fy = cx - P[0], cy - P[1]
+    # ? forgotten-centre: fx, fy = P
+    # ? forgotten-centre: fx, fy = P[0] - cx, P[1]
+    # : Only one coordinate of the centre is subtracted. Subtract both.
+    # ? forgotten-centre: fx, fy = P[0] + cx, P[1] + cy
+    # : The centre is added to P. Seen from the centre, P is P − C.
+    extent = max(r, abs(fx), abs(fy))
+    # = extent = max(r, hypot(fx, fy))
+    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
+    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : extent from the centre, and add nothing to it.
+    near = 1e-10 * extent
+    # = near = 1e-9 * extent
+    # = near = 1e-10 * r
+    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? tight-epsilon: near = {1e-16..1e-13} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    d = hypot(fx, fy)
+    # = d = sqrt(fx * fx + fy * fy)
+    # ? manhattan: d = abs(fx) + abs(fy)
+    # ? manhattan: d = max(abs(fx), abs(fy))
+    # : The distance is taken as the larger of |fx| and |fy|. It is the root of fx² + fy².
+    # ? squared: d = fx * fx + fy * fy
+    # ? global-frame: d = sqrt(max(0.0, P[0] * P[0] + P[1] * P[1] - 2 * (P[0] * cx + P[1] * cy) + cx * cx + cy * cy))
+    # + rounded-distance: d = round(d, 9)
+    # + rounded-distance: d = round(d, 6)
+    # + zero-radius: if r == 0: return 1
+    # + zero-radius: if r == 0: return 0
+    # : For a radius of 0 the answer is 0, wherever P is. The circle is the point C then.
+    # + zero-radius: if r == 0: return None
+    # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
+    if abs(d - r) <= near:
+        return 0
+        # ? boolean: return True
+        # ? only-on-or-off: return 1
+    # ? equality: if d == r: return 0
+    # ? equality: if fx * fx + fy * fy == r * r: return 0
+    # : |f|² is compared with r² by ==. Turned by some angle, hardly any point is exactly there: compare within
+    # : a small part of the extent.
+    # ? equality: if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return 0
+    # : Everything is exact, so that a point whose coordinates were rounded is inside or outside by 1e-17. Apply
+    # : the statement's band, which says what the truth is.
+    # ? strict-less: if d == r: return 1
+    # ? strict-less: if abs(d - r) <= near: return 1
+    # : A point on the circle is called outside. It is on it: 0.
+    # ? strict-less: if abs(d - r) <= near: return -1
+    # : A point on the circle is called inside. It is on it: 0.
+    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/3}: return 0
+    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= near: return 0
+    # : |f|² − r², an area, is compared with a length, 1e-10 of the extent. Compare |f| with r, or multiply the
+    # : threshold by |f| + r.
+    # ? loose-epsilon: if abs(d - r) <= 1e-8 + 1e-5 * r: return 0
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold in the gap of
+    # : the promise: 1e-10 of the extent.
+    # ? absolute-epsilon: if abs(d - r) <= max(1e-9, 1e-9 * r): return 0
+    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
+    return 1 if d > r else -1
+    # ? boolean: return d > r
+    # : The answer is whether P is outside, True or False. Return −1, 0 or 1.
+    # ? boolean: return d < r
+    # ? only-on-or-off: return 1
+    # ? only-on-or-off: return -1
+    # : A point that is not on the circle is said to be inside. Outside is 1.
+    # ? swapped-sides: return -1 if d > r else 1
