@@ -17,6 +17,7 @@ NAMED = {  # what the judge says of each
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
     "exact-count/discriminant.py": "float-arithmetic",
+    "exact-segment/quadratic.py": "float-roots",
     "ray-nearest/quadratic.py": "absolute-epsilon",
     "segment/quadratic.py": "absolute-epsilon",
 }
@@ -24,7 +25,13 @@ NAMED = {  # what the judge says of each
 
 def test_every_kata_of_two_levels_has_such_a_program():
     assert sorted(NAMED) == PROGRAMS
-    assert {name.split("/")[0] for name in PROGRAMS} == {"count", "exact-count", "ray-nearest", "segment"}
+    assert {name.split("/")[0] for name in PROGRAMS} == {
+        "count",
+        "exact-count",
+        "exact-segment",
+        "ray-nearest",
+        "segment",
+    }
 
 
 @pytest.mark.slow
@@ -37,7 +44,7 @@ def test_it_passes_the_interview_and_fails_production_by_name(program):
     interview = {group.name for group in problem.of_level(KataLevel.INTERVIEW)}
     assert {name for name in interview if verdicts[name] is not Verdict.AC} == set()
     rejected = [name for name in verdicts if name not in interview and verdicts[name] is not Verdict.AC]
-    assert len(rejected) >= 5
+    assert len(rejected) >= (5 if len(problem.groups) > 15 else 2)
     assert result.pitfall is not None
     assert NAMED[program] in result.pitfall.names
 
