@@ -39,12 +39,37 @@ def exact_segment(cx, cy, r, a, b):
         return sum(-hair <= t <= 1 + hair for t in (foot - half.sqrt(), foot + half.sqrt()))
 
 
+def quadratic_roots(a, b, c):
+    """By completing the square; in as many digits as doubles of 2**±600 and their products have, and more."""
+    with localcontext(prec=1000):
+        a, b, c = Decimal(a), Decimal(b), Decimal(c)
+        if not a:
+            return (None if not c else []) if not b else [-c / b / 2]
+        middle, square = -b / a, (b / a) ** 2 - c / a
+        if abs(square) <= Decimal("1e-500") * (b / a) ** 2:
+            return [middle]
+        return [] if square < 0 else [middle - square.sqrt(), middle + square.sqrt()]
+
+
 def equal(exact, other):
     return exact == other
 
 
+def equal_roots(exact, other):
+    """Alike to 80 digits, each root by itself."""
+    if exact is None or other is None:
+        return exact is other
+    with localcontext(prec=1000):
+        surds = [each.x for each in exact]
+        found = [(Decimal(x.p) + Decimal(x.q) * Decimal(x.d).sqrt()) / Decimal(x.s) for x in surds]
+        hairs = [Decimal("1e-80") * (abs(x) or max(map(abs, other))) for x in found]
+        pairs = zip(found, other, hairs, strict=True)
+        return all(abs(x - y) <= hair for x, y, hair in pairs) and found == sorted(found)
+
+
 KATAS = {  # the other formula, whether an exact answer is alike, and how many different kinds of answers
     "exact-segment": (exact_segment, equal, 3),
+    "stable-roots": (quadratic_roots, equal_roots, 100),
 }
 
 
