@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from decimal import Decimal, localcontext
+from fractions import Fraction
 from itertools import chain, islice
 from pathlib import Path
 
@@ -51,6 +52,20 @@ def quadratic_roots(a, b, c):
         return [] if square < 0 else [middle - square.sqrt(), middle + square.sqrt()]
 
 
+def discriminant(cx, cy, r, ax, ay, bx, by):
+    """b² − a·c and the width that the statement allows, in as many digits as doubles of 1e-30 have."""
+    with localcontext(prec=1000):
+        cx, cy, r, ax, ay, bx, by = map(Decimal, (cx, cy, r, ax, ay, bx, by))
+        dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+        a, b, c = dx * dx + dy * dy, fx * dx + fy * dy, fx * fx + fy * fy - r * r
+        k, whole = abs(dx * fy - dy * fx), abs(dx * fy) + abs(dy * fx)
+        return b * b - a * c, (r * r * a + whole * k) / 2**46 + whole * whole / 2**98
+
+
+def equal_enclosure(exact, other):
+    return tuple(map(Fraction, other)) == (exact.x, exact.width)
+
+
 def equal(exact, other):
     return exact == other
 
@@ -69,6 +84,7 @@ def equal_roots(exact, other):
 
 KATAS = {  # the other formula, whether an exact answer is alike, and how many different kinds of answers
     "exact-segment": (exact_segment, equal, 3),
+    "error-bound": (discriminant, equal_enclosure, 100),
     "stable-roots": (quadratic_roots, equal_roots, 100),
 }
 

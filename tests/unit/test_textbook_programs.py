@@ -16,6 +16,7 @@ PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*
 NAMED = {  # what the judge says of each
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
+    "error-bound/relative.py": "ignores-cancellation",
     "exact-count/discriminant.py": "float-arithmetic",
     "exact-segment/quadratic.py": "float-roots",
     "ray-nearest/quadratic.py": "absolute-epsilon",
@@ -28,6 +29,7 @@ def test_every_kata_of_two_levels_has_such_a_program():
     assert sorted(NAMED) == PROGRAMS
     assert {name.split("/")[0] for name in PROGRAMS} == {
         "count",
+        "error-bound",
         "exact-count",
         "exact-segment",
         "ray-nearest",
