@@ -16,15 +16,26 @@ PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*
 NAMED = {  # what the judge says of each
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
+    "error-bound/relative.py": "ignores-cancellation",
     "exact-count/discriminant.py": "float-arithmetic",
+    "exact-segment/quadratic.py": "float-roots",
     "ray-nearest/quadratic.py": "absolute-epsilon",
     "segment/quadratic.py": "absolute-epsilon",
+    "stable-roots/stable.py": "rounded-discriminant",
 }
 
 
 def test_every_kata_of_two_levels_has_such_a_program():
     assert sorted(NAMED) == PROGRAMS
-    assert {name.split("/")[0] for name in PROGRAMS} == {"count", "exact-count", "ray-nearest", "segment"}
+    assert {name.split("/")[0] for name in PROGRAMS} == {
+        "count",
+        "error-bound",
+        "exact-count",
+        "exact-segment",
+        "ray-nearest",
+        "segment",
+        "stable-roots",
+    }
 
 
 @pytest.mark.slow
@@ -37,7 +48,7 @@ def test_it_passes_the_interview_and_fails_production_by_name(program):
     interview = {group.name for group in problem.of_level(KataLevel.INTERVIEW)}
     assert {name for name in interview if verdicts[name] is not Verdict.AC} == set()
     rejected = [name for name in verdicts if name not in interview and verdicts[name] is not Verdict.AC]
-    assert len(rejected) >= 5
+    assert len(rejected) >= (5 if len(problem.groups) > 15 else 2)
     assert result.pitfall is not None
     assert NAMED[program] in result.pitfall.names
 

@@ -1,0 +1,65 @@
+"""How an error bound goes wrong: right ways to one, and mistakes beside the lines that they spoil."""
+
+from fractions import Fraction
+from math import inf, nextafter
+
+U = 2.0**-53
+
+
+def running(cx, cy, r, ax, ay, bx, by):
+    "right"
+    cx, cy, r, ax, ay, bx, by = map(float, (cx, cy, r, ax, ay, bx, by))
+    # + forgotten-centre: cx = cy = 0.0
+    # + swapped-coordinates: cx, cy = cy, cx
+    # : The centre is taken as (cy, cx).
+    # + diameter-for-radius: r = r / 2
+    dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+    p, q = dx * fy, dy * fx
+    # ? global-frame: p, q = dx * ay + dy * cx, dy * ax + dx * cy
+    # : The products are those of the plane's own coordinates, and far from the origin they are all rounding.
+    # : Subtract C from A first.
+    k, m = p - q, abs(p) + abs(q)
+    reach = r * r * (dx * dx + dy * dy)
+    delta = reach - k * k
+    # ? b2ac-form: delta = (fx * dx + fy * dy) ** 2 - (dx * dx + dy * dy) * (fx * fx + fy * fy - r * r)
+    # ? wrong-sign: delta = k * k - reach
+    # : The sign of Δ is turned round: it is r²·a − k².
+    bound = U * (12 * reach + 16 * m * abs(k)) + 64 * U * U * m * m
+    # = bound = U * (20 * reach + 24 * m * abs(k)) + 80 * U * U * m * m
+    # ? no-bound: bound = 0.0 if reach == m == 0 else 1e-300
+    # ? one-ulp: bound = abs(delta) * 2 * U
+    # ? one-ulp: bound = 4 * U * abs(delta)
+    # : Two units of Δ's own last place are taken for its error. Those before it were larger.
+    # ? absolute-bound: bound = {1e-15..1e-6/3}
+    # ? relative-to-result: bound = {1e-14..1e-8/3} * abs(delta)
+    # ? relative-to-result: bound = 100 * U * abs(delta)
+    # ? ignores-cancellation: bound = U * (12 * reach + 16 * k * k)
+    # ? too-wide: bound = {1e-13..1e-6/2} * (reach + m * abs(k)) + {1e-13..1e-6/2} * m * m
+    # ? squared-terms: bound = U * (12 * reach + 16 * m * m)
+    # : M² stands where M·|k| belongs: where the products cancel, k is much smaller than M.
+    # ? no-square: bound = U * (12 * reach + 16 * m * abs(k))
+    # ? b2ac-bound: bound = 8 * U * ((fx * dx + fy * dy) ** 2 + (dx * dx + dy * dy) * (fx * fx + fy * fy + r * r))
+    if bound == 0:
+        return 0.0, 0.0
+        # ? no-degenerate: return nextafter(0.0, -inf), nextafter(0.0, inf)
+    return nextafter(delta - bound, -inf), nextafter(delta + bound, inf)
+    # ? inward: return nextafter(delta + bound, inf), nextafter(delta - bound, -inf)
+    # ? one-sided-bound: return delta, nextafter(delta + bound, inf)
+    # ? one-sided-bound: return nextafter(delta - bound, -inf), delta
+    # : The bound is added, but not subtracted. A rounding may go either way.
+
+
+def exact(cx, cy, r, ax, ay, bx, by):
+    "right"
+    cx, cy, r, ax, ay, bx, by = map(Fraction, (cx, cy, r, ax, ay, bx, by))
+    dx, dy = bx - ax, by - ay
+    k = dx * (ay - cy) - dy * (ax - cx)
+    delta = r * r * (dx * dx + dy * dy) - k * k
+    near = float(delta)
+    if near == delta:
+        return near, near
+    return nextafter(near, -inf), nextafter(near, inf)
+    # ? no-bound: return near, near
+    # : Δ is exact, and is then rounded to one double for both ends. It lies beside that: round one end down,
+    # : the other one up.
+    # ? inward: return nextafter(near, inf), nextafter(near, -inf)
