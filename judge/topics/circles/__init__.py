@@ -3,6 +3,7 @@
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
 CHORD                 the same as LINE, where the answer is a length on it
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
+TANGENTS              the same as POINT, where the answer is points of tangents through P
 
 line.py        a circle and a directed line in scaled integers
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
@@ -26,7 +27,7 @@ from typing import TYPE_CHECKING
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.borders import borders
-from judge.topics.circles.images import mirror_images
+from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
 from judge.topics.circles.signature import builders, circle_and_point, line_alone, line_and_point
@@ -45,6 +46,7 @@ __all__ = [
     "POINT",
     "RAY",
     "SEGMENT",
+    "TANGENTS",
     "Bands",
     "CircleLine",
     "Part",
@@ -57,10 +59,13 @@ __all__ = [
 ]
 
 
+_IMAGES = {Part.NORMAL: None, Part.TANGENTS: turned_images}  # a mirror turns left into right
+
+
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
     return Topic(
-        images=None if part is Part.NORMAL else mirror_images,  # which turns left into right
+        images=_IMAGES.get(part, mirror_images),
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
@@ -88,3 +93,4 @@ CHORD = topic_of(Part.CHORD)
 POINT = topic_of(Part.POINT)
 FOOT = topic_of(Part.FOOT)
 NORMAL = topic_of(Part.NORMAL)
+TANGENTS = topic_of(Part.TANGENTS)

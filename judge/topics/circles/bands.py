@@ -55,6 +55,15 @@ class Bands:
         square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2
         return 1 if square > line.r * line.r else -1
 
+    def tangents(self, line: CircleLine) -> tuple[int, ...]:
+        """The points where lines through the line's point A touch, as `which` of `CircleLine.touching`.
+
+        -1 is on the left of A→C, 1 on its right; 0 is A itself on the circle, or the circle of radius 0.
+        """
+        if line.r == 0:
+            return (0,)
+        return ((), (0,), (-1, 1))[self.side(line) + 1]
+
     def segment(self, line: CircleLine) -> tuple[int, ...]:
         """The common points on the closed segment t = 0 … 1, in order of t, as `which` of `CircleLine.point`.
 

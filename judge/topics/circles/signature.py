@@ -103,13 +103,15 @@ def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:
 
 def read(part: Part, case: Case) -> tuple[Point, Number, Point, Point] | None:
     """The centre, the radius and the two pairs that such a case stands for; None for any other case."""
-    if part is Part.POINT and len(case) == 4:
+    if part.of_point and len(case) == 4:
         return circle_and_pairs((*case, case[3]))
     if part is Part.FOOT and len(case) == 3 and all(isinstance(each, tuple) for each in case):
         return case[2], 0, case[0], case[1]
     if part is Part.NORMAL and len(case) == 2 and all(isinstance(each, tuple) for each in case):
         return (0, 0), 0, case[0], case[1]
-    return circle_and_pairs(case) if part not in (Part.POINT, Part.FOOT, Part.NORMAL) else None
+    if part.of_point or part in (Part.FOOT, Part.NORMAL):
+        return None
+    return circle_and_pairs(case)
 
 
 def line_of(part: Part, case: Case) -> CircleLine | None:

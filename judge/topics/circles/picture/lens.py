@@ -126,6 +126,7 @@ def _ends(scene: Scene) -> list[_Place]:
         Part.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
         Part.RAY: ((scene.start, "O"),),
         Part.POINT: ((scene.start, "P"),),
+        Part.TANGENTS: ((scene.start, "P"),),
     }.get(scene.part, ())
     places = []
     for (x, y), name in ends if line.a else ends[:1]:

@@ -79,7 +79,7 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
 def _names(scene: Scene) -> tuple[str, str]:
     if scene.part is Part.RAY:
         return ("O", "O + D (t = 1)") if scene.line.a else ("O (D = 0)", "")
-    if scene.part is Part.POINT:
+    if scene.part.of_point:
         return "P", ""
     return ("A", "B") if scene.line.a else ("A = B", "")
 
