@@ -68,7 +68,30 @@ def tangent_points(cx, cy, r, point):
     return left_first(points, p, c)
 
 
-ANSWERS = {"tangents": tangent_points}
+def circle_circle(cx1, cy1, r1, cx2, cy2, r2):
+    """By Heron: the triangle's height over C1C2 from its area, and Pythagoras for how far along it is."""
+    c, other, (p, q) = exact(cx1, cy1), exact(cx2, cy2), exact(r1, r2)
+    v = minus(other, c)
+    d, e = norm(v), max(p, q, reach(v))
+    if d <= SNAP * e:
+        if p == q == 0:
+            return [c]
+        return None if abs(p - q) <= SNAP * e else []
+    if abs(d - p - q) <= SNAP * e or abs(d - abs(p - q)) <= SNAP * e:
+        side = p if abs(d - p - q) <= SNAP * e or p > q else -p
+        return [(c[0] + side * v[0] / d, c[1] + side * v[1] / d)]
+    half = (d + p + q) / 2
+    square = half * (half - d) * (half - p) * (half - q)  # of the area
+    if square < 0:
+        return []
+    height = 2 * square.sqrt() / d
+    along = ((p - height) * (p + height)).sqrt() * (1 if d * d + p * p >= q * q else -1)
+    u = v[0] / d, v[1] / d
+    points = [(c[0] + along * u[0] - s * u[1], c[1] + along * u[1] + s * u[0]) for s in (height, -height)]
+    return left_first(points, c, other)
+
+
+ANSWERS = {"tangents": tangent_points, "circle-circle": circle_circle}
 
 
 def number(real):

@@ -5,7 +5,10 @@ CHORD                 the same as LINE, where the answer is a length on it
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
 TANGENTS              the same as POINT, where the answer is points of tangents through P
 
+PAIR                  of those with two circles, (cx1, cy1, r1, cx2, cy2, r2)
+
 line.py        a circle and a directed line in scaled integers
+pair.py        two circles, and how they lie to one another
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
 part.py        what a problem is about
 signature.py   from figures to cases and back
@@ -15,6 +18,7 @@ images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
 borders.py     figures in which a submission's own threshold can be measured
 simpler.py     simpler cases like a failing one
+pair_*.py, simpler_pair.py  the same for two circles
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
 """
@@ -29,9 +33,12 @@ from judge.topics.circles.bands import Bands
 from judge.topics.circles.borders import borders
 from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.pair import CirclePair, Lie
+from judge.topics.circles.pair_borders import pair_borders
 from judge.topics.circles.part import Part
-from judge.topics.circles.signature import builders, circle_and_point, line_alone, line_and_point
+from judge.topics.circles.signature import builders, circle_and_point, line_alone, line_and_point, two_circles
 from judge.topics.circles.simpler import simpler, special
+from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
@@ -43,12 +50,15 @@ __all__ = [
     "FOOT",
     "LINE",
     "NORMAL",
+    "PAIR",
     "POINT",
     "RAY",
     "SEGMENT",
     "TANGENTS",
     "Bands",
     "CircleLine",
+    "CirclePair",
+    "Lie",
     "Part",
     "builders",
     "circle_and_point",
@@ -56,6 +66,7 @@ __all__ = [
     "line_and_point",
     "mirror_images",
     "topic_of",
+    "two_circles",
 ]
 
 
@@ -80,6 +91,12 @@ def _picture(part: Part, shown: Shown) -> Picture | None:
     return compose(part, shown)
 
 
+def _pair_decisions(problem: Problem) -> tuple[Decision, ...]:
+    from judge.topics.circles.pair_decisions import pair_decisions  # late as well
+
+    return pair_decisions(problem)
+
+
 def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
     from judge.topics.circles.decisions import decisions  # late: only a setter asks
 
@@ -94,3 +111,11 @@ POINT = topic_of(Part.POINT)
 FOOT = topic_of(Part.FOOT)
 NORMAL = topic_of(Part.NORMAL)
 TANGENTS = topic_of(Part.TANGENTS)
+PAIR = Topic(
+    images=turned_images,
+    simpler=simpler_pairs,
+    special=special_pair,
+    picture=partial(_picture, Part.PAIR),
+    decisions=_pair_decisions,
+    borders=pair_borders,
+)

@@ -14,6 +14,7 @@ class Part(Enum):
     RAY = "ray"  # t from 0; (cx, cy, r, O, D)
     POINT = "point"  # none: (cx, cy, r, P), read as the line from P to P
     TANGENTS = "tangents"  # the same, and the answers are points on the lines through P that touch
+    PAIR = "pair"  # none: (cx1, cy1, r1, cx2, cy2, r2), the second circle's centre read as such a point
     FOOT = "foot"  # all of it: (A, B, P), the circle is the point P
     NORMAL = "normal"  # all of it: (A, B), the circle is the origin
 

@@ -54,7 +54,9 @@ _NO_LINE = {Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
 def _situation(scene: Scene, exact: Exact) -> str:
     """The geometry in words; `e` is explained because the lens measures in it."""
     line = scene.line
-    parts = [] if line.a or scene.part.of_point else [_NO_LINE.get(scene.part, "A = B: no line")]
+    parts = (
+        [] if line.a or scene.part.of_point or scene.pair else [_NO_LINE.get(scene.part, "A = B: no line")]
+    )
     parts.append(gap_words(scene))
     on = exact == 0 if scene.part is Part.POINT else scene.part is Part.TANGENTS and len(scene.wanted) == 1
     if on and line.r and scene.gap.sign():

@@ -17,6 +17,11 @@ _SEEN = 1.5  # half the panel's diagonal, and a little more
 _REACH = 4.0  # how far a line is followed
 
 
+def circles(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """Every circle of the scene."""
+    return tuple(stroke for each in scene.circles for stroke in circle(frame, each))
+
+
 def circle(frame: Frame, line: CircleLine) -> tuple[Stroke, ...]:
     """The disc, faintly filled, and its circle."""
     if not line.r:
