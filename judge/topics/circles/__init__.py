@@ -3,9 +3,13 @@
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
 CHORD                 the same as LINE, where the answer is a length on it
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
+TANGENTS              the same as POINT, where the answer is points of tangents through P
+
+PAIR                  of those with two circles, (cx1, cy1, r1, cx2, cy2, r2)
 plane(Kind…)          the topic of first steps: points and perhaps a circle in whole numbers
 
 line.py        a circle and a directed line in scaled integers
+pair.py        two circles, and how they lie to one another
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
 part.py        what a problem is about
 signature.py   from figures to cases and back
@@ -16,6 +20,7 @@ decisions.py   how far a case is from where its answer turns
 borders.py     figures in which a submission's own threshold can be measured
 plane.py       first steps, each of a kind
 simpler.py     simpler cases like a failing one
+pair_*.py, simpler_pair.py  the same for two circles
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
 """
@@ -28,8 +33,10 @@ from typing import TYPE_CHECKING
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.borders import borders
-from judge.topics.circles.images import mirror_images
+from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.pair import CirclePair, Lie
+from judge.topics.circles.pair_borders import pair_borders
 from judge.topics.circles.part import Part
 from judge.topics.circles.plane import Kind, plane
 from judge.topics.circles.signature import (
@@ -38,8 +45,10 @@ from judge.topics.circles.signature import (
     line_alone,
     line_and_point,
     points_only,
+    two_circles,
 )
 from judge.topics.circles.simpler import simpler, special
+from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
@@ -51,12 +60,16 @@ __all__ = [
     "FOOT",
     "LINE",
     "NORMAL",
+    "PAIR",
     "POINT",
     "RAY",
     "SEGMENT",
+    "TANGENTS",
     "Bands",
     "CircleLine",
+    "CirclePair",
     "Kind",
+    "Lie",
     "Part",
     "builders",
     "circle_and_point",
@@ -66,13 +79,17 @@ __all__ = [
     "plane",
     "points_only",
     "topic_of",
+    "two_circles",
 ]
+
+
+_IMAGES = {Part.NORMAL: None, Part.TANGENTS: turned_images}  # a mirror turns left into right
 
 
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
     return Topic(
-        images=None if part is Part.NORMAL else mirror_images,  # which turns left into right
+        images=_IMAGES.get(part, mirror_images),
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
@@ -85,6 +102,12 @@ def _picture(part: Part, shown: Shown) -> Picture | None:
     from judge.topics.circles.picture import compose  # late: most problems are loaded to be judged, not drawn
 
     return compose(part, shown)
+
+
+def _pair_decisions(problem: Problem) -> tuple[Decision, ...]:
+    from judge.topics.circles.pair_decisions import pair_decisions  # late as well
+
+    return pair_decisions(problem)
 
 
 def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
@@ -100,3 +123,12 @@ CHORD = topic_of(Part.CHORD)
 POINT = topic_of(Part.POINT)
 FOOT = topic_of(Part.FOOT)
 NORMAL = topic_of(Part.NORMAL)
+TANGENTS = topic_of(Part.TANGENTS)
+PAIR = Topic(
+    images=turned_images,
+    simpler=simpler_pairs,
+    special=special_pair,
+    picture=partial(_picture, Part.PAIR),
+    decisions=_pair_decisions,
+    borders=pair_borders,
+)

@@ -55,6 +55,15 @@ class Bands:
         square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2
         return 1 if square > line.r * line.r else -1
 
+    def tangents(self, line: CircleLine) -> tuple[int, ...]:
+        """The points where lines through the line's point A touch, as `which` of `CircleLine.touching`.
+
+        -1 is on the left of A→C, 1 on its right; 0 is A itself on the circle, or the circle of radius 0.
+        """
+        if line.r == 0:
+            return (0,)
+        return ((), (0,), (-1, 1))[self.side(line) + 1]
+
     def segment(self, line: CircleLine) -> tuple[int, ...]:
         """The common points on the closed segment t = 0 … 1, in order of t, as `which` of `CircleLine.point`.
 
@@ -101,6 +110,18 @@ class Bands:
         if self._snap.touches(line):
             return (0,)
         return (-1, 1) if line.delta > 0 else ()
+
+    def beside(self, square: int, radius: int, extent: int) -> int:
+        """Whether √square is less than the radius (-1), more (1), or the same within snap·extent (0)."""
+        if self._snap.close(square, radius, extent):
+            return 0
+        return 1 if square > radius * radius else -1
+
+    def forbids(self, square: int, radius: int, extent: int) -> bool:
+        """Whether |√square − radius| is more than snap·extent and less than clear·extent."""
+        return not self._snap.close(square, radius, extent) and self._clear.close(
+            square, radius, extent, strictly=True
+        )
 
     def _on_segment(self, line: CircleLine, which: int) -> bool:
         before = beyond(line, which, 0) < 0
@@ -203,8 +224,13 @@ class Width:
         return self._point_close(line, 1)
 
     def _point_close(self, line: CircleLine, least: int) -> bool:
-        square = ((line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2) * self.m**2
-        width, radius = self.n * line.extent, self.m * line.r
+        square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2
+        return self.close(square, line.r, line.extent, strictly=least > 0)
+
+    def close(self, square: int, radius: int, extent: int, *, strictly: bool = False) -> bool:
+        """Whether |√square − radius| is <= (or <) w·extent."""
+        least = 1 if strictly else 0
+        square, width, radius = square * self.m**2, self.n * extent, self.m * radius
         if (radius + width) ** 2 - square < least:
             return False
         inner = radius - width

@@ -117,7 +117,10 @@ def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
         return ()
     snap, clear = float(problem.bands["snap"]), float(problem.bands["clear"])
     if part is Part.POINT:
-        return (Border("a point", snap, clear, tuple(_lone_point(each) for each in _POINTS)),)
+        return (Border("a point", snap, clear, _lone_points(1)),)
+    if part is Part.TANGENTS:
+        outside = Border("a point on the circle", snap, clear, _lone_points(-1))
+        return (outside, Border("a point on the circle from inside", snap, clear, _lone_points(1)))
     ray = part is Part.RAY
     found = [Border("a tangency", snap, clear, _touches(part, -1))]
     if part is not Part.CHORD:  # where a touch is a chord too
@@ -184,17 +187,17 @@ def _origin(each: _Layout, side: int) -> Probe:
     return _probe(ends, h * along, side, _WIDEST, scale, far, ray=True, alike=True)
 
 
-def _point(each: _Layout) -> Probe:
-    """A segment that is a point on the circle, and inside it when the radius grows."""
+def _point(each: _Layout, side: int = 1) -> Probe:
+    """A segment that is a point on the circle, and inside it when the radius grows; -1 shrinks it."""
     (p, q, h), scale, along, _, _, far = each
     place = _step((0, 0), (p, q), along)
-    return _probe((place, place), h * along, 1, _WIDEST, scale, far, alike=True)
+    return _probe((place, place), h * along, side, _WIDEST, scale, far, alike=True)
 
 
-def _lone_point(each: _Layout) -> Probe:
-    """A point on the circle, and inside it when the radius grows: (cx, cy, r, P)."""
-    probe = _point(each)
-    return replace(probe, case=probe.case[:4])
+def _lone_points(side: int) -> tuple[Probe, ...]:
+    """Points on circles whose radius grows, or with -1 shrinks: (cx, cy, r, P)."""
+    probes = (_point(each, side) for each in _POINTS)
+    return tuple(replace(probe, case=probe.case[:4]) for probe in probes)
 
 
 def _probe(

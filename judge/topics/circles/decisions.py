@@ -6,6 +6,7 @@
     origin    a root's distance to a ray's origin, the root ahead or behind
     beside    the distance of a point from a line, the point on its left or on its right
     foot      the distance of a foot from the nearest of A and B, the foot before A, after B or between them
+    radius    r, how small the circle is seen from a point outside
     apart     |B − A|, how short a line is given; of a ray |D|
     slope     |dx| of a line that is nearly vertical, |dy| of one that is nearly horizontal, in parts of |D|
 
@@ -50,11 +51,11 @@ def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
     bands = Bands.of(problem.bands)
     snap, clear = float(bands.snap), float(bands.clear)
     turns: list[tuple[str, tuple[str, ...], Lined]] = []
-    if part is not Part.POINT:
+    if not part.of_point:
         turns.append(("tangent", ("hit", "miss"), tangencies))
     if part is Part.SEGMENT:
         turns.append(("end", ("on", "beyond"), partial(ends, bands)))
-    if part in (Part.SEGMENT, Part.POINT):
+    if part is Part.SEGMENT or part.of_point:
         turns.append(("point", ("inside", "outside"), points))
     if part is Part.RAY:
         turns.append(("origin", ("ahead", "behind"), partial(origins, bands)))
@@ -68,7 +69,10 @@ def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
             by_extent = _of(part, partial(extents, measure, side))
             title = f"{name}, {side}, by the extent"
             found.append(Decision(title, quantities, by_extent, within=snap, beyond=clear))
-    if part is Part.POINT:
+    if part is Part.TANGENTS:
+        least = float(problem.bands["least_radius"])
+        found.append(Decision("radius", ("radius",), _of(part, radii), least=least))
+    if part.of_point:
         return tuple(found)
     least, most = (1e-6, 1e6) if part is Part.RAY else (_FINEST, 1.0)
     found.append(Decision("apart", ("apart",), _of(part, lengths), least=least, most=most))
@@ -120,6 +124,12 @@ def points(line: CircleLine) -> Iterator[tuple[str, float]]:
         square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2
         gap = Surd(-line.r, 1, square, line.extent)
         yield ("outside" if gap.sign() > 0 else "inside"), abs(float(gap))
+
+
+def radii(line: CircleLine) -> Iterator[tuple[str, float]]:
+    """The radius of a circle that is no point."""
+    if line.r:
+        yield "radius", line.r / line.extent
 
 
 def origins(bands: Bands, line: CircleLine) -> Iterator[tuple[str, float]]:

@@ -19,6 +19,7 @@ from judge.values.numbers import Bounds
 
 # Numbered as in figure.mirrored: 1 negates x, 2 negates y, 4 then swaps them; 0 would do nothing.
 SYMMETRIES = range(1, 8)
+TURNS = (3, 5, 6)  # those that keep what is left on the left
 # Not -x: a zero has no sign in the data, and the image of 0.0 is 0.0.
 _CHANGES: tuple[Change, ...] = (
     lambda p: (p[0], p[1]),
@@ -39,6 +40,11 @@ def mirror_images(problem: Problem, case: Case, target: Target, chance: Chance, 
     """
     first, step = chance.integer(0, 6), chance.integer(1, 6)
     return images_under(problem, case, target, [SYMMETRIES[(first + step * n) % 7] for n in range(most)])
+
+
+def turned_images(problem: Problem, case: Case, target: Target, _chance: Chance, most: int) -> list[Image]:
+    """The same for answers in which left and right are told apart: turned by quarters, never mirrored."""
+    return images_under(problem, case, target, TURNS[:most])
 
 
 def images_under(problem: Problem, case: Case, target: Target, symmetries: Sequence[int]) -> list[Image]:

@@ -92,6 +92,23 @@ class CircleLine(Struct, frozen=True):
             make(y + p * self.dy, q * self.dy, self.delta, bottom),
         )
 
+    def touching(self, which: int) -> tuple[Surd, Surd]:
+        """Where a line through A touches the circle, in the caller's units: C + (r²f ± r√(f·f − r²)·n)/f·f.
+
+        n is f = A − C turned to the left, and `which` the sign; 0 is A itself, and C where r = 0. Raises
+        ValueError where which = ±1 and A is inside.
+        """
+        fx, fy, unit = self.ax - self.cx, self.ay - self.cy, 1 << self.shift
+        if which == 0:
+            x, y = (self.ax, self.ay) if self.r else (self.cx, self.cy)
+            return make(x, 0, 0, unit), make(y, 0, 0, unit)
+        square, inverse, reach = fx * fx + fy * fy, self.r * self.r, which * self.r
+        over = square - inverse
+        return (
+            Surd(self.cx * square + inverse * fx, -reach * fy, over, square * unit),
+            Surd(self.cy * square + inverse * fy, reach * fx, over, square * unit),
+        )
+
     def distance(self) -> Surd:
         """|k|/|D|, the distance of C from the line, in the caller's units; 0 for a degenerate line."""
         return Surd(0, abs(self.k), self.a, self.a << self.shift) if self.a else make(0, 0, 0, 1)

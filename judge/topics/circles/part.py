@@ -13,8 +13,15 @@ class Part(Enum):
     SEGMENT = "segment"  # t from 0 to 1
     RAY = "ray"  # t from 0; (cx, cy, r, O, D)
     POINT = "point"  # none: (cx, cy, r, P), read as the line from P to P
+    TANGENTS = "tangents"  # the same, and the answers are points on the lines through P that touch
+    PAIR = "pair"  # none: (cx1, cy1, r1, cx2, cy2, r2), the second circle's centre read as such a point
     FOOT = "foot"  # all of it: (A, B, P), the circle is the point P
     NORMAL = "normal"  # all of it: (A, B), the circle is the origin
+
+    @property
+    def of_point(self) -> bool:
+        """Whether a case is a circle and a point, with no line."""
+        return self in (Part.POINT, Part.TANGENTS)
 
     @property
     def endless(self) -> bool:

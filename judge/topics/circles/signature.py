@@ -19,6 +19,7 @@ from judge.problem import Case, Parameter
 from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import Figure, Recipe
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
 from judge.values import Type
 
@@ -34,6 +35,11 @@ def flat(figure: Figure) -> Case:
 def circle_and_point(figure: Figure) -> Case:
     """The arguments cx, cy, r, P; P is the figure's first point."""
     return (*figure.centre, figure.radius, figure.points[0])
+
+
+def two_circles(figure: Figure) -> Case:
+    """The arguments cx1, cy1, r1, cx2, cy2, r2; C2 is the figure's first point, and r2 its first length."""
+    return (*figure.centre, figure.radius, *figure.points[0], figure.lengths[0])
 
 
 def line_and_point(figure: Figure) -> Case:
@@ -108,17 +114,22 @@ def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:
 
 def read(part: Part, case: Case) -> tuple[Point, Number, Point, Point] | None:
     """The centre, the radius and the two pairs that such a case stands for; None for any other case."""
-    if part is Part.POINT and len(case) == 4:
+    if part.of_point and len(case) == 4:
         return circle_and_pairs((*case, case[3]))
     if part is Part.FOOT and len(case) == 3 and all(isinstance(each, tuple) for each in case):
         return case[2], 0, case[0], case[1]
     if part is Part.NORMAL and len(case) == 2 and all(isinstance(each, tuple) for each in case):
         return (0, 0), 0, case[0], case[1]
-    return circle_and_pairs(case) if part not in (Part.POINT, Part.FOOT, Part.NORMAL) else None
+    if part.of_point or part in (Part.FOOT, Part.NORMAL, Part.PAIR):
+        return None
+    return circle_and_pairs(case)
 
 
 def line_of(part: Part, case: Case) -> CircleLine | None:
     """The same as a circle and a directed line in integers."""
+    if part is Part.PAIR:
+        plain = len(case) == 6 and not any(isinstance(each, tuple) for each in case)
+        return CirclePair.of(*case).circles()[0] if plain else None
     found = read(part, case)
     if found is None:
         return None

@@ -41,6 +41,12 @@ class Window:
             for which in (-1, 1)
         )
 
+    def has_share(self, square: int, radius: int, extent: int) -> bool:
+        """Whether |√square − radius| is in the window, in parts of the extent."""
+        return self.high.close(square, radius, extent) and not self.low.close(
+            square, radius, extent, strictly=True
+        )
+
     def has_point(self, line: CircleLine, side: str) -> bool:
         """Whether ||A − C| − r| is in the window, A being "inside" or "outside"."""
         square = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2

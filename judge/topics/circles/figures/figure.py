@@ -26,19 +26,26 @@ NUMBER_TYPES = ("int", "float", "mixed", "any")
 
 
 class Figure(Struct, frozen=True):
-    """A circle, points, and free vectors (which a move leaves alone), before it becomes a case."""
+    """A circle, points, free vectors (which a move leaves alone) and lengths, before it becomes a case.
+
+    Lengths are scaled as the radius is, such as the radius of another circle.
+    """
 
     centre: Point
     radius: Number
     points: tuple[Point, ...]
     vectors: tuple[Point, ...] = ()
+    lengths: tuple[Number, ...] = ()
 
     @property
     def extent(self) -> Fraction:
-        """The largest of r and of |x|, |y| of the points seen from the centre, exactly."""
-        (cx, cy, radius, *flat), shift = integers(*self.centre, self.radius, *chain(*self.points))
+        """The largest of r, the lengths, and |x|, |y| of the points seen from the centre, exactly."""
+        (cx, cy, radius, *rest), shift = integers(
+            *self.centre, self.radius, *chain(*self.points), *self.lengths
+        )
+        flat, lengths = rest[: 2 * len(self.points)], rest[2 * len(self.points) :]
         spans = [abs(x - cx) for x in flat[::2]] + [abs(y - cy) for y in flat[1::2]]
-        return Fraction(max(radius, *spans), 1 << shift)
+        return Fraction(max(radius, *spans, *lengths), 1 << shift)
 
 
 Recipe = Callable[..., Figure]  # (draw, **parameters), every choice taken from `draw`
@@ -139,6 +146,7 @@ def turned(figure: Figure, turn: Turn, divisor: int = 1) -> Figure:
         integer(figure.radius) / divisor,
         tuple(rotate(point) for point in figure.points),
         tuple(rotate(vector) for vector in figure.vectors),
+        tuple(integer(length) / divisor for length in figure.lengths),
     )
 
 
@@ -227,11 +235,11 @@ def _whole_pair(point: Point) -> Point:
 def _numbers(figure: Figure) -> Iterator[Number]:
     yield from figure.centre
     yield figure.radius
-    yield from chain(*figure.points, *figure.vectors)
+    yield from chain(*figure.points, *figure.vectors, figure.lengths)
 
 
 def _how_many(figure: Figure) -> int:
-    return 3 + 2 * len(figure.points) + 2 * len(figure.vectors)
+    return 3 + 2 * len(figure.points) + 2 * len(figure.vectors) + len(figure.lengths)
 
 
 def _each_number(figure: Figure, change: Callable[[Number], Number]) -> Figure:
@@ -243,4 +251,5 @@ def _each_number(figure: Figure, change: Callable[[Number], Number]) -> Figure:
         change(figure.radius),
         tuple(pair(point) for point in figure.points),
         tuple(pair(vector) for vector in figure.vectors),
+        tuple(change(length) for length in figure.lengths),
     )

@@ -93,6 +93,7 @@ def spun(figure: Figure, turn: Turn) -> Figure:
         turn.norm * integer(figure.radius),
         tuple(rotate(point) for point in figure.points),
         tuple(rotate(vector) for vector in figure.vectors),
+        tuple(turn.norm * integer(length) for length in figure.lengths),
     )
 
 

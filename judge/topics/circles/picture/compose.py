@@ -54,9 +54,12 @@ _NO_LINE = {Part.SEGMENT: "A = B: one point", Part.RAY: "D = 0: no ray"}
 def _situation(scene: Scene, exact: Exact) -> str:
     """The geometry in words; `e` is explained because the lens measures in it."""
     line = scene.line
-    parts = [] if line.a or scene.part is Part.POINT else [_NO_LINE.get(scene.part, "A = B: no line")]
+    parts = (
+        [] if line.a or scene.part.of_point or scene.pair else [_NO_LINE.get(scene.part, "A = B: no line")]
+    )
     parts.append(gap_words(scene))
-    if scene.part is Part.POINT and exact == 0 and scene.gap.sign():
+    on = exact == 0 if scene.part is Part.POINT else scene.part is Part.TANGENTS and len(scene.wanted) == 1
+    if on and line.r and scene.gap.sign():
         parts.append("which counts as on it here")
     banded = scene.part not in (Part.FOOT, Part.NORMAL) and (exact == 1 or len(scene.wanted) == 1)
     if line.a and banded and scene.gap.sign() and abs(scene.gap) <= scene.snap * line.extent:

@@ -16,11 +16,13 @@ from judge.drawing.frame import Frame, length, near, over_root, root, rounded
 from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Dot, Mark, Panel, Role, Stroke
 from judge.exact import Surd
+from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
 from judge.topics.circles.picture.answers import Spot
+from judge.topics.circles.picture.couple import nearest_touch, pair_words, touching_place
 from judge.topics.circles.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
 from judge.topics.circles.picture.scene import Scene
-from judge.topics.circles.picture.strokes import circle, pieces, straight
+from judge.topics.circles.picture.strokes import circles, pieces, straight
 from judge.topics.circles.picture.whole import scale_bar, whole_frame
 
 _CLOSE = Fraction(1, 50)  # what is closer than this share of the window cannot be seen at true scale
@@ -50,7 +52,7 @@ def lens_panel(scene: Scene) -> Panel | None:
     if place.tangency and scene.line.r > 4 * unit:
         return _stretched(scene, place, unit)
     frame = Frame(place.x, place.y, unit)
-    strokes = (*circle(frame, scene.line), *straight(frame, scene))
+    strokes = (*circles(frame, scene), *straight(frame, scene))
     bar = scale_bar(frame, scene, of_extent=True)
     marks = marks_in(frame, scene, beyond=False)
     return Panel(_magnified(place.title, window / unit), strokes, marks, (bar,), place.note)
@@ -102,6 +104,8 @@ def _tangency(scene: Scene) -> list[_Place]:
 
 def gap_words(scene: Scene) -> str:
     """Where the line, or the one point A == B, runs relative to the circle."""
+    if scene.pair:
+        return pair_words(scene.pair)
     line, gap = scene.line, scene.gap
     what = "the line" if line.a else ("O" if scene.part is Part.RAY else "the point")
     side = gap.sign()
@@ -122,10 +126,13 @@ def gap_words(scene: Scene) -> str:
 
 def _ends(scene: Scene) -> list[_Place]:
     line = scene.line
+    if scene.pair:
+        return [_touch(scene.pair)]
     ends: tuple[tuple[tuple[int, int], str], ...] = {
         Part.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
         Part.RAY: ((scene.start, "O"),),
         Part.POINT: ((scene.start, "P"),),
+        Part.TANGENTS: ((scene.start, "P"),),
     }.get(scene.part, ())
     places = []
     for (x, y), name in ends if line.a else ends[:1]:
@@ -140,6 +147,12 @@ def _ends(scene: Scene) -> list[_Place]:
         note = f"{label} is {where}"
         places.append(_Place(abs(rounded(away)), Fraction(x), Fraction(y), f"{label} and the circle", note))
     return places
+
+
+def _touch(pair: CirclePair) -> _Place:
+    size = abs(rounded(nearest_touch(pair)[0]))
+    x, y = (rounded_near_foot(each, Fraction(0), Fraction(1)) for each in touching_place(pair))
+    return _Place(size, x, y, "where they come closest", pair_words(pair))
 
 
 def _small(scene: Scene, window: Fraction) -> _Place | None:

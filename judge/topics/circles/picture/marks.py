@@ -80,8 +80,8 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
 def _names(scene: Scene) -> tuple[str, str]:
     if scene.part is Part.RAY:
         return ("O", "O + D (t = 1)") if scene.line.a else ("O (D = 0)", "")
-    if scene.part is Part.POINT:
-        return "P", ""
+    if scene.part.of_point or scene.pair:
+        return "C2" if scene.pair else "P", ""
     return ("A", "B") if scene.line.a else ("A = B", "")
 
 

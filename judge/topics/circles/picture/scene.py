@@ -9,6 +9,7 @@ from typing import Any
 from judge.exact import Surd
 from judge.problem.topic import Shown
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
 from judge.topics.circles.picture.answers import Spot, foot_of, given_spots, wanted_spots
 from judge.topics.circles.picture.given import read_given
@@ -21,6 +22,7 @@ class Scene:
 
     `wanted` are the exact common points, `given` those of the submission. `snap` is the band's width in
     units of the extent, 0 where the problem has none. `centre` is what C is called where it is no circle's.
+    `pair` is both circles where there are two; `line` is the first one, and the second's centre.
     """
 
     part: Part
@@ -29,6 +31,12 @@ class Scene:
     given: tuple[Spot, ...]
     snap: Fraction
     centre: str = "C"
+    pair: CirclePair | None = None
+
+    @property
+    def circles(self) -> tuple[CircleLine, ...]:
+        """All the circles there are."""
+        return self.pair.circles() if self.pair else (self.line,)
 
     @property
     def start(self) -> tuple[int, int]:
@@ -56,14 +64,15 @@ class Scene:
 
 def read_scene(part: Part, shown: Shown) -> Scene | None:
     """The scene of a case, or None where its arguments are none of that kind."""
-    line = line_of(part, tuple(_argument(value) for value in shown.values.values()))
+    case = tuple(_argument(value) for value in shown.values.values())
+    line = line_of(part, case)
     if line is None:
         return None
     snap = shown.problem.bands.get("snap", Fraction(0))
     wanted = wanted_spots(part, line, shown.exact)
-    return Scene(
-        part, line, wanted, given_spots(part, line, read_given(shown.given)), snap, _centre(part, shown)
-    )
+    given = given_spots(part, line, read_given(shown.given))
+    pair = CirclePair.of(*case) if part is Part.PAIR else None
+    return Scene(part, line, wanted, given, snap, _centre(part, shown), pair)
 
 
 def _argument(value: Any) -> Any:
@@ -73,4 +82,4 @@ def _argument(value: Any) -> Any:
 def _centre(part: Part, shown: Shown) -> str:
     if part is Part.FOOT:
         return list(shown.values)[2]  # P, or whatever the problem calls its point
-    return "(0, 0)" if part is Part.NORMAL else "C"
+    return {Part.NORMAL: "(0, 0)", Part.PAIR: "C1"}.get(part, "C")

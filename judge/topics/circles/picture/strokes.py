@@ -17,6 +17,11 @@ _SEEN = 1.5  # half the panel's diagonal, and a little more
 _REACH = 4.0  # how far a line is followed
 
 
+def circles(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """Every circle of the scene."""
+    return tuple(stroke for each in scene.circles for stroke in circle(frame, each))
+
+
 def circle(frame: Frame, line: CircleLine) -> tuple[Stroke, ...]:
     """The disc, faintly filled, and its circle."""
     if not line.r:
@@ -63,6 +68,8 @@ def _within(frame: Frame, line: CircleLine, dots: tuple[Dot, ...]) -> tuple[Dot,
 def straight(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     """The line, segment or ray with its direction, and faintly the line that it is part of."""
     line = scene.line
+    if scene.part is Part.TANGENTS:
+        return _tangents(frame, scene)
     if not line.a:
         return ()
     fx, fy = line.ax - frame.x, line.ay - frame.y
@@ -88,6 +95,15 @@ def _piece(offset: Dot, u: Dot, first: float, last: float, role: Role = Role.BEY
         return []
     dots = tuple((offset[0] + u[0] * at, offset[1] + u[1] * at) for at in (first, last))
     return [Stroke(part, role, arrow=role is Role.LINE) for part in polyline(dots)]
+
+
+def _tangents(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """Lines from P to the points where tangents touch, and faintly to those of the submission."""
+    start = frame.place(*scene.start)
+    lines = [(spot, Role.LINE) for spot in scene.wanted] + [(spot, Role.BEYOND) for spot in scene.given]
+    return tuple(
+        Stroke(part, role) for spot, role in lines for part in polyline((start, frame.place(spot.x, spot.y)))
+    )
 
 
 def _across(frame: Frame, scene: Scene) -> list[Stroke]:

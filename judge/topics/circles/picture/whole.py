@@ -9,7 +9,7 @@ from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Panel
 from judge.topics.circles.picture.marks import every_spot, extent, marks_in
 from judge.topics.circles.picture.scene import Scene
-from judge.topics.circles.picture.strokes import circle, straight
+from judge.topics.circles.picture.strokes import circles, straight
 
 _FAR = 6  # points further out than so many radii (or distances of the line) are shown at the edge
 _MARGIN = Fraction(5, 4)
@@ -21,7 +21,7 @@ Bounds = tuple[Fraction, Fraction, Fraction, Fraction]
 def whole_panel(scene: Scene) -> Panel:
     """The circle with whatever lies within a few of its sizes, and arrows to the rest."""
     frame = whole_frame(scene)
-    strokes = (*circle(frame, scene.line), *straight(frame, scene))
+    strokes = (*circles(frame, scene), *straight(frame, scene))
     return Panel("True scale", strokes, marks_in(frame, scene, beyond=True), (scale_bar(frame, scene),))
 
 
@@ -58,9 +58,13 @@ def _core(scene: Scene) -> Bounds:
     line = scene.line
     fx, fy = scene.foot
     cx, cy, r = Fraction(line.cx), Fraction(line.cy), Fraction(line.r)
-    if not line.a and r and length(fx - cx, fy - cy) > _FAR * r:
+    if not line.a and r and not scene.pair and length(fx - cx, fy - cy) > _FAR * r:
         fx, fy = cx, cy
     box = (min(cx - r, fx), min(cy - r, fy), max(cx + r, fx), max(cy + r, fy))
+    for other in scene.circles[1:]:
+        low, high = (other.cx - other.r, other.cy - other.r), (other.cx + other.r, other.cy + other.r)
+        for at in (low, high):
+            box = _around(box, Fraction(at[0]), Fraction(at[1]))
     if _side(box):
         return box
     for x, y in (scene.start, scene.end):
