@@ -9,8 +9,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.topics.circles.figures.figure import Figure, Recipe, draw_point, typed
+from judge.topics.circles.figures.figure import Figure, Recipe, as_ints, draw_point, typed
 from judge.topics.circles.figures.posing import posed
+from judge.topics.circles.recipes import points
 
 _BOUND = 1 << 28  # of whole numbers, so that their differences stay within the bounds as well
 
@@ -27,9 +28,9 @@ def outside(draw: Draw, *, ratio: Sequence[int], size: int, poses: Sequence[str]
     return posed(draw, Figure((0, 0), radius, (place,)), poses=poses, **pose)
 
 
-def centre(draw: Draw, *, size: int, poses: Sequence[str], points: bool = False, **pose: Any) -> Figure:
-    """A point that is the circle's centre; with `points` the circle may be a point as well."""
-    radius = 0 if points and draw.integer(0, 3) == 0 else draw.integer(1, size)
+def centre(draw: Draw, *, size: int, poses: Sequence[str], or_point: bool = False, **pose: Any) -> Figure:
+    """A point that is the circle's centre; with `or_point` the circle may be a point as well."""
+    radius = 0 if or_point and draw.integer(0, 3) == 0 else draw.integer(1, size)
     x, y = draw_point(draw, size)
     return posed(draw, Figure((x, y), radius, ((x, y),)), poses=poses, centre=0, **pose)
 
@@ -43,4 +44,11 @@ def anywhere(draw: Draw, *, size: int) -> Figure:
     return posed(draw, figure, poses=("any",), divisor=draw.integer(1, size))
 
 
-RECIPES: Mapping[str, Recipe] = {"outside": outside, "centre": centre, "anywhere": anywhere}
+def whole(draw: Draw) -> Figure:
+    """Ints up to the bounds: P on the circle, off by one in |f|² − r², nearly on it, anywhere."""
+    if draw.integer(0, 2) == 0:
+        return Figure(draw_point(draw, _BOUND), draw.integer(1, _BOUND), (draw_point(draw, _BOUND),))
+    return as_ints(points.whole(draw))
+
+
+RECIPES: Mapping[str, Recipe] = {"outside": outside, "centre": centre, "anywhere": anywhere, "whole": whole}

@@ -14,7 +14,16 @@ from msgspec.structs import replace
 
 from judge.data.draw import Draw, require
 from judge.topics.circles.figures.edges import EDGES, Edge, whole_gap
-from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, draw_point, moved, typed
+from judge.topics.circles.figures.figure import (
+    Figure,
+    Recipe,
+    as_ints,
+    draw_mirrored,
+    draw_point,
+    moved,
+    typed,
+)
+from judge.topics.circles.figures.numbers import off_by_one
 from judge.topics.circles.figures.posing import posed, small_turn, spun
 from judge.topics.circles.pair import CirclePair
 
@@ -76,6 +85,21 @@ def edge(
         (second,), (length,) = figure.points, figure.lengths
         figure = Figure(second, length, (figure.centre,), (), (figure.radius,))
     return typed(draw, figure, "any")
+
+
+def whole(draw: Draw) -> Figure:
+    """Whole numbers up to the bounds, in ints: as in `anywhere`, or off a touch by one in the squares."""
+    if draw.boolean():
+        return as_ints(_whole(draw))
+    x, y, reach = off_by_one(draw, _REACH, draw.sign())
+    if reach < _REACH >> 3:
+        draw.reject()  # what is off by one is a touch, by the band of a large figure
+    one = draw.integer(reach // 8, reach - 1)
+    other = reach - one if draw.boolean() else reach + one
+    first = draw_point(draw, _REACH)
+    if other > reach and draw.boolean():
+        one, other = other, one
+    return Figure(first, one, ((first[0] + x, first[1] + y),), (), (other,))
 
 
 def pair_of(figure: Figure) -> CirclePair:
@@ -193,4 +217,10 @@ def _whole(draw: Draw) -> Figure:
     return typed(draw, moved(draw_mirrored(draw, figure), x, y), "any")
 
 
-RECIPES: Mapping[str, Recipe] = {"pair": pair, "grid": grid, "anywhere": anywhere, "pair-edge": edge}
+RECIPES: Mapping[str, Recipe] = {
+    "pair": pair,
+    "grid": grid,
+    "anywhere": anywhere,
+    "pair-edge": edge,
+    "whole": whole,
+}
