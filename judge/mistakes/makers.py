@@ -76,9 +76,9 @@ def _of_file(solution: Solution, words: Words) -> Maker:
     return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
 
 
-def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[int]:
-    """The places of those to compare with: of one mistake's that answer alike (the same object) the first."""
-    firsts: dict[tuple[str, int], int] = {}
+def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[list[int]]:
+    """The places of those to compare with, each with all of its mistake's that answer alike: one object."""
+    alike: dict[tuple[str, int], list[int]] = {}
     for place, (maker, each) in enumerate(zip(makers, answers, strict=True)):
-        firsts.setdefault((maker.name, id(each)), place)
-    return [place for place in firsts.values() if any(each.wrong for each in answers[place].values())]
+        alike.setdefault((maker.name, id(each)), []).append(place)
+    return [places for places in alike.values() if any(each.wrong for each in answers[places[0]].values())]

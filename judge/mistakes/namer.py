@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.mistakes.answers import Behaviour, behaviour
+from judge.mistakes.family import Choice, Family
 from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Program, Progress, computed
@@ -34,10 +35,14 @@ Alone = Callable[[str, int], bool]  # whether a submission fails that case of th
 
 
 class _Ready(Struct):
-    """What is compared with, and what each of them answers; `makers` and `known` belong together."""
+    """What is compared with, and what each of them answers; `makers`, `choices` and `known` belong together.
+
+    `choices` are all that make the same mistake with the same answers, on whatever route.
+    """
 
     read: Makers
     makers: list[Maker]
+    choices: list[list[Choice]]
     known: list[Known]
 
 
@@ -89,7 +94,8 @@ class Namer:
             place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
         ]
         makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
-        match, alike = self._match(ready.read, makers, known, does)
+        joint = self._joint(ready.read.family, [ready.choices[place] for place in kept])
+        match, alike = self._match(joint, known, does)
         if match is None:
             alike = [place for place in alike if vetoes.lasting(makers[place].words)]
             match = as_match(does, alike, known)
@@ -100,12 +106,12 @@ class Namer:
         return replace(result, pitfall=_pitfall(match, makers))
 
     def _match(
-        self, read: Makers, makers: Sequence[Maker], known: Sequence[Known], does: Behaviour
+        self, joint: Joint | None, known: Sequence[Known], does: Behaviour
     ) -> tuple[Match | None, Sequence[int]]:
         """What explains the submission, or else the programs that answer just as it does."""
         data, rights = self._data, self._rights
         near = nearest(does, known, data.groups)
-        same = Same(does, known, data.groups, data.problem.answer, rights, self._joint(read, makers))
+        same = Same(does, known, data.groups, data.problem.answer, rights, joint)
         match = same.one(near.same) or same.two(near.pairs)
         if match is None:
             worth = near.worth
@@ -134,18 +140,17 @@ class Namer:
             ],
         )
 
-    def _joint(self, read: Makers, makers: Sequence[Maker]) -> Joint | None:
-        """What the program answers that makes two choices at once."""
-        family = read.family
+    def _joint(self, family: Family | None, choices: Sequence[Sequence[Choice]]) -> Joint | None:
+        """What the program answers that makes two mistakes at once, by the first choices that go together."""
         if family is None:
             return None
 
         def joint(one: int, other: int, only: Cases) -> Behaviour | None:
-            first, second = makers[one].choice, makers[other].choice
-            both = family.together(first, second) if first and second else None
+            pairs = (family.together(first, second) for first in choices[one] for second in choices[other])
+            both = next((each for each in pairs if each is not None), None)
             if both is None:
                 return None
-            return computed(self._data, Program(family.program(both).encode(), makers[one].file), only)
+            return computed(self._data, Program(family.program(both).encode(), family.place(both)), only)
 
         return joint
 
@@ -157,10 +162,14 @@ class Namer:
                 with self._progress() as advance:
                     behaviours, note = self._answers.of([each.program for each in read.all], advance)
                 self.notes += [note] if note else []
-                places = distinct(read.all, behaviours)
-                makers = [read.all[place] for place in places]
-                known = [Known(read.all[i].name, behaviours[i], read.all[i].chance) for i in places]
-                self._made = _Ready(read, makers, known)
+                alike = distinct(read.all, behaviours)
+                makers = [read.all[places[0]] for places in alike]
+                choices = [[c for i in places if (c := read.all[i].choice) is not None] for places in alike]
+                known = [
+                    Known(maker.name, behaviours[places[0]], maker.chance)
+                    for maker, places in zip(makers, alike, strict=True)
+                ]
+                self._made = _Ready(read, makers, choices, known)
             return self._made
 
 

@@ -6,7 +6,6 @@ fails about those that either fails. All others are not worth comparing answer b
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from math import isclose
 
@@ -30,7 +29,6 @@ _HARDLY = 0.3  # of a program's failures, that are the submission's as well, for
 _UNLIKE = 0.5  # weight of a failure of one of two, in which the other one may change the answer further
 _PARTS = 100  # such programs, at most
 _TOGETHER = 0.6  # how well two have to explain the answers
-_NAMED_TWICE = 3  # pairs that make the same two mistakes
 
 
 class Nearest(Struct, frozen=True):
@@ -84,11 +82,8 @@ def _together(
         for other in parts[:i]
         if (score := one.beside(other, len(fails.cases), heavy)) >= _TOGETHER
     ]
-    met: Counter[frozenset[str]] = Counter()
     for _, first, second in sorted(rated, reverse=True):
-        names = frozenset((known[first].name, known[second].name))
-        if len(names) == 2 and met[names] < _NAMED_TWICE:
-            met[names] += 1
+        if known[first].name != known[second].name:
             yield first, second
 
 

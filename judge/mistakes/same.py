@@ -6,8 +6,10 @@ once are found as well, by running the program that makes both.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
+from itertools import islice
 
 from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
@@ -23,7 +25,9 @@ Joint = Callable[[int, int, Cases], Behaviour | None]
 _SAME = 0.99  # of the wrong answers of either, that are the same in both; the rest is rounding
 _APART = 0.1  # by how much less than that those of other mistakes must be
 _MANY = 30  # wrong answers, from which on that says it all
-_TRIED = 20  # programs of two mistakes that are run on a few cases …
+_TRIED = 16  # programs of two mistakes that are run on a few cases …
+_NAMED_TWICE = 3  # … of which so many make the same two mistakes, of so many likely ones …
+_LOOKED_AT = 150
 _MOST = 0.7  # … most of which they have to answer as the submission does …
 _RUN = 3  # … before so many of them are run on some
 _FEW, _SOME = 12, 45  # of the cases that it fails; and of the others
@@ -80,8 +84,11 @@ class Same:
         if self._joint is None or wrong_answers(self._submission) < _MANY:
             return None
         tried: list[tuple[float, tuple[int, int]]] = []
-        for pair in pairs:
-            share = self._of_both(pair, self._few)
+        met: Counter[frozenset[str]] = Counter()
+        for pair in islice(pairs, _LOOKED_AT):
+            names = frozenset(self._known[place].name for place in pair)
+            share = self._of_both(pair, self._few) if met[names] < _NAMED_TWICE else None
+            met[names] += share is not None
             if share is not None and share >= _MOST:
                 tried.append((share, pair))
             if len(self._known_shares) == _TRIED:

@@ -29,6 +29,7 @@ def foot(cx, cy, r, A, B):
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
     # : extent from the centre, and add nothing to it.
     # ? radius-epsilon: extent = r
+    # ? signed-extent: extent = max(r, ax, ay, bx, by)
     # ? length-epsilon: extent = hypot(bx - ax, by - ay)
     near = 1e-10 * extent
     # = near = 1e-9 * extent

@@ -83,7 +83,7 @@ def test_a_fault_in_naming_the_mistake_leaves_the_verdict_alone(fault, judge, su
     def faulty(*_arguments):
         raise fault
 
-    monkeypatch.setattr("judge.mistakes.namer.best_match", faulty)
+    monkeypatch.setattr("judge.mistakes.namer.Vetoes", faulty)
     ended = judge("run", "middle", submit(FLOOR), "--json")
     assert (ended.status, json.loads(ended.out)["verdict"]) == (1, "WA")
     assert ended.err.startswith("judge: the mistake is not named: ")

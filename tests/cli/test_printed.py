@@ -51,7 +51,7 @@ def test_nothing_is_said_of_a_function_that_prints_nothing_or_only_at_import(jud
 
 def test_no_terminal_obeys_it_and_a_flood_is_cut(judge, submit):
     what = r"'\x1b[2J\x1b]0;title\x07\u202e' + 300 * 'x', *range(50), sep='\n'"
-    ended = judge("run", "middle", submit(PRINTED.format(what=what)))
+    ended = judge("run", "middle", submit(PRINTED.format(what=what)), "--all")
     assert not {"\x1b", "\x07", "\u202e"} & set(ended.out)
     assert r"\x1b[2J\x1b]0;title\x07\u202e" in ended.out
     assert any(line.split() == ["…"] for line in ended.lines)

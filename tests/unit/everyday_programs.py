@@ -533,6 +533,7 @@ _ODD = [
     ("count", COUNTED, "hypot(u, v)", "max(abs(u), abs(v))"),
     ("count", COUNTED, "    d =", "    x = abs(x)\n    d ="),
     ("count", COUNTED, "A == B", "A == B or cx == cy"),
+    ("count", COUNTED, "    e =", "    r += 1\n    e ="),
     ("count", COUNTED, "return 2", "return 2 if r > 1e-6 else 1"),
     ("exact-count", COUNTED_EXACTLY, "v * x", "v * x * 2"),
     ("exact-count", COUNTED_EXACTLY, "v * x", "v * x + 1"),

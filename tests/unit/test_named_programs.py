@@ -241,6 +241,34 @@ WHOLE = [
 ]
 
 
+# what is changed in the right program, at two places, and both names
+TWICE = [
+    (
+        "count",
+        [
+            ("d = abs(dx * fy - dy * fx)", "d = (dx * fy - dy * fx)"),
+            ("2 if d < r else 0", "0 if d < r else 2"),
+        ],
+        {"forgotten-abs", "swapped-answers"},
+    ),
+    (
+        "segment",
+        [("-e <= s <= n + e", "0 < s < n"), ("return points", "return points or None"), ("[]", "None")],
+        {"open-interval", "none-for-empty"},
+    ),
+    (
+        "segment",
+        [("[A] if abs(hypot(fx, fy) - r) <= e else []", "[]"), ("[m - h, m + h]", "[m + h, m - h]")],
+        {"no-degenerate", "reversed-order"},
+    ),
+    (
+        "ray-nearest",
+        [("return s / n", "return s"), ("            return 0.0", "            continue")],
+        {"distance-for-parameter", "origin-on-circle"},
+    ),
+]
+
+
 @pytest.fixture(scope="module")
 def named(tmp_path_factory):
     """The names that a program of a problem is given."""
@@ -262,6 +290,15 @@ def named(tmp_path_factory):
 def test_a_changed_line_is_named(named, problem, old, new, wanted):
     assert old in SOURCES[problem]
     assert named(problem, SOURCES[problem].replace(old, new)) == wanted
+
+
+@pytest.mark.parametrize(("problem", "changes", "wanted"), TWICE)
+def test_two_changed_lines_are_both_named(named, problem, changes, wanted):
+    source = SOURCES[problem]
+    for old, new in changes:
+        assert old in source
+        source = source.replace(old, new)
+    assert named(problem, source) == wanted
 
 
 @pytest.mark.parametrize(("problem", "source", "wanted"), WHOLE)

@@ -53,7 +53,7 @@ def library(tmp_path_factory):
             makers = [each for each in read.all if each.choice is not None]
             does, note = KnownAnswers(data, None, Settings(measured=False)).of([m.program for m in makers])
             assert (note, read.faults) == (None, ())
-            known = [Known(makers[i].name, does[i], makers[i].chance) for i in distinct(makers, does)]
+            known = [Known(makers[i].name, does[i], makers[i].chance) for i, *_ in distinct(makers, does)]
             found[name] = Groups(data.groups, problem.answer), known, [each.name for each in known]
     return found
 

@@ -41,7 +41,7 @@ def stressed(source, *, seconds=2.0, seed=1, groups=("grid", "tangent", "axis-pa
 
 
 def text_of(found, width=80):
-    return "\n".join("".join(span.text for span in line) for line in stress_lines(found, width))
+    return "\n".join("".join(span.text for span in line) for line in stress_lines(found, width, 60))
 
 
 def test_a_right_one_goes_on_until_the_time_is_up():

@@ -54,7 +54,7 @@ def test_it_is_told_on_screen_and_in_the_json(epsilon, verdict, told):
     assert found.result.verdict.value == verdict
     assert found.as_json()["thresholds"][0]["decision"] == "a tangency"
     assert any(
-        f"threshold  {told}" in "".join(span.text for span in line) for line in stress_lines(found, None)
+        f"threshold  {told}" in "".join(span.text for span in line) for line in stress_lines(found, None, 60)
     )
 
 

@@ -16,9 +16,19 @@ WORDS = re.compile(
     r"|tangents?|tangency|tangencies|segments?|extents?)(?![a-z])",
     re.IGNORECASE,
 )
+# Pages of the manual that show the judge at work on the problems that come with it.
+SHOWN_AT_WORK = {
+    "answers.md",
+    "failure.md",
+    "katas.md",
+    "library.md",
+    "scripts.md",
+    "testing.md",
+    "commands.md",
+}
 # What stays: the package's own name and description, the key `extent` of [tolerance], SVG's own element.
 KEPT = re.compile(
-    r"circle-line-judge|circle-line geometry"
+    r"circle-line-judge|[Cc]ircle-line geometry"
     r"|\.extent\b|\"extent\"|`extent`|tolerance extent|\bextent(?=·unit|: |,| = |=| or ulps)"
 )
 OF_SVG = re.compile(r"</?circle\b|\.circle(-area)?\b|\"circle\"|\.tick circle\b")
@@ -27,6 +37,8 @@ OF_SVG = re.compile(r"</?circle\b|\.circle(-area)?\b|\"circle\"|\.tick circle\b"
 def texts():
     for path in sorted(PACKAGE.rglob("*")):
         parts = path.relative_to(PACKAGE).parts
+        if parts[0] == "manual" and parts[-1] in SHOWN_AT_WORK:
+            continue
         if path.is_file() and path.suffix != ".pyc" and not OF_A_TOPIC & set(parts):
             yield path
 

@@ -12,7 +12,7 @@ from typing import Any
 from judge.data.draw import Draw
 from judge.topics.circles.figures.figure import Figure, Recipe, line, typed
 from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import edges
+from judge.topics.circles.recipes import edges, endpoints
 
 
 def diameter(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
@@ -45,9 +45,17 @@ def spread(draw: Draw, *, size: int, octaves: Sequence[int], poses: Sequence[str
     return typed(draw, figure, "any")
 
 
-def touch_edge(draw: Draw, *, close: Sequence[int], **parameters: Any) -> Figure:
-    """A line that is, or nearly is, a tangent; in every second figure B is 2**-close of the extent from A."""
-    return edges.tangent(draw, close=close if draw.boolean() else (), **parameters)
+def touch_edge(draw: Draw, *, close: Sequence[int], ratio: Sequence[int], **parameters: Any) -> Figure:
+    """A line that is, or nearly is, a tangent: one of three kinds.
+
+    Its points are anywhere on it; or B is 2**-close of the extent from A; or one coordinate of one of them,
+    `ratio` radii away, is all of the extent, and the line is off by most of the band.
+    """
+    kind = draw.integer(0, 2)
+    if kind == 2:
+        scale = draw.choice(parameters["scales"])
+        return endpoints.lopsided(draw, size=500, ratio=ratio, scale=scale)
+    return edges.tangent(draw, close=close if kind else (), **parameters)
 
 
 RECIPES: Mapping[str, Recipe] = {"diameter": diameter, "spread": spread, "touch-edge": touch_edge}
