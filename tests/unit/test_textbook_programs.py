@@ -14,6 +14,7 @@ from judge.problem.level import KataLevel
 TEXTBOOK = Path(__file__).parents[1] / "fixtures" / "textbook"
 PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*/*.py"))
 NAMED = {  # what the judge says of each
+    "adaptive/discriminant.py": "float-sign",
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
     "error-bound/relative.py": "ignores-cancellation",
@@ -28,6 +29,7 @@ NAMED = {  # what the judge says of each
 def test_every_kata_of_two_levels_has_such_a_program():
     assert sorted(NAMED) == PROGRAMS
     assert {name.split("/")[0] for name in PROGRAMS} == {
+        "adaptive",
         "count",
         "error-bound",
         "exact-count",
