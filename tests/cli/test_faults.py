@@ -80,7 +80,7 @@ def test_a_fault_in_the_search_for_a_smaller_case_leaves_the_verdict_alone(fault
 
 @pytest.mark.parametrize("fault", [ProblemError("the reference fails"), ArithmeticError("too many digits")])
 def test_a_fault_in_naming_the_mistake_leaves_the_verdict_alone(fault, judge, submit, monkeypatch):
-    def faulty(*_arguments):
+    def faulty(*_arguments, **_settings):
         raise fault
 
     monkeypatch.setattr("judge.mistakes.namer.Vetoes", faulty)

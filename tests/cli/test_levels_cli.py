@@ -68,7 +68,7 @@ def test_one_level_alone_is_judged_and_is_not_the_whole(judge, kata):
     )
     ended = judge("run", "--level", "production", "--no-name", kata, "textbook.py")
     assert ended.status == 1
-    assert verdict(ended).startswith("WA wrong answer, 0 of 40 points")
+    assert verdict(ended).startswith("WA wrong answer, on 1 of 3 groups only, 0 of 40 points")
     (shown,) = objects(judge("progress", "--json"))
     (skill,) = [each for each in shown["skills"] if each["name"] == "distance of two points"]
     assert skill["state"] == "open"  # it asks for both

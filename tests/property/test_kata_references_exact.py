@@ -62,6 +62,12 @@ def discriminant(cx, cy, r, ax, ay, bx, by):
         return b * b - a * c, (r * r * a + whole * k) / 2**46 + whole * whole / 2**98
 
 
+def sign(*case):
+    """Of b² − a·c."""
+    delta, _ = discriminant(*case)
+    return (delta > 0) - (delta < 0)
+
+
 def equal_enclosure(exact, other):
     return tuple(map(Fraction, other)) == (exact.x, exact.width)
 
@@ -84,6 +90,7 @@ def equal_roots(exact, other):
 
 KATAS = {  # the other formula, whether an exact answer is alike, and how many different kinds of answers
     "exact-segment": (exact_segment, equal, 3),
+    "adaptive": (sign, equal, 3),
     "error-bound": (discriminant, equal_enclosure, 100),
     "stable-roots": (quadratic_roots, equal_roots, 100),
 }
@@ -96,7 +103,7 @@ def test_the_exact_answer_is_that_of_another_formula(name):
     solve = load_module(problem).solve
     seeds = (None, 1, 2)
     data = (load_data(problem, seed=seed, cache=False) for seed in seeds)
-    cases = list(islice(chain.from_iterable(g.cases for each in data for g in each.groups), CASES))
+    cases = list(islice(chain.from_iterable(g.cases[:300] for each in data for g in each.groups), CASES))
     assert len(cases) == CASES
     answered = Counter()
     for case in cases:

@@ -21,7 +21,13 @@ from judge.problem.load import load_problem
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
 SOME = ["distance", "count", "segment", "ray-nearest", "exact-count"]  # of the path
-EXACT = ["exact-count", "exact-segment", "stable-roots", "error-bound"]  # of the professional ones
+EXACT = [
+    "exact-count",
+    "exact-segment",
+    "stable-roots",
+    "error-bound",
+    "adaptive",
+]  # of the professional ones
 
 
 @pytest.fixture(autouse=True)

@@ -14,6 +14,7 @@ from judge.problem.level import KataLevel
 TEXTBOOK = Path(__file__).parents[1] / "fixtures" / "textbook"
 PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*/*.py"))
 NAMED = {  # what the judge says of each
+    "adaptive/discriminant.py": "float-sign",
     "circle-circle/radical_line.py": "absolute-epsilon",
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",

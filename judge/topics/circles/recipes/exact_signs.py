@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import inf, nextafter
+from math import inf, ldexp, nextafter
 from math import ulp as unit
 
 from judge.data.draw import Draw, require
@@ -83,11 +83,21 @@ def rotated(draw: Draw, *, size: Sizes, exponent: Exponents = 0) -> Figure:
 
 
 def through(draw: Draw, *, size: Sizes, exponent: Exponents = 0) -> Figure:
-    """A line through C, turned by an angle that no double holds; r is 0, or a few units of rounding."""
+    """A line through C but for rounding: turned so that no double holds it, or in whole numbers with k = ±1.
+
+    r is 0, or so small that r·|D| is about |k|, which is far below the rounding of dx·fy.
+    """
     bound = _drawn(draw, size)
-    figure = turned(lines.point_circle(draw, bound, TANGENT), draw_turn(draw))
     if draw.boolean():
-        figure = with_radius(figure, draw.integer(1, 9) * unit(float(bound)) / 4)
+        bits = draw.integer(28, 34)
+        direction = lines.primitive(draw.integer(1 << bits - 1, 1 << bits), draw.integer(1, 1 << bits))
+        f = lines.with_cross(direction, draw.sign(), draw.integer(-2, 1))
+        whole = lines.placed((0, 0), 0, f, direction)
+        whole = with_radius(whole, ldexp(draw.integer(1, 8), -bits - 2))
+        return _finished(draw, whole, exponent, "float")
+    figure = turned(lines.point_circle(draw, bound, TANGENT), draw_turn(draw))
+    if draw.integer(0, 3):
+        figure = with_radius(figure, draw.integer(1, 12) * unit(float(bound)) / 8)
     return _finished(draw, figure, exponent, "float")
 
 
