@@ -33,6 +33,7 @@ CASES = {
     "nearly-on": ("tangents", (0.0, 0.0, 1.0, (0.0, 1.0000002)), "[(0.0, 1.0000002)]"),
     "two-circles": ("circle-circle", (0, 0, 5, 6, 2, 3), "[(3.9, -1.8)]"),
     "nearly-touching": ("circle-circle", (0.0, 0.0, 1.0, 3.0, 0.0, 1.9999996), "[(1.0, 0.0)]"),
+    "common-tangents": ("common-tangents", (1, 1, 1, 6, 2, 2), "[(0.6, 1.9), (1.0, 0.0), (1.4, 1.0)]"),
     "hostile": ("segment", (0, 0, 5, (-7, 2), (7, -1)), "<script>\"'&\x00\x1b[2J]]>\ud800\u202e"),
 }
 

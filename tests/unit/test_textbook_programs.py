@@ -15,6 +15,7 @@ TEXTBOOK = Path(__file__).parents[1] / "fixtures" / "textbook"
 PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*/*.py"))
 NAMED = {  # what the judge says of each
     "circle-circle/radical_line.py": "absolute-epsilon",
+    "common-tangents/normals.py": "absolute-epsilon",
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
     "exact-count/discriminant.py": "float-arithmetic",

@@ -35,8 +35,8 @@ _CLOSE = 1000  # the centres are this part of the extent apart, at least
 
 def pair(draw: Draw, *, kinds: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """Two circles that are apart, touch (outer, inner), cross (crossing), or one inside the other (inside);
-    about one centre (centre), the same circle (same); with a radius of 0 on the other circle (on), off it
-    (off), or both of them 0 (points, point).
+    about one centre (centre), the same circle (same), equal radii (equal); with a radius of 0 on the other
+    circle (on), off it (off), or both of them 0 (points, point).
     """
     return posed(draw, _level(draw, draw.choice(kinds), size), poses=poses, **pose)
 
@@ -124,7 +124,9 @@ def _level(draw: Draw, kind: str, size: int) -> Figure:
         "off": lambda: draw.choice((max(one, other) + draw.integer(1, size), max(one, other) // 2)),
         "points": lambda: draw.integer(1, size),
     }.get(kind, lambda: 0)()
-    if kind == "same":
+    if kind == "equal":
+        away = draw.integer(1, 4 * one)
+    if kind in ("same", "equal"):
         other = one
     elif kind == "centre" and one == other:
         other += draw.integer(1, size)
