@@ -29,6 +29,7 @@ from judge.topics.circles.pair import CirclePair
 
 _BITS = 64  # of what is computed here below the unit of the figure
 _REACH = 1 << 27  # of whole numbers, so that figures fit into the bounds
+_BESIDE = ((900, 990), (991, 998))  # thousandths of the distance that a first radius is, next to a small one
 _SPECK = (45, 60)  # octaves below the extent of a radius that drowns in the band
 _CLOSE = 1000  # the centres are this part of the extent apart, at least
 
@@ -144,7 +145,7 @@ def _lengths(draw: Draw, kind: str, size: int) -> tuple[int, int]:
     if kind == "outer":
         return max(1, size * share // 1000), size
     if kind == "beside":  # a touch from outside of two circles of which one is very small
-        return size * draw.integer(900, 990) // 1000, size
+        return size * draw.integer(*draw.choice(_BESIDE)) // 1000, size
     if kind == "inner":
         return size, max(1, size * share // 1000)
     if kind == "around":  # the second circle is the greater one
