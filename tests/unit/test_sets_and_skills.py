@@ -78,6 +78,7 @@ def test_the_shipped_sets_hold_the_problems_that_name_them_in_order():
     assert ids(find_set("senior")) == ["segment", "ray-nearest"]
     professional = ids(find_set("professional"))
     assert [each for each in professional if each in SOME or each in EXACT] == ["ray-nearest", *EXACT]
+    assert "common-tangents" in professional
     path = find_set("path")
     assert ids(path)[: len(steps) + len(junior)] == [*steps, *junior], "a tier after the other"
     assert [each for each in ids(path) if each in SOME] == SOME

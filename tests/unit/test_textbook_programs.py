@@ -16,6 +16,7 @@ PROGRAMS = sorted(f"{path.parent.name}/{path.name}" for path in TEXTBOOK.glob("*
 NAMED = {  # what the judge says of each
     "adaptive/discriminant.py": "float-sign",
     "circle-circle/radical_line.py": "absolute-epsilon",
+    "common-tangents/normals.py": "absolute-epsilon",
     "count/discriminant.py": "absolute-epsilon",
     "count/distance.py": "absolute-epsilon",
     "error-bound/relative.py": "ignores-cancellation",

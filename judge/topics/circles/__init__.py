@@ -5,7 +5,7 @@ CHORD                 the same as LINE, where the answer is a length on it
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
 TANGENTS              the same as POINT, where the answer is points of tangents through P
 
-PAIR                  of those with two circles, (cx1, cy1, r1, cx2, cy2, r2)
+PAIR, COMMON          of those with two circles, (cx1, cy1, r1, cx2, cy2, r2), for their points and tangents
 plane(Kind…)          the topic of first steps: points and perhaps a circle in whole numbers
 
 line.py        a circle and a directed line in scaled integers
@@ -57,6 +57,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "CHORD",
+    "COMMON",
     "FOOT",
     "LINE",
     "NORMAL",
@@ -124,11 +125,14 @@ POINT = topic_of(Part.POINT)
 FOOT = topic_of(Part.FOOT)
 NORMAL = topic_of(Part.NORMAL)
 TANGENTS = topic_of(Part.TANGENTS)
-PAIR = Topic(
-    images=turned_images,
-    simpler=simpler_pairs,
-    special=special_pair,
-    picture=partial(_picture, Part.PAIR),
-    decisions=_pair_decisions,
-    borders=pair_borders,
+PAIR, COMMON = (
+    Topic(
+        images=turned_images,
+        simpler=simpler_pairs,
+        special=special_pair,
+        picture=partial(_picture, part),
+        decisions=_pair_decisions,
+        borders=pair_borders,
+    )
+    for part in (Part.PAIR, Part.COMMON)
 )

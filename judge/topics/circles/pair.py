@@ -97,6 +97,38 @@ class CirclePair(Struct, frozen=True):
             return [self.on_first(-1 if lie is Lie.INNER and self.r1 <= self.r2 else 1)]
         return []
 
+    def tangents(self, bands: Bands) -> list[tuple[Surd, Surd]]:
+        """Where common tangents touch circle 1, in the caller's units: outer ones, then inner ones.
+
+        Their unit normals n have n·v = r1 − r2, or r1 + r2: n = (q·v ± √(|v|² − q²)·v⊥)/|v|². Of two the one
+        on the left of C1→C2 comes first; where the circles touch, two are one.
+        """
+        found = []
+        for reach in (self.r1 - self.r2, self.r1 + self.r2):
+            side = bands.beside(self.square, abs(reach), self.extent)
+            if side == 0:
+                found.append(self.on_first(1 if reach >= 0 else -1))
+            elif side > 0:
+                found += [self._tangent(reach, 1), self._tangent(reach, -1)]
+        return found
+
+    def small(self, least: Fraction) -> str | None:
+        """Which of the radii and the centres' distance is less than that part of the extent, if any."""
+        bound = (least.numerator * self.extent) ** 2
+        squares = (self.r1 * self.r1, self.r2 * self.r2, self.square)
+        for square, name in zip(squares, ("r1", "r2", "the centres' distance"), strict=True):
+            if square * least.denominator**2 < bound or not square:
+                return f"{name} is too small a part of the extent"
+        return None
+
+    def _tangent(self, reach: int, side: int) -> tuple[Surd, Surd]:
+        square, along, across = self.square, self.r1 * reach, side * self.r1
+        over, bottom = square - reach * reach, square << self.shift
+        return (
+            Surd(self.x1 * square + along * self.dx, -across * self.dy, over, bottom),
+            Surd(self.y1 * square + along * self.dy, across * self.dx, over, bottom),
+        )
+
     def _crossing(self, side: int) -> tuple[Surd, Surd]:
         square = self.square
         along = square + self.r1 * self.r1 - self.r2 * self.r2

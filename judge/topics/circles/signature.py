@@ -120,14 +120,14 @@ def read(part: Part, case: Case) -> tuple[Point, Number, Point, Point] | None:
         return case[2], 0, case[0], case[1]
     if part is Part.NORMAL and len(case) == 2 and all(isinstance(each, tuple) for each in case):
         return (0, 0), 0, case[0], case[1]
-    if part.of_point or part in (Part.FOOT, Part.NORMAL, Part.PAIR):
+    if part.of_point or part.of_pair or part in (Part.FOOT, Part.NORMAL):
         return None
     return circle_and_pairs(case)
 
 
 def line_of(part: Part, case: Case) -> CircleLine | None:
     """The same as a circle and a directed line in integers."""
-    if part is Part.PAIR:
+    if part.of_pair:
         plain = len(case) == 6 and not any(isinstance(each, tuple) for each in case)
         return CirclePair.of(*case).circles()[0] if plain else None
     found = read(part, case)

@@ -71,7 +71,7 @@ def read_scene(part: Part, shown: Shown) -> Scene | None:
     snap = shown.problem.bands.get("snap", Fraction(0))
     wanted = wanted_spots(part, line, shown.exact)
     given = given_spots(part, line, read_given(shown.given))
-    pair = CirclePair.of(*case) if part is Part.PAIR else None
+    pair = CirclePair.of(*case) if part.of_pair else None
     return Scene(part, line, wanted, given, snap, _centre(part, shown), pair)
 
 
@@ -82,4 +82,4 @@ def _argument(value: Any) -> Any:
 def _centre(part: Part, shown: Shown) -> str:
     if part is Part.FOOT:
         return list(shown.values)[2]  # P, or whatever the problem calls its point
-    return {Part.NORMAL: "(0, 0)", Part.PAIR: "C1"}.get(part, "C")
+    return {Part.NORMAL: "(0, 0)", Part.PAIR: "C1", Part.COMMON: "C1"}.get(part, "C")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, pi, sin, sqrt
 
 from judge.drawing.clip import polygon, polyline
-from judge.drawing.frame import Frame, direction, near, over_root
+from judge.drawing.frame import Frame, direction, near, over_root, rounded
 from judge.drawing.shapes import Dot, Role, Stroke
 from judge.exact import Surd
 from judge.topics.circles.line import CircleLine
@@ -70,6 +70,8 @@ def straight(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     line = scene.line
     if scene.part is Part.TANGENTS:
         return _tangents(frame, scene)
+    if scene.part is Part.COMMON:
+        return _across_radii(frame, scene)
     if not line.a:
         return ()
     fx, fy = line.ax - frame.x, line.ay - frame.y
@@ -104,6 +106,18 @@ def _tangents(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     return tuple(
         Stroke(part, role) for spot, role in lines for part in polyline((start, frame.place(spot.x, spot.y)))
     )
+
+
+def _across_radii(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """Tangents of circle 1 at the points wanted, and faintly lines like them at those given."""
+    lines = [(spot, Role.LINE) for spot in scene.wanted] + [(spot, Role.BEYOND) for spot in scene.given]
+    strokes = []
+    for spot, role in lines:
+        x, y = frame.place(spot.x, spot.y)
+        u, v = direction(rounded(spot.x - scene.line.cx), rounded(spot.y - scene.line.cy))
+        ends = (x + _REACH * v, y - _REACH * u), (x - _REACH * v, y + _REACH * u)
+        strokes += [Stroke(part, role) for part in polyline(ends)]
+    return tuple(strokes)
 
 
 def _across(frame: Frame, scene: Scene) -> list[Stroke]:

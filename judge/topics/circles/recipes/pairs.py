@@ -29,14 +29,15 @@ from judge.topics.circles.pair import CirclePair
 
 _BITS = 64  # of what is computed here below the unit of the figure
 _REACH = 1 << 27  # of whole numbers, so that figures fit into the bounds
+_BESIDE = ((900, 990), (991, 998))  # thousandths of the distance that a first radius is, next to a small one
 _SPECK = (45, 60)  # octaves below the extent of a radius that drowns in the band
 _CLOSE = 1000  # the centres are this part of the extent apart, at least
 
 
 def pair(draw: Draw, *, kinds: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """Two circles that are apart, touch (outer, inner), cross (crossing), or one inside the other (inside);
-    about one centre (centre), the same circle (same); with a radius of 0 on the other circle (on), off it
-    (off), or both of them 0 (points, point).
+    about one centre (centre), the same circle (same), equal radii (equal); with a radius of 0 on the other
+    circle (on), off it (off), or both of them 0 (points, point).
     """
     return posed(draw, _level(draw, draw.choice(kinds), size), poses=poses, **pose)
 
@@ -124,7 +125,9 @@ def _level(draw: Draw, kind: str, size: int) -> Figure:
         "off": lambda: draw.choice((max(one, other) + draw.integer(1, size), max(one, other) // 2)),
         "points": lambda: draw.integer(1, size),
     }.get(kind, lambda: 0)()
-    if kind == "same":
+    if kind == "equal":
+        away = draw.integer(1, 4 * one)
+    if kind in ("same", "equal"):
         other = one
     elif kind == "centre" and one == other:
         other += draw.integer(1, size)
@@ -142,7 +145,7 @@ def _lengths(draw: Draw, kind: str, size: int) -> tuple[int, int]:
     if kind == "outer":
         return max(1, size * share // 1000), size
     if kind == "beside":  # a touch from outside of two circles of which one is very small
-        return size * draw.integer(900, 990) // 1000, size
+        return size * draw.integer(*draw.choice(_BESIDE)) // 1000, size
     if kind == "inner":
         return size, max(1, size * share // 1000)
     if kind == "around":  # the second circle is the greater one
