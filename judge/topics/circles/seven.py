@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _FINEST = 1e-16  # of the extent: an ulp of what doubles hold
 
 
-class Terms(Struct, frozen=True):
+class Discriminant(Struct, frozen=True):
     """Integers that count units: `reach` is r²·a, `k` the cross product, `whole` M = |dx·fy| + |dy·fx|.
 
     One unit of r²·a, k² and M² is `unit`.
@@ -46,12 +46,12 @@ class Terms(Struct, frozen=True):
         return self.reach - self.k * self.k
 
 
-def discriminant(cx: Number, cy: Number, r: Number, ax: Number, ay: Number, bx: Number, by: Number) -> Terms:
-    """The terms of Δ for D = B − A and f = A − C; 0 for A == B."""
-    (icx, icy, ir, iax, iay, ibx, iby), shift = integers(cx, cy, r, ax, ay, bx, by)
+def discriminant(*case: Number) -> Discriminant:
+    """The terms of Δ for the seven numbers, with D = B − A and f = A − C; 0 for A == B."""
+    (icx, icy, ir, iax, iay, ibx, iby), shift = integers(*case)
     dx, dy, fx, fy = ibx - iax, iby - iay, iax - icx, iay - icy
     right, left = dx * fy, dy * fx
-    return Terms(
+    return Discriminant(
         ir * ir * (dx * dx + dy * dy), right - left, abs(right) + abs(left), Fraction(1, 1 << 4 * shift)
     )
 

@@ -72,7 +72,7 @@ def touch(draw: Draw, *, size: Sizes, where: Sequence[str] = ("within", "at-end"
     require(kind in ("within", "beyond"), f"{kind!r} is a place for a point of contact")
     radius = draw.integer(1, reach * h)
     f = lines.with_cross((p, q), radius * h * draw.sign())
-    figure = _along(draw, f, (p, q), radius, kind, reach)
+    figure = _along(draw, lines.placed((0, 0), radius, f, (p, q)), kind, reach)
     require(lines.discriminant(figure) == 0, "Δ' = 0")
     return _finished(draw, figure, radius)
 
@@ -87,10 +87,8 @@ def near_touch(
         figure = lines.least_gap_at_any_size(draw, bound, kind)
     else:
         figure = lines.just_hit(draw, bound) if kind == HIT else lines.just_miss(draw, bound)
-    cx, cy = integer(figure.centre[0]), integer(figure.centre[1])
-    (ax, ay), (bx, by) = ((integer(x) - cx, integer(y) - cy) for x, y in figure.points)
     gap = lines.discriminant(figure)
-    placed = _along(draw, (ax, ay), (bx - ax, by - ay), integer(figure.radius), draw.choice(where), 0)
+    placed = _along(draw, moved(figure, -figure.centre[0], -figure.centre[1]), draw.choice(where))
     require(lines.discriminant(placed) == gap, "a slide along the line leaves Δ' as it is")
     return _finished(draw, placed, bound)
 
@@ -134,11 +132,8 @@ def anywhere(draw: Draw, *, size: Sizes) -> Figure:
 def nearly(draw: Draw, *, size: Sizes) -> Figure:
     """Lines of every slope that hit or miss by any part of the radius, around the foot or beyond it."""
     figure = lines.nearly_tangent(draw, _drawn(draw, size), draw.choice((HIT, MISS)))
-    (cx, cy), (a, b) = figure.centre, figure.points
-    start, end = (integer(a[0] - cx), integer(a[1] - cy)), (integer(b[0] - cx), integer(b[1] - cy))
-    direction = end[0] - start[0], end[1] - start[1]
     where = draw.choice(("within", "within", "beyond"))
-    return _finished(draw, _along(draw, start, direction, integer(figure.radius), where, 0), 9)
+    return _finished(draw, _along(draw, moved(figure, -figure.centre[0], -figure.centre[1]), where), 9)
 
 
 def large(draw: Draw, *, size: Sizes, kinds: Sequence[str]) -> Figure:
@@ -148,16 +143,19 @@ def large(draw: Draw, *, size: Sizes, kinds: Sequence[str]) -> Figure:
     return _LARGE[kind](draw, size=bound)
 
 
-def _along(
-    draw: Draw, f: tuple[int, int], direction: tuple[int, int], radius: int, where: str, reach: int
-) -> Figure:
-    """A and B = A + m·D on the line through `f`, the foot from A to B ("within") or not; m up to `reach`."""
-    dx, dy = direction
+def _along(draw: Draw, figure: Figure, where: str, reach: int = 0) -> Figure:
+    """The line of a figure about C = (0, 0): A slid along it by steps of D, and B = A + m·D.
+
+    The foot is from A to B ("within") or not; m is up to `reach`, 1 at least.
+    """
+    (ax, ay), (bx, by) = figure.points
+    f = integer(ax), integer(ay)
+    dx, dy = integer(bx) - f[0], integer(by) - f[1]
     steps = -(f[0] * dx + f[1] * dy) // (dx * dx + dy * dy)  # the foot is from here to the next one
     span = draw.integer(1, max(1, reach))
     back = draw.integer(0, span - 1) if where == "within" else -draw.integer(1, max(2, reach))
     start = f[0] + (steps - back) * dx, f[1] + (steps - back) * dy
-    return line((0, 0), radius, start, (start[0] + span * dx, start[1] + span * dy))
+    return line((0, 0), figure.radius, start, (start[0] + span * dx, start[1] + span * dy))
 
 
 def _finished(draw: Draw, figure: Figure, reach: int) -> Figure:
