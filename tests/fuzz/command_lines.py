@@ -171,6 +171,8 @@ def _argument(chance: random.Random, argument: Any) -> list[str]:
 
 def _value(chance: random.Random, parameter: click.Parameter) -> str:
     """A value for it, a good one half of the time."""
+    if isinstance(parameter.type, click.Choice):
+        return chance.choice([*parameter.type.choices, "none-such"])
     kinds = (parameter.metavar or "").split()[0].strip("[].").split("|")
     values = _pool("words")[chance.choice(kinds)]
     return chance.choice(values[:3] if chance.random() < 0.5 else values)

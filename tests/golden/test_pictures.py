@@ -62,6 +62,8 @@ def test_kept_pictures_are_sound(name):
 def test_any_case_can_be_drawn_with_any_answer(name):
     problem = load_problem(ROOT / "problems" / name)
     module = load_module(problem)
+    if module.topic.picture is None:
+        pytest.skip("its cases are no figures")
     chosen = random.Random(name)
     for group in load_data(problem).groups:
         for case in chosen.sample(group.cases, min(2, len(group.cases))):

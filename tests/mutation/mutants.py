@@ -77,13 +77,14 @@ class Mutant:
 def mutants(source: str) -> list[Mutant]:
     """Every mutant of a program, in the order of its text."""
     tree = ast.parse(source)
-    route = Route("", "", "", tuple(ast.unparse(tree).splitlines()), ())
+    lines = tuple(ast.unparse(tree).splitlines())
+    route = Route("", "", "", lines, (), lines)
     seen: Counter[tuple[str, str]] = Counter()
     found = []
     for place, node in enumerate(ast.walk(tree)):
         for changed in _changes(node, _names_around(tree, node)):
-            lines = ast.unparse(_replaced(tree, place, changed)).splitlines()
-            pairs = enumerate(zip(route.lines, lines, strict=True))
+            after = ast.unparse(_replaced(tree, place, changed)).splitlines()
+            pairs = enumerate(zip(lines, after, strict=True))
             different = [(i, was, becomes) for i, (was, becomes) in pairs if was != becomes]
             if not different:
                 continue

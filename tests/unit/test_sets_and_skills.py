@@ -73,7 +73,7 @@ def test_the_shipped_sets_hold_the_problems_that_name_them_in_order():
     assert junior[0] == "distance"
     assert junior[-1] == "count"
     middle = ids(find_set("middle"))
-    assert (middle[0], middle[-1]) == ("count", "segment")
+    assert (middle[0], middle[-1]) == ("chord", "segment")
     assert middle.index("circle-circle") < middle.index("tangents")
     assert ids(find_set("senior")) == ["segment", "ray-nearest"]
     professional = ids(find_set("professional"))

@@ -149,6 +149,7 @@ SAMPLE = {
     },
 }
 LINES = {
+    ("count", "coordinate-epsilon"): "extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))",
     ("segment", "degenerate-epsilon-absolute"): "point = 1e-9",
     ("ray-nearest", "absolute-epsilon"): "near = 1e-8",
     ("ray-nearest", "loose-origin"): "slack = 1e-4 * extent",

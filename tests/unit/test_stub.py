@@ -55,8 +55,13 @@ def test_every_stub_fails_its_problem_and_says_why(problem):
 @every
 def test_the_doctests_are_the_statements_examples_and_fail_as_unwritten(problem):
     failed, tried, said = doctested(make_stub(problem))
-    assert failed == tried == len(problem.examples)
+    assert failed == tried == _doctests(problem)
     assert said.count(f"NotImplementedError: {problem.entry} is still to be written") == failed
+
+
+def _doctests(problem):
+    """How many examples are tests: none where many answers are right."""
+    return len(problem.examples) if problem.answer.settled else 0
 
 
 @pytest.mark.parametrize("problem", PROBLEMS, ids=lambda problem: problem.id)
@@ -73,7 +78,7 @@ def test_the_doctests_pass_with_every_accepted_solution(problem):
         function.body.insert(0, tree.body[place].body[0])
         tree.body[place : place + 1] = documented.body
         failed, tried, said = doctested(ast.unparse(tree))
-        assert (failed, tried) == (0, len(problem.examples)), (path, said)
+        assert (failed, tried) == (0, _doctests(problem)), (path, said)
 
 
 @every

@@ -16,7 +16,7 @@ def exact(*numbers):
     return (delta > 0) - (delta < 0)
 
 
-def delta_sign(cx, cy, r, ax, ay, bx, by):
+def sign(cx, cy, r, ax, ay, bx, by):
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
     p, q = dx * fy, dy * fx
     k, m = p - q, abs(p) + abs(q)
@@ -32,7 +32,7 @@ def delta_sign(cx, cy, r, ax, ay, bx, by):
 
 def main():
     lines = sys.stdin.read().split("\n")[1:]
-    print("\n".join(str(delta_sign(*map(float, line.split()))) for line in lines if line))
+    print("\n".join(str(sign(*map(float, line.split()))) for line in lines if line))
 
 
 main()
