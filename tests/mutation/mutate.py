@@ -80,6 +80,11 @@ def equivalents() -> dict[Key, str]:
     }
 
 
+def unread() -> frozenset[str]:
+    """The problems whose survivors nobody has read yet."""
+    return frozenset(tomllib.loads(EQUIVALENT.read_text(encoding="utf-8"))["unread"])
+
+
 def mutants_of(problem: str, solution: str | None = None) -> list[tuple[Key, Mutant]]:
     """The mutants of a problem's accepted solutions, or of one of them."""
     found = []

@@ -7,7 +7,7 @@ import random
 
 import pytest
 from mutants import mutants
-from mutate import PROBLEMS, equivalents, main, mutants_of, outcomes
+from mutate import PROBLEMS, equivalents, main, mutants_of, outcomes, unread
 
 SAMPLE = {"listed": 3, "others": 6}  # of each problem; the command judges all of them
 
@@ -78,6 +78,8 @@ def test_no_entry_of_the_list_is_stale(made):
 
 
 def test_a_sample_fares_as_the_list_says(made):
+    if made[0] in unread():
+        pytest.skip("nobody has read this problem's survivors yet")
     problem, found = made
     known = equivalents()
     chance = random.Random(problem)
