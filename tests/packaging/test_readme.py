@@ -94,6 +94,7 @@ def test_the_tour_shows_every_stage():
         assert f"$ judge {stage}" in shown
     for part in (
         "smallest case found",
+        "True scale",
         "likely, score",
         "WA  interview level passed",
         "wrong answer",
