@@ -4,7 +4,8 @@
     ├── UsageError        the caller's: an unknown problem, a missing file (exit 2)
     ├── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
     ├── ShortageError     this machine has too little of something just now: processes, memory (exit 3)
-    └── HistoryError      the file of past runs cannot be read or written (exit 3)
+    ├── HistoryError      the file of past runs cannot be read or written (exit 3)
+    └── StoreError        a class's file of results cannot be (exit 3)
 
 A submission's faults are not errors: they are verdicts.
 """
@@ -129,6 +130,12 @@ class ProblemError(JudgeError):
 
 class HistoryError(JudgeError):
     """The history of runs cannot be read or written: a full disk, a newer judge's file, no database."""
+
+    exit_code = ExitCode.FAULT
+
+
+class StoreError(JudgeError):
+    """A class's file of results cannot be read or written, or another judge is writing to it."""
 
     exit_code = ExitCode.FAULT
 

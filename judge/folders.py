@@ -1,4 +1,4 @@
-"""The person's own folders: for the cache, and for data.
+"""The person's own folders: for the cache, which $JUDGE_CACHE may name, and for data.
 
 On Linux they follow two variables, which are read here: importing platformdirs, which knows every system,
 takes longer than many a judging. Whatever is not as usual is asked of it.
@@ -10,11 +10,18 @@ import os
 import sys
 from pathlib import Path
 
+CACHE_VARIABLE = "JUDGE_CACHE"
 _NAME = "circle-line-judge"
 
 
-def user_cache() -> Path:
-    """The judge's folder among the person's caches. Raises RuntimeError where there is no home folder."""
+def cache_folder() -> Path:
+    """Where the judge keeps what it can make again: $JUDGE_CACHE, or its folder among the person's caches.
+
+    Raises RuntimeError where there is no home folder.
+    """
+    own = os.environ.get(CACHE_VARIABLE)
+    if own:
+        return Path(own)
     return _usual("XDG_CACHE_HOME", ".cache") or _asked("user_cache_path")
 
 

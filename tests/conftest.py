@@ -1,4 +1,4 @@
-"""What all tests share: the person's own history is left alone, nothing piles up, the wheel is built once.
+"""What all tests share: the person's own history is left alone, nothing piles up, what is dear is built once.
 
 Ctrl-C reaches the processes that tests start, however the tests themselves were started.
 """
@@ -49,11 +49,35 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.slow)
 
 
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of this run of the tests, the same one for all its workers."""
+    folder = tmp_path_factory.getbasetemp()
+    return folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
+
+
+@pytest.fixture(scope="session")
+def built(shared: Path) -> Path:
+    """A cache for who wants our problems' data and known mistakes: made once, whichever worker is first.
+
+    It is that of the environment where one is named there; a person's own stays out of it.
+    """
+    return Path(os.environ.get("JUDGE_CACHE") or shared / "built")
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _session_history(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Processes that tests start inherit it, so it is set before the first test. pytest clears it away."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(_OWN, str(tmp_path_factory.mktemp("history") / "history.sqlite3"))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_locks(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Tests wait for no other judge on this machine, and no other judge for them."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_LOCKS", str(tmp_path_factory.mktemp("locks")))
         yield
 
 

@@ -8,6 +8,8 @@
     regression.py, picture.py, recording.py, outputs.py
                     what becomes of a result
     kata.py         the kata in hand
+    asking.py, interview.py, drilling.py
+                    cards, the mock interview, and what to drill afterwards
     watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
     wish.py         what is asked for
     complete.py     what a shell completes

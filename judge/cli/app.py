@@ -14,7 +14,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.cli.table import COMMANDS, FIRST, FURTHER, TOPICS
+from judge.cli.table import COMMANDS, EXAMPLES, FIRST, FURTHER, TOPICS
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class Commands(click.Group):
         gc.enable()
         imported()
         assert isinstance(command, click.Command)
-        command.epilog = f"More: judge help {TOPICS[cmd_name]}"
+        command.epilog = _epilog(cmd_name)
         if ctx is not None and ctx.resilient_parsing:
             from judge.cli.complete import offering  # only where a shell asks
 
@@ -62,6 +62,10 @@ class Commands(click.Group):
         if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
             meant = nearest(name, COMMANDS)
             advice = f"did you mean '{meant}'?" if meant else "the commands are " + ", ".join(COMMANDS)
+            if os.path.isfile(name):  # noqa: PTH113 - of any name
+                from judge.report.names import shown_command  # only for the one who is told
+
+                advice = f"to judge that file: {shown_command('judge', 'run', file=name)}"
             raise click.UsageError(f"no such command '{name}'; {advice}", ctx)
         return super().resolve_command(ctx, args)
 
@@ -81,8 +85,8 @@ class Commands(click.Group):
                 formatter.write_dl(rows)
         with formatter.section("More, told by `judge help commands`"):
             formatter.write(f"{click.wrap_text(', '.join(FURTHER), formatter.width, '  ', '  ')}\n")
-        names = [name for parameter in self.get_params(ctx) for name in parameter.opts if name[:2] == "--"]
-        formatter.write(f"\nOptions: {', '.join(names)}\n")
+        names = [name for each in self.get_params(ctx) for name in each.opts if name[:2] == "--"]
+        formatter.write(f"Options: {', '.join(names)}\n")
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; a reader that left is told apart from other faults of the system."""
@@ -121,6 +125,12 @@ class Commands(click.Group):
             if isinstance(fault, OSError):
                 _hush()
         sys.exit(int(status or 0))
+
+
+def _epilog(name: str) -> str:
+    """What ends a command's help: what to type, line by line, and the page that tells more."""
+    examples = "\n".join(f"  {each}" for each in EXAMPLES[name])
+    return f"\b\nFor example:\n{examples}\n\nMore: judge help {TOPICS[name]}"
 
 
 def explain(fault: Exception) -> tuple[str, int]:

@@ -27,7 +27,7 @@ from click.shell_completion import (
 )
 
 from judge.errors import JudgeError
-from judge.language import PATTERN, SUFFIX
+from judge.languages import PATTERN, SUFFIX
 
 if TYPE_CHECKING:  # at run time click's older versions have no parameters there
     _ParamType = click.ParamType[Any]
@@ -81,8 +81,8 @@ def _offering(parameter: click.Parameter) -> click.Parameter:
 
 
 def _name(parameter: click.Parameter) -> str:
-    """What the help calls it: PROBLEM of `[PROBLEM]...`, of `[[PROBLEM] FILE...]` and of `PROBLEM|FILE`."""
-    return (parameter.metavar or "").strip("[].").partition("|")[0]
+    """What the help calls it: PROBLEM of `[PROBLEM]...`, `PROBLEM|FILE`; of several words the first."""
+    return (parameter.metavar or "").strip("[].").partition("|")[0].partition("] [")[0]
 
 
 class _Offered(_ParamType):
@@ -139,6 +139,24 @@ def _groups(ctx: click.Context, _parameter: click.Parameter, incomplete: str) ->
     return among([(group.name, group.about) for group in problem.groups], incomplete)
 
 
+def _mistakes(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> Items:
+    """The numbers of the problem's wrong programs; of those that were named already, the names too."""
+    from judge.kata.hacks import HackState, hack_states
+    from judge.kata.history import History
+    from judge.mistakes.puzzles import read_puzzles
+    from judge.problem.find import find_problem
+
+    if ctx.params.get(parameter.name or ""):
+        return []  # a case may be anything
+    puzzles = read_puzzles(find_problem(ctx.params["name"], ctx.params.get("folders") or ()))
+    with History.open(ctx.params.get("db"), reading=True) as history:
+        hacks = history.hacks(ctx.params["name"])
+    states = hack_states([puzzle.mistake for puzzle in puzzles], hacks)
+    known = [puzzle for puzzle in puzzles if states[puzzle.mistake] is not HackState.OPEN]
+    numbers = [(str(puzzle.number), states[puzzle.mistake].value) for puzzle in puzzles]
+    return among([*numbers, *((puzzle.mistake, "") for puzzle in known)], incomplete)
+
+
 def _sets(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
     from judge.kata.sets import set_names
 
@@ -146,9 +164,29 @@ def _sets(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> I
 
 
 def _schemas(_ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
-    from judge.schema import commands
+    from judge.schema import commands, files
 
-    return among([(name, "") for name in commands()], incomplete)
+    return among([(name, "") for name in sorted([*commands(), *files()])], incomplete)
+
+
+def _forms(_ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
+    from judge.kata.quiz.forms import NAMES
+
+    return among([(name, "") for name in NAMES], incomplete)
+
+
+def _rows(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
+    from judge.kata.checklist import read_checklist
+
+    rows = read_checklist(ctx.params.get("folders") or ()).rows
+    return among([(row.id, row.ask) for row in rows], incomplete.upper())
+
+
+def _cards(ctx: click.Context, _parameter: click.Parameter, incomplete: str) -> Items:
+    from judge.kata.quiz.cards import sound_decks
+
+    decks, _ = sound_decks(ctx.params.get("folders") or ())
+    return among([(card.key, card.front) for deck in decks for card in deck.cards], incomplete)
 
 
 def _kind(kind: str) -> Offer:
@@ -162,11 +200,16 @@ _OFFERS: dict[tuple[str, str], Offer] = {
     ("argument", "PROBLEM"): _problems,
     ("argument", "GROUP"): _groups,
     ("argument", "SET"): _sets,
+    ("argument", "MISTAKE"): _mistakes,
     ("argument", "COMMAND"): _schemas,
     ("argument", "FILE"): _kind(_KIND),
     ("argument", "DIR"): _kind("dir"),
     ("option", "G"): _groups,
     ("option", "DIR"): _kind("dir"),
+    ("option", "PROBLEM"): _problems,
+    ("option", "ROW"): _rows,
+    ("option", "FORM"): _forms,
+    ("option", "CARD"): _cards,
 }
 
 

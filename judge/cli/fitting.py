@@ -16,7 +16,8 @@ from msgspec import Struct
 from judge.cli.submissions import Submission, Unjudged, read_submissions
 from judge.cli.wish import named_problem
 from judge.errors import HistoryError, JudgeError, UsageError
-from judge.language import file_name, is_program
+from judge.languages import file_name, is_program
+from judge.packs.foreign.look import ENDINGS, is_package
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders
 from judge.problem.load import is_name
@@ -34,16 +35,23 @@ def split(
         UsageError: the first word is neither a problem nor a file, or there is no file.
     """
     first, *rest = words
-    if _is_problem(first, folders):
+    if is_problem(first, folders):
         if rest:
             return first, tuple(rest)
         if _usual_file(first, db) is not None or not os.path.lexists(first):
             named_problem(first, folders)  # whose own complaint goes first
             return first, (usual_file(first, f"{command} {first}", db),)
     elif not (is_program(first) or _is_file(first)):
+        if first.endswith(ENDINGS):
+            read_submissions([first])  # which says that there is no such file
         named_problem(first, folders)
     for word in rest:
-        if not os.path.lexists(word) and _is_problem(word, folders):
+        if command == "run" and is_package(word):
+            from judge.report.names import shown_command  # only for the one who is told
+
+            remedy = f"the package comes first: {shown_command('judge', 'run', file=word)} FILE"
+            raise UsageError("this is a package of another judge, and no file", where=word, remedy=remedy)
+        if not os.path.lexists(word) and is_problem(word, folders):
             remedy = f"the problem comes first: judge {command} PROBLEM FILE"
             raise UsageError(f"{first!r} is no problem's name", remedy=remedy)
     return None, tuple(words)
@@ -86,7 +94,7 @@ def assigned(
 
 def problem_meant(word: str, command: str, folders: Sequence[Path], db: Path | None) -> Problem:
     """The problem of that name, or the one that the file of that name is to solve. Raises UsageError."""
-    if _is_problem(word, folders) or not (is_program(word) or _is_file(word)):
+    if is_problem(word, folders) or not (is_program(word) or _is_file(word)):
         return find_problem(word, folders)
     (submission, *_) = read_submissions([word])
     return problem_of_file(submission, command, folders, db)
@@ -128,7 +136,7 @@ def problem_of_file(
     raise UsageError(what, where=submission.name, remedy=remedy)
 
 
-def _is_problem(word: str, folders: Sequence[Path]) -> bool:
+def is_problem(word: str, folders: Sequence[Path]) -> bool:
     """Whether a problem has that name; installed packs are searched where no nearer one has."""
     if not is_name(word):
         return False

@@ -5,17 +5,18 @@ Containers are started as early as can be: most of what judging and showing need
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
-from contextlib import closing, nullcontext
+from collections.abc import Callable, Generator, Sequence
+from contextlib import closing, nullcontext, suppress
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from judge.cli.submissions import Submission, Unjudged
 from judge.cli.wish import Wish
+from judge.data.cache import own_files
 from judge.errors import JudgeError, UsageError
 from judge.judging.containment import Containment
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
 
 if TYPE_CHECKING:
     from judge.cli.fitting import Task
@@ -30,11 +31,66 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
     """
     first, terms = submissions[0], wish.terms
     jobs = min(wish.jobs, len(submissions) * len(terms.chosen(problem)))
-    with Containment(problem, terms.isolation, jobs, wish.had) as containment:
+    program = terms.program
+    with Containment(problem, terms.isolation, jobs, wish.had, program=program) as containment:
         containment.boot(first.source, first.name)
-        from judge.cli.drawings import drawings  # while it boots
+        from judge.cli.drawings import drawings, opened  # while it boots
 
-        yield from drawings(problem, submissions, wish, containment)
+        yield from drawings(opened(problem, wish, containment, len(submissions)), submissions, wish)
+
+
+class Sitting:
+    """One problem whose submissions come one by one, such as the saves of a file: what can be kept between
+    two of them is, the data and the reference's box. Close it, so that the box ends.
+    """
+
+    def __init__(self, problem: Problem, wish: Wish) -> None:
+        self._problem = problem
+        self._wish = wish
+        self._containment: Containment | None = None
+        self._judge: Callable[[Submission], Drawing] | None = None
+        self._seen: list[tuple[str, int, int]] = []
+
+    def judged(self, submission: Submission) -> Drawing:
+        """Judge it, and keep the result in the history. Raises JudgeError.
+
+        Whatever is raised, and a verdict that says nothing of the submission, ends what was kept.
+        """
+        clean = False
+        try:
+            self._look_at_problem()
+            if self._containment is None:
+                self._containment = Containment(self._problem, self._wish.terms.isolation, 1, self._wish.had)
+            self._containment.boot(submission.source, submission.name)
+            from judge.cli.drawings import one_by_one  # while it boots
+
+            if self._judge is None:
+                self._judge = one_by_one(self._problem, self._wish, self._containment)
+            drawn = self._judge(submission)
+            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
+                self._wish = replace(self._wish, had=drawn.result.isolation)
+                clean = True
+        finally:
+            if not clean:
+                self.close()
+        return drawn
+
+    def _look_at_problem(self) -> None:
+        """A setter may be at work on the problem: then nothing is kept."""
+        seen = []
+        with suppress(OSError):  # whoever reads them says so
+            for path in own_files(self._problem):
+                mark = path.stat()
+                seen.append((str(path), mark.st_mtime_ns, mark.st_size))
+        if seen != self._seen:
+            self.close()
+            self._seen = seen
+
+    def close(self) -> None:
+        """End what was kept; judging goes on without."""
+        containment, self._containment, self._judge = self._containment, None, None
+        if containment is not None:
+            containment.close()
 
 
 def all_judged(

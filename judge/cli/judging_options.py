@@ -12,6 +12,7 @@ from judge.errors import UsageError
 from judge.sandbox.boundary import LEVELS
 
 F = TypeVar("F", bound=Callable[..., Any])
+PROGRAM, _AUTO = MODES = ("program", "auto")
 TEXT, JSON, GITHUB, EDITOR = FORMATS = ("text", "json", "github", "editor")
 
 isolation_option: Callable[[F], F] = click.option(
@@ -28,6 +29,12 @@ jobs_option: Callable[[F], F] = click.option(
     default=1,
     metavar="N",
     help="Do so many things at once; time is still measured alone.",
+)
+keys_option: Callable[[F], F] = click.option(
+    "--keys",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="The folder of a cluster's keys, instead of $JUDGE_KEYS or the one in your data folder.",
 )
 no_name_option: Callable[[F], F] = click.option(
     "--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers."
@@ -53,6 +60,12 @@ all_option: Callable[[F], F] = click.option(
 )
 picture_option: Callable[[F], F] = click.option(
     "--picture", "pictured", is_flag=True, help="Draw the failing case, on a terminal that is not tall, too."
+)
+mode_option: Callable[[F], F] = click.option(
+    "--mode",
+    metavar="MODE",
+    type=click.Choice(MODES),
+    help="program: run the file as one, even where it defines the problem's function.",
 )
 format_option: Callable[[F], F] = click.option(
     "--format",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.data.atomic import new_file, replace_file
+from judge.atomic import new_file, replace_file
 from judge.errors import UsageError
+from judge.languages import language_of
 from judge.problem import Problem
 from judge.problem.find import find_problem, shipped_problems
 from judge.report.layout import Style
@@ -97,6 +98,18 @@ def take_up(kata: Kata, db: Path | None) -> None:
         history.take_up(kata.problem.id, str(kata.path), folder_to_keep(kata.problem))
 
 
+def _stub(problem: Problem, path: Path) -> str:
+    """The stub in the language that the file's name says; in Python where it says none."""
+    language = language_of(path)
+    if language is not None:
+        from judge.kata.native_stub import make_native_stub
+
+        return make_native_stub(problem, language)
+    from judge.kata.stub import make_stub  # only what writes one needs it
+
+    return make_stub(problem)
+
+
 def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
     """Write the problem's stub; over a file that is there only with `force`.
 
@@ -104,9 +117,7 @@ def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:
         UsageError: there is a file, or none can be written there.
         ProblemError: no stub can be made of the problem.
     """
-    from judge.kata.stub import make_stub  # only what writes one needs it
-
-    text = make_stub(problem).encode()
+    text = _stub(problem, path).encode()
     where = str(path)
     try:
         if not path.name or path.is_dir():

@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 
 
 class Drawing(Struct, frozen=True):
-    """A result and what its picture is drawn from; nothing is computed until it is asked for."""
+    """A result and what its picture is drawn from; nothing is computed until it is asked for.
+
+    Where no small case failed and the time has grown with n, how it has is drawn instead.
+    """
 
     problem: Problem
     data: ProblemData
@@ -37,18 +40,28 @@ class Drawing(Struct, frozen=True):
         except Exception:  # its code fails: who asks for a picture is told
             return False
 
+    @property
+    def _has_any(self) -> bool:
+        """Whether there may be something to draw: a case that failed, or how the time grows."""
+        return self.result.failure is not None or self.result.time.growth is not None
+
     def hurdle(self, width: int | None) -> list[Line]:
         """What keeps the submission from running at all, if anything does."""
         if self.result.hurdle is None:
             return []
-        from judge.report.hurdle import hurdle_lines
+        from judge.report.hurdle import hurdle_lines  # most submissions run
 
-        return hurdle_lines(self.result, self.result.hurdle, self.problem, width)
+        return hurdle_lines(self.result, self.problem, width)
 
     def picture(self) -> Picture | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
+        growth = self.result.time.growth
+        if growth is not None and (failure is None or failure.input is None):
+            from judge.report.growth import growth_picture
+
+            return growth_picture(growth, self.problem.title)
         if failure is None or group is None:
             return None
         found = self.result.counterexample or {}
@@ -68,7 +81,7 @@ class Drawing(Struct, frozen=True):
 
     def lines(self, screen: Screen, rows: int | None = None) -> list[Line]:
         """The drawing for a terminal, in about so many rows; nothing where it cannot be shown."""
-        if self.result.failure is None or self.result.hurdle is not None:
+        if not self._has_any or self.result.hurdle is not None:
             return []
         from judge.report.picture import has_room, picture_lines
 
@@ -92,7 +105,9 @@ class Drawing(Struct, frozen=True):
         There is one where the screen has room for both and so many rows more, and where it is `wanted`.
         """
         bare = laid(())
-        if self.result.failure is None or self.result.hurdle or not (wanted or is_terminal(screen.stream)):
+        failed = self.result.failure is not None
+        shown = wanted or (failed and is_terminal(screen.stream))
+        if not self._has_any or self.result.hurdle or not shown:
             return bare
         from judge.report.glance import taken
         from judge.report.picture import LEAST_ROWS

@@ -20,7 +20,7 @@ class Recording:
     """Adds results to the history; a context manager.
 
     A result is added before it is shown: whoever has seen it finds it there, even if the judge is killed at
-    that moment. A commit hands it to the system, which outlives the judge (see `judge.kata.database`).
+    that moment. A commit hands it to the system, which outlives the judge (see `judge.database`).
 
     A history that fails gets one note and is then left alone: exit status and verdicts are what they would be
     without it.

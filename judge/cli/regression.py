@@ -7,8 +7,8 @@ from pathlib import Path
 
 import click
 
+from judge.atomic import replace_file
 from judge.cli.target import check_place
-from judge.data.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.run.function import FunctionRunner

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from judge.atomic import new_file, replace_file
 from judge.cli.kata import shown
 from judge.cli.target import check_place
-from judge.data.atomic import new_file, replace_file
 from judge.errors import UsageError, unwritable
 from judge.kata.history import History, Run
 from judge.reading import read_ordinary

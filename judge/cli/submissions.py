@@ -12,12 +12,17 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import UsageError, nearest
-from judge.language import NAME, PATTERN, is_program
+from judge.judging.sources import (
+    DANGLING,
+    ENVIRONMENT,
+    LARGEST,
+    is_dangling,
+    why_unreadable,
+    within_limit,
+)
+from judge.languages import NAME, PATTERN, is_program
 from judge.reading import read_ordinary, read_pipe
 
-_LARGEST = 4 * 2**20  # bytes; no person writes more
-_ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
-_DANGLING = "it is a link to a file that is not there"
 _MOST, _DEEPEST = 10_000, 20  # files in a folder, and levels of folders: a class is smaller
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
@@ -74,12 +79,8 @@ def _gathered(names: Iterable[str], depth: int) -> tuple[list[Submission], list[
         except UsageError as fault:
             if len(entries) == 1:
                 raise
-            unread.append(Unjudged(entry, _DANGLING if _is_dangling(entry) else fault.what))
+            unread.append(Unjudged(entry, DANGLING if is_dangling(entry) else fault.what))
     return submissions, unread
-
-
-def _is_dangling(name: str) -> bool:
-    return os.path.islink(name) and not os.path.exists(name)  # noqa: PTH110, PTH114 - of any name
 
 
 def _entries(name: str, depth: int) -> list[str | Unjudged]:
@@ -95,7 +96,7 @@ def _entries(name: str, depth: int) -> list[str | Unjudged]:
             return [name]
         os.scandir(name).close()  # of a folder that cannot be read, that is said
     except OSError as fault:
-        if _is_dangling(name):
+        if is_dangling(name):
             return [name]
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
@@ -136,7 +137,7 @@ def _below(name: str, path: str, depth: int) -> Iterator[str | Unjudged]:
         yield Unjudged(path, "a link to a folder is not followed")
     elif depth == 1:
         yield Unjudged(path, f"this folder lies more than {_DEEPEST} levels down")
-    elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, _ENVIRONMENT)):  # noqa: PTH110, PTH118
+    elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, ENVIRONMENT)):  # noqa: PTH110, PTH118
         empty = True
         for each in _within(path, depth - 1):
             empty = False
@@ -150,16 +151,12 @@ def _read(name: str) -> bytes:
     try:
         mode = path.stat().st_mode
         if stat.S_ISFIFO(mode):
-            source = _piped(name)
-        elif stat.S_ISREG(mode):
-            source = read_ordinary(path, _LARGEST + 1)
-        else:
-            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+            return within_limit(_piped(name), name)
+        if stat.S_ISREG(mode):
+            return within_limit(read_ordinary(path, LARGEST + 1), name)
     except OSError as fault:
         raise _unreadable(name, fault) from fault
-    if len(source) > _LARGEST:
-        raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=name)
-    return source
+    raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
 
 
 def _piped(name: str) -> bytes:
@@ -168,7 +165,7 @@ def _piped(name: str) -> bytes:
         remedy = "write the program to an ordinary file, or hand it over as <(command)"
         raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
     try:
-        return read_pipe(Path(name), _LARGEST + 1, _SILENCE)
+        return read_pipe(Path(name), LARGEST + 1, _SILENCE)
     except TimeoutError as fault:
         what = f"nothing came through this pipe for {_SILENCE:g} seconds"
         raise UsageError(what, where=name, remedy="write the program to a file, and name that") from fault
@@ -176,15 +173,14 @@ def _piped(name: str) -> bytes:
 
 def _unreadable(name: str, fault: OSError) -> UsageError:
     if not isinstance(fault, FileNotFoundError):
-        reason = (fault.strerror or "cannot be read").lower()
-        return UsageError(f"cannot be read ({reason})", where=name, remedy="check its permissions")
+        return UsageError(why_unreadable(fault), where=name, remedy="check its permissions")
     return UsageError("no such file", where=name, remedy=_meant(Path(name)))
 
 
 def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     if path.is_symlink():
-        return _DANGLING
+        return DANGLING
     try:
         beside = [entry.name for entry in path.parent.iterdir()]
     except OSError:

@@ -5,6 +5,8 @@ The command itself is `judge.cli.commands.<name>.command`; nothing is imported t
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 # command -> its sentence, the page of the manual that tells more; the first ten by what a person wants to do
 _FIRST = {
     "To practise": {
@@ -25,12 +27,17 @@ _FIRST = {
 _FURTHER = {
     "why": ("Say what the test groups probe, and which mistakes they should catch.", "failure"),
     "try": ("Answer a case of your own, exactly.", "failure"),
+    "hack": ("Break a wrong program with one case.", "hack"),
+    "explore": ("Write a page on which a case can be moved about.", "explore"),
     "replay": ("Judge a submission on one case, by its replay id.", "failure"),
     "stress": (
         "Judge a submission on fresh cases until the time is up or something breaks.",
         "failure",
     ),
+    "class": ("Judge what a class has handed in.", "class"),
+    "bench": ("Measure what solutions take for a case, language beside language.", "bench"),
     "practice": ("Go through a set of katas in order.", "katas"),
+    "quiz": ("Ask cards, or hold a mock interview.", "quiz"),
     "due": ("Say what to do again today.", "katas"),
     "history": ("Show the runs so far.", "privacy"),
     "diff": ("Show what changed from one run to another.", "privacy"),
@@ -38,7 +45,9 @@ _FURTHER = {
     "new": ("Write a kata of your own to begin with.", "new-kata"),
     "verify": ("Check problems from the setter's side.", "problem-toml"),
     "data": ("Write a problem's test data and exact answers as files.", "problem-toml"),
+    "export": ("Write problems as packages that other judges read.", "export"),
     "doctor": ("Say how well submissions are contained on this machine.", "containment"),
+    "worker": ("Judge for others: a machine of a cluster, its scheduler, its keys.", "cluster"),
     "schema": ("Print the JSON Schema of what a command writes with --json.", "scripts"),
     "completion": ("Print the script that lets a shell complete judge's words.", "scripts"),
 }
@@ -48,3 +57,62 @@ COMMANDS = {name: sentence for rows in (*_FIRST.values(), _FURTHER) for name, (s
 TOPICS = {name: topic for rows in (*_FIRST.values(), _FURTHER) for name, (_, topic) in rows.items()}
 FIRST = {aim: [(name, sentence) for name, (sentence, _) in rows.items()] for aim, rows in _FIRST.items()}
 FURTHER = tuple(_FURTHER)
+
+# name -> what to type, one thing a line: the end of each command's help
+EXAMPLES: Mapping[str, tuple[str, ...]] = {
+    "init": ("judge init count", "judge init count my-count.py"),
+    "run": (
+        "judge run",
+        "judge run count.py",
+        "judge run count count.py --level interview",
+        "judge run hello.zip mine.py",
+    ),
+    "watch": ("judge watch", "judge watch count.py"),
+    "hint": ("judge hint", "judge hint count --step 2"),
+    "solution": ("judge solution", "judge solution count --give-up"),
+    "next": ("judge next", "judge next --init"),
+    "progress": ("judge progress", "judge progress junior", "judge progress --row Q7"),
+    "list": ("judge list", "judge list --json"),
+    "show": ("judge show count",),
+    "help": ("judge help quiz", "judge help --search tolerance"),
+    "why": ("judge why count", "judge why count close-points"),
+    "try": (
+        'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
+        'judge try count "0 0 1 -1 1 1 1" count.py',
+    ),
+    "hack": ("judge hack count", 'judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"', "judge hack count --list"),
+    "explore": ("judge explore chord --open", 'judge explore count "0, 0, 1, (-1, 1), (1, 1)"'),
+    "replay": ("judge replay count:grid:v0,0,2e-06,0,2e-06,8e-05,0:32a6be count.py",),
+    "stress": ("judge stress count.py --for 30s",),
+    "class": (
+        "judge class homework -j 4",
+        "judge class homework --students students.csv --json",
+        "judge class homework --shard 3/20",
+    ),
+    "bench": (
+        "judge bench count",
+        "judge bench count count.py --languages cpp,go",
+        "judge bench count --html count.html",
+    ),
+    "practice": ("judge practice", "judge practice middle"),
+    "quiz": ("judge quiz middle --cards 5", "judge quiz --row Q6", "judge quiz --interview --minutes 20"),
+    "due": ("judge due",),
+    "history": ("judge history count --limit 5", "judge history --restore 3"),
+    "diff": ("judge diff 3 5",),
+    "report": ("judge report --out me.html --name Ada",),
+    "new": ("judge new . two-points",),
+    "verify": ("judge verify count", "judge verify --problems problems two-points"),
+    "data": ("judge data count --out count-data",),
+    "export": (
+        "judge export count --out packages",
+        "judge export exact-count --out packages --version legacy --zip --wrong 5",
+    ),
+    "doctor": ("judge doctor",),
+    "worker": (
+        "judge worker --new-keys keys",
+        "judge worker --scheduler tls://0.0.0.0:8786 --keys keys",
+        "judge worker tls://teacher.example.org:8786 --keys keys -j 4",
+    ),
+    "schema": ("judge schema run",),
+    "completion": ("judge completion bash",),
+}

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from datetime import UTC, datetime
 from errno import EACCES
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data.atomic import replace_file
+from judge.atomic import replace_file
 from judge.errors import UsageError, unwritable
 from judge.reading import read_ordinary
 
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
+_EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
 
 
 class OutFile(Struct, frozen=True):
@@ -98,3 +100,13 @@ def _exists(path: Path) -> bool:
     except FileNotFoundError:
         return False
     return True
+
+
+def moment() -> datetime:
+    """When a page is made: now, or what `$SOURCE_DATE_EPOCH` says. Raises UsageError."""
+    given = os.environ.get(_EPOCH, "")
+    try:
+        return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
+    except (ValueError, OverflowError, OSError):
+        remedy = "set it to seconds since 1970, or unset it"
+        raise UsageError(f"{given!r} is no time", where=f"${_EPOCH}", remedy=remedy) from None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack, redirect_stderr
+from contextlib import ExitStack, closing, redirect_stderr
 from io import StringIO
 from pathlib import Path
 from queue import SimpleQueue
@@ -65,6 +65,7 @@ class _WatchScreen:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
         try:
             with ExitStack() as stack:
+                stack.enter_context(closing(self._file))
                 keys = stack.enter_context(Keys(sys.stdin.fileno(), self._pressed))
                 stack.enter_context(handled(self._signals(keys)))
                 stack.enter_context(Saves(self._kata.path, self._saved))

@@ -5,19 +5,17 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from msgspec.structs import replace
-
+from judge.cli.judging import Sitting
 from judge.cli.kata import Kata
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
 from judge.errors import JudgeError, UsageError
 from judge.kata.saves import SavedMark, mark, settled
-from judge.problem import Verdict
 
 if TYPE_CHECKING:
     from judge.cli.picture import Drawing
@@ -71,7 +69,7 @@ class WatchedFile:
 
     def __init__(self, kata: Kata, wish: Wish) -> None:
         self.kata = kata
-        self._wish = wish
+        self._sitting = Sitting(kata.problem, wish)
         self._seen: SavedMark | None = None
         self._looked = False
         self.judging = Judging()
@@ -96,8 +94,6 @@ class WatchedFile:
         Raises:
             UsageError: the isolation that was demanded cannot be had.
         """
-        from judge.cli.judging import judged
-
         name = self.kata.name
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"
@@ -108,15 +104,15 @@ class WatchedFile:
         if not submissions[0].source.strip():
             return f"{name} is empty; it is judged when there is something in it"
         try:
-            with closing(judged(self.kata.problem, submissions, self._wish)) as drawings:
-                drawing = next(drawings)
+            return self._sitting.judged(submissions[0])
         except UsageError:
             raise
         except JudgeError as fault:
             return str(fault)
-        if drawing.result.verdict is not Verdict.JE:  # that one was held nowhere
-            self._wish = replace(self._wish, had=drawing.result.isolation)
-        return drawing
+
+    def close(self) -> None:
+        """End what is kept from one save to the next."""
+        self._sitting.close()
 
 
 def await_event(events: SimpleQueue[str]) -> str | None:

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from judge.errors import UsageError
 from judge.judging.job import Terms
-from judge.language import is_program
+from judge.languages import is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
 

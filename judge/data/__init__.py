@@ -10,7 +10,6 @@ from typing import Any
 _FROM = {
     "GroupData": "model",
     "ProblemData": "model",
-    "cache_folder": "cache",
     "load_data": "load",
 }
 

@@ -41,10 +41,10 @@ def build(
     built = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        solved = examples if group.builder == EXAMPLES else build_cases(problem, module, group)
+        solved, attempts = (examples, ()) if group.builder == EXAMPLES else _built(problem, module, group)
         _check_size(problem, group, [case for case, _ in solved])
         targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
-        built.append(GroupData(group, [case for case, _ in solved], targets))
+        built.append(GroupData(group, [case for case, _ in solved], targets, attempts))
         done += len(solved)
         if progress is not None:
             progress(done, total)
@@ -53,17 +53,28 @@ def build(
 
 def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[SolvedCase]:
     """The cases of one group and their exact answers, each of them proved. Raises ProblemError."""
+    return _built(problem, module, group)[0]
+
+
+def _built(problem: Problem, module: ProblemModule, group: Group) -> tuple[list[SolvedCase], tuple[int, ...]]:
+    """The same, and which attempt made each case."""
     validator = Validator(problem, module.solve)
     builder = bound_builder(problem, module, group)
     cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
+    attempts = [0] * group.count
+
+    def source(number: int, attempt: int) -> Draw:
+        attempts[number] = attempt
+        return SeededDraw(case_seed(group, number, attempt))
+
     what = f"group {group.name!r}: the builder {group.builder!r} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
-            draws = partial(_seeded, group, number)
+            draws = partial(source, number)
             last = next(reversed(cases.items()), None)
             case, answer = new_case(problem, group, builder, validator, draws, number + 1, cases, last)
             cases[case] = answer
-    return list(cases.items())
+    return list(cases.items()), tuple(attempts)
 
 
 def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
@@ -81,10 +92,6 @@ def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
 def case_seed(group: Group, number: int, attempt: int) -> str:
     """The seed text of an attempt at case `number` (from 0) of a group."""
     return f"{group.seed}/{group.name}/{number}/{attempt}"
-
-
-def _seeded(group: Group, number: int, attempt: int) -> Draw:
-    return SeededDraw(case_seed(group, number, attempt))
 
 
 def choices_of(

@@ -9,14 +9,14 @@ folder is the user's, or $JUDGE_CACHE.
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from judge.data.kept import VARIABLE, KeptFile
+from judge.digest import Digest, digest_of
 from judge.errors import ProblemError
-from judge.folders import user_cache
+from judge.folders import cache_folder
+from judge.kept import KeptFile
 from judge.problem import Problem
 from judge.reading import read_ordinary
 
@@ -36,16 +36,8 @@ class DataCache(KeptFile):
 
 def kept_stem(problem: Problem, seed: int | None) -> str:
     """With what the name of a file begins that is kept for this problem, in this place and for a seed."""
-    place = hashlib.sha256(os.fsencode(problem.folder)).hexdigest()[:8]
+    place = digest_of(os.fsencode(problem.folder))[:8]
     return f"{problem.id}-{place}-{'own' if seed is None else 'seeded'}-"
-
-
-def cache_folder() -> Path:
-    """Where built data are kept: $JUDGE_CACHE, or the user's own cache folder."""
-    own = os.environ.get(VARIABLE)
-    if own:
-        return Path(own)
-    return user_cache()
 
 
 def data_key(problem: Problem, seed: int | None) -> str:
@@ -79,12 +71,12 @@ def _sources(folder: Path) -> list[Path]:
 
 def content_key(start: str, files: Iterable[Path]) -> str:
     """The hash of `start` and of the files' names and contents. Raises ProblemError."""
-    total = hashlib.sha256(start.encode())
+    total = Digest(start.encode())
     for path in files:
         content = _content(path)
         total.update(f"/{path.name}/{len(content)}/".encode())
         total.update(content)
-    return total.hexdigest()[:32]
+    return total.hex()[:32]
 
 
 def _content(path: Path) -> bytes:

@@ -39,6 +39,10 @@ def read_case(problem: Problem, text: str) -> Case:
     Raises:
         UsageError: it is written in no such way; it says what is wrong and how a case is written.
     """
+    if not problem.parameters and "(" not in text:
+        remedy = f"'judge run {problem.id} FILE' judges it"
+        what = f"{problem.entry}() of {problem.id} takes nothing, so there is no case"
+        raise UsageError(what, remedy=remedy)
     text = text.strip()
     if not text:
         raise _unreadable(problem, "it is empty")

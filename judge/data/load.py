@@ -52,19 +52,15 @@ def load_data(
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
     borders = borders_of(problem, module)
-    note = store.write(_as_plain(groups, problem, module, borders)) if store is not None else None
+    note = store.write(_as_plain(groups, borders)) if store is not None else None
     return ProblemData(problem, groups, (note,) if note else (), module, borders, built=True)
 
 
-def _as_plain(
-    groups: tuple[GroupData, ...], problem: Problem, module: ProblemModule, borders: tuple[Border, ...]
-) -> dict[str, Any]:
+def _as_plain(groups: tuple[GroupData, ...], borders: tuple[Border, ...]) -> dict[str, Any]:
     from judge.data.rebuilt import as_seeds
 
     plain: dict[str, Any] = {
-        data.group.name: [data.cases, data.targets]
-        if data.group.size is None
-        else as_seeds(data, problem, module)
+        data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
         for data in groups
     }
     return plain | ({KEY: as_plain(borders)} if borders else {})

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -11,6 +10,7 @@ from msgspec.structs import replace
 
 from judge.problem import Case, Group, Problem, Tolerance
 from judge.problem.model import EXAMPLES
+from judge.values.tree import within
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule
@@ -21,11 +21,15 @@ Progress = Callable[[int, int], None]  # cases done, cases in all
 
 
 class GroupData(Struct, frozen=True):
-    """A group's cases and, for each, what an answer is held against."""
+    """A group's cases and, for each, what an answer is held against.
+
+    `attempts` are those of its builder that made the cases (see build.py), where these were built just now.
+    """
 
     group: Group
     cases: list[Case]
     targets: list[Target]
+    attempts: tuple[int, ...] = ()
 
 
 class ProblemData:
@@ -59,7 +63,7 @@ class ProblemData:
 
         Only a rejection's reason and an answer within a hair of the edge need it.
         """
-        return self.module.solve(*case).answer, group.tolerance
+        return within(self.module.solve(*case).answer, group.name), group.tolerance
 
     @property
     def module(self) -> ProblemModule:
@@ -75,5 +79,7 @@ def reseeded(group: Group, seed: int | None) -> Group:
     """The group as a run with its own seed has it; None stands for the declared one."""
     if seed is None or group.builder == EXAMPLES:
         return group
+    import hashlib  # only for who builds other cases
+
     digest = hashlib.sha256(f"{seed}/{group.name}".encode()).digest()
     return replace(group, seed=int.from_bytes(digest[:8], "big"))

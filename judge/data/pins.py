@@ -10,7 +10,7 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from judge.data.atomic import replace_file
+from judge.atomic import replace_file
 from judge.data.model import GroupData
 from judge.errors import ProblemError
 from judge.problem import Problem

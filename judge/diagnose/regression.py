@@ -1,5 +1,7 @@
 """Failing cases as a pytest file of their own: it imports the submission by its path and needs no judge.
 
+A function in another language than Python cannot be imported: there the test replays the case with the judge.
+
 The file begins with a line that says who wrote it. A file that does not is never added to.
 """
 
@@ -9,10 +11,11 @@ import os
 from itertools import count
 from pathlib import Path
 
-from judge.data.atomic import replace_file
+from judge.atomic import replace_file
 from judge.data.model import ProblemData
 from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
+from judge.languages import language_of
 from judge.reading import read_ordinary_text
 from judge.values import Target, Type
 
@@ -32,6 +35,15 @@ def called(place, entry, *arguments):
     spec.loader.exec_module(module)
     return getattr(module, entry)(*arguments)
 '''
+_REPLAYED = """\
+    # {command}
+    import subprocess
+    import sys
+
+    command = [sys.executable, "-m", "judge", "replay", {replay!r}, str(Path(__file__).parent / {place!r})]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+"""
 _IMPORTS = {  # what few tests need
     "array(": "    from array import array",
     "Fraction(": "    from fractions import Fraction",
@@ -69,6 +81,8 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
 def _case(place: str, data: ProblemData, found: Counterexample) -> str:
     """The body of the test."""
+    if language_of(place) is not None:
+        return _REPLAYED.format(command=f"judge replay {found.replay}", replay=found.replay, place=place)
     problem = data.problem
     group = problem.group(found.group)
     assert group is not None

@@ -86,7 +86,7 @@ def _parts(replay: str) -> tuple[str, str, str, str, str]:
 
 
 def _from_values(payload: str, problem: Problem) -> Case | None:
-    words = iter(payload.split(","))
+    words = iter(payload.split(",") if payload else ())
     try:
         case = tuple([parameter.type.from_tokens(words) for parameter in problem.parameters])
     except (ValueError, StopIteration):

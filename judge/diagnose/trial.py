@@ -24,6 +24,7 @@ from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values import Exact, Outline, Raw, Rejection, Target
+from judge.values.tree import within
 
 Clock = Callable[[], float]
 
@@ -313,7 +314,7 @@ class Trial:
         return replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found
 
     def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
-        return lambda: (self._proof(case).answer, group.tolerance)
+        return lambda: (within(self._proof(case).answer, group.name), group.tolerance)
 
     def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
         way = _way(

@@ -29,8 +29,10 @@ class Piece:
     role: Role | None = None
 
 
-def to_braille(picture: Picture, rows: int = ROWS) -> list[list[Piece]]:
+def to_braille(picture: Picture, rows: int = ROWS, *, answered: bool = True) -> list[list[Piece]]:
     """At most `rows` rows, or `LEAST_ROWS` where that is more, of at most `COLUMNS` columns.
+
+    A picture that is not `answered` has no legend of answers, and titles only where there are any.
 
     A lower drawing is narrower too: true scale stays true. Rows that are blank in every panel at the top and
     at the bottom are left out.
@@ -39,10 +41,14 @@ def to_braille(picture: Picture, rows: int = ROWS) -> list[list[Piece]]:
     grids = [_grid(panel, raster) for panel in picture.panels]
     levels = [level for level in range(raster.high) if any(_inked(grid[level]) for grid in grids)]
     titles = [_heading(panel.title.removeprefix("Lens: ")) for panel in picture.panels]
-    drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]]
+    drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]] if answered or any(titles) else []
     for level in range(levels[0], levels[-1] + 1) if levels else ():
         drawn.append([piece for grid in grids for piece in (*_pieces(grid[level]), Piece(raster.gap))])
-    drawn.append([Piece("o wanted", Role.WANTED), Piece("  "), Piece("x got", Role.GOT), Piece("  * both")])
+    if answered:
+        first, second = (
+            f"{letter} {key}" for letter, key in zip(_LETTERS.values(), picture.keys, strict=True)
+        )
+        drawn.append([Piece(first, Role.WANTED), Piece("  "), Piece(second, Role.GOT), Piece("  * both")])
     return [_trimmed(row) for row in drawn]
 
 

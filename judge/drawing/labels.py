@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, inf, pi, sin
 
 HEIGHT = 19.0
 _LETTER = 7.6  # of a 13 px sans-serif, on the wide side: a fallback font must not make labels collide
@@ -56,14 +57,11 @@ def place_labels(
 ) -> list[Label]:
     """A label for each (x, y, text), in pixels of a square panel, off the boxes `taken` and dots `ink`."""
     placed: list[Label] = []
-    boxes = list(taken)
+    boxes, rows = list(taken), _Rows(ink)
     for x, y, text in wanted:
-        best = min(
-            (candidate for candidate in _candidates(x, y, text, size)),
-            key=lambda candidate: _cost(candidate, boxes, ink),
-        )
-        placed.append(Label(best[1], text, x, y, leader=best[0] > 25))
-        boxes.append(best[1])
+        radius, best = _cheapest(_candidates(x, y, text, size), boxes, rows)
+        placed.append(Label(best, text, x, y, leader=radius > 25))
+        boxes.append(best)
     return placed
 
 
@@ -82,10 +80,29 @@ def _candidates(x: float, y: float, text: str, size: float) -> list[tuple[float,
     return found
 
 
-def _cost(
-    candidate: tuple[float, Rectangle], boxes: Sequence[Rectangle], ink: Sequence[tuple[float, float]]
-) -> float:
-    radius, box = candidate
-    covered = sum(box.meets(other) for other in boxes)
-    crossed = sum(box.holds(*dot) for dot in ink)
-    return radius + _COVERING * covered + _CROSSING * crossed
+def _cheapest(
+    candidates: Sequence[tuple[float, Rectangle]], boxes: Sequence[Rectangle], rows: _Rows
+) -> tuple[float, Rectangle]:
+    """The first of those that cost least; dots are counted only where they can still decide."""
+    best, least = candidates[0], inf
+    for candidate in candidates:
+        radius, box = candidate
+        cost = radius + _COVERING * sum(box.meets(other) for other in boxes)
+        if cost < least:
+            cost += _CROSSING * rows.within(box)
+            if cost < least:
+                best, least = candidate, cost
+    return best
+
+
+class _Rows:
+    """The dots of lines, by their height: thousands of them, of which a label is near a few."""
+
+    def __init__(self, dots: Sequence[tuple[float, float]]) -> None:
+        self._dots = sorted((y, x) for x, y in dots)
+
+    def within(self, box: Rectangle) -> int:
+        """How many dots the box holds."""
+        first = bisect_left(self._dots, (box.y - box.h - 1, -inf))  # a pixel more: `holds` decides
+        last = bisect_right(self._dots, (box.y + box.h + 1, inf))
+        return sum(box.holds(x, y) for y, x in self._dots[first:last])

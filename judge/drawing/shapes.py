@@ -87,6 +87,7 @@ class Picture:
     lens: Panel | None
     facts: tuple[Fact, ...]
     legend: str = ""  # what its words stand for
+    keys: tuple[str, str] = ("wanted", "got")  # what the two kinds of marks are called
 
     @property
     def panels(self) -> tuple[Panel, ...]:

@@ -17,6 +17,7 @@ _HEADING = 18.0
 _ROW = 18.0
 _MARK = 6.0
 _LETTERS_PER_PIXEL = 1 / 7.4
+_WIDEST = 380.0  # of a label: dozens of marks in one place would leave the panel
 _MOST_ROWS = 8  # of one fact: all numbers of a case have room, an answer may be longer
 
 _LIGHT = {
@@ -98,7 +99,7 @@ def to_svg(picture: Picture) -> str:
     ]
     for place, panel in enumerate(panels):
         parts.extend(_panel(panel, _GAP + place * (_SIDE + _GAP), _TOP))
-    parts.extend(_legend(picture.legend, _GAP, below))
+    parts.extend(_legend(picture, _GAP, below))
     for place, (label, text, kind) in enumerate(rows, 1):
         y = below + 6 + _ROW * place
         parts.append(_text(_GAP, y, label, "quiet"))
@@ -159,7 +160,7 @@ def _drawing(panel: Panel) -> Iterator[str]:
     for stroke in panel.strokes:
         at = _arrow_place(stroke)
         if at:
-            yield _head(*at, "head-line")
+            yield _head(*at, _ROLE_TEXT[stroke.role] or "head-line")
             taken.append(Rectangle(at[0], at[1], 8, 8))
     yield from bars
     spots = [_pixel(mark.at) for mark in panel.marks]
@@ -167,16 +168,17 @@ def _drawing(panel: Panel) -> Iterator[str]:
     for mark, (x, y) in zip(panel.marks, spots, strict=True):
         yield _mark(mark, x, y)
     labelled = [(mark, spot) for mark, spot in zip(panel.marks, spots, strict=True) if mark.text]
-    labels = place_labels([(x, y, mark.text) for mark, (x, y) in labelled], _SIDE, taken, ink)
-    for (mark, _), label in zip(labelled, labels, strict=True):
+    texts = [(x, y, _cut(mark.text, _WIDEST)) for mark, (x, y) in labelled]
+    for (mark, _), label in zip(labelled, place_labels(texts, _SIDE, taken, ink), strict=True):
         box = label.box
         if label.leader:
             yield _line(label.x, label.y, *_side_of(box, label.x, label.y), "leader")
         kind = "" if mark.shared else _ROLE_TEXT[mark.role]
-        yield _text(box.x, box.y + 4.5, mark.text, f"halo {kind}".strip(), middle=True)
+        yield _text(box.x, box.y + 4.5, label.text, f"halo {kind}".strip(), middle=True)
 
 
 _CLASSES = {role: role.value for role in Role} | {Role.SHAPE: "circle"}  # as published pictures have it
+_KEY = 8.0  # pixels of a letter in the legend
 _ROLE_TEXT = {Role.WANTED: "t-wanted", Role.GOT: "t-got"} | dict.fromkeys(
     (Role.CASE, Role.SHAPE, Role.LINE, Role.BEYOND, Role.BAND), ""
 )
@@ -248,6 +250,8 @@ def _side_of(box: Rectangle, x: float, y: float) -> Dot:
 
 def _bars(panel: Panel, ink: Sequence[Dot]) -> tuple[list[str], list[Rectangle]]:
     """The scale bars in the left corner, below or above, that has less in it; and what room they take."""
+    if not panel.bars:
+        return [], []
     upright = [bar for bar in panel.bars if bar.upright]
     high = 40.0 + sum(bar.length * _SIDE / 2 + 4 for bar in upright)
     wide = max(max(bar.length * _SIDE / 2, 7.6 * len(bar.text)) + 16 for bar in panel.bars)
@@ -270,12 +274,15 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
     yield _text(12, y - 8, bar.text, "halo quiet")
 
 
-def _legend(legend: str, left: float, y: float) -> Iterator[str]:
+def _legend(picture: Picture, left: float, y: float) -> Iterator[str]:
+    first, second = picture.keys
     yield f'<circle class="wanted" cx="{_n(left + 7)}" cy="{_n(y - 5)}" r="{_n(_MARK + 1)}"/>'
-    yield _text(left + 22, y, "wanted", "t-wanted")
+    yield _text(left + 22, y, first, "t-wanted")
+    left += _KEY * (len(first) - len("wanted"))
     yield _cross(left + 97, y - 5)
-    yield _text(left + 110, y, "got", "t-got")
-    yield _text(left + 160, y, legend, "quiet")
+    yield _text(left + 110, y, second, "t-got")
+    left += _KEY * (len(second) - len("got"))
+    yield _text(left + 160, y, picture.legend, "quiet")
 
 
 def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:

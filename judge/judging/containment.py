@@ -5,17 +5,20 @@ from __future__ import annotations
 from contextlib import suppress
 from pathlib import Path
 
-from judge.data.cache import cache_folder
 from judge.errors import JudgeError, ShortageError
+from judge.folders import cache_folder
 from judge.judging.isolation import kept_level
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.run.reference import Reference
 from judge.sandbox import Boxes, room
 from judge.sandbox.boundary import Box, BoxFactory
+from judge.sandbox.room import Room
 
 _SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
-_WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
+WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
 
 
 def hidden_folders(problem: Problem) -> tuple[Path, ...]:
@@ -36,6 +39,14 @@ def every_hidden_folder() -> tuple[Path, ...]:
     return (*roots, *(root.parent / "solutions" for root in roots), cache_folder())
 
 
+def room_for(jobs: int) -> tuple[Room, int, str]:
+    """The room that is left, how many things may be done in it at once, and why not as many as asked for."""
+    room.raise_descriptors()
+    left = room.measure()
+    fit, limit = left.at_once(jobs)
+    return left, fit, f"{fit} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
+
+
 class Containment:
     """The boxes of one session; a context manager that ends those that were never used.
 
@@ -44,17 +55,25 @@ class Containment:
     than were asked for.
     """
 
-    def __init__(self, problem: Problem, level: str | None, jobs: int = 1, had: str | None = None) -> None:
-        """`level` is demanded, `jobs` are asked for; `had` is the level that this command has had before."""
-        room.raise_descriptors()
-        left = room.measure()
-        self.jobs, limit = left.at_once(jobs)
-        self.short = f"{self.jobs} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
+    def __init__(
+        self,
+        problem: Problem,
+        level: str | None,
+        jobs: int = 1,
+        had: str | None = None,
+        *,
+        program: bool = False,
+    ) -> None:
+        """`level` is demanded, `jobs` are asked for; `had` is the level that this command has had before.
+
+        With `program`, what is compiled is a program even where it defines the problem's function.
+        """
+        left, self.jobs, self.short = room_for(jobs)
         self._level = level
         self._kept = None if level else kept_level()
         hidden = hidden_folders(problem)
         self._boxes = Boxes(level, hidden, least=self._kept, had=had, share=left.share(self.jobs))
-        self.open_box: BoxFactory = self._boxes
+        self.open_box: BoxFactory = AnyBoxes(self._boxes, None if program else signature_of(problem))
         self.reference = Reference(problem, self.open_box)
         self._ahead: dict[tuple[bytes, str], Box] = {}
 
@@ -62,9 +81,14 @@ class Containment:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        self.reference.__exit__(*exc)
+        self.close()
+
+    def close(self) -> None:
+        """End the boxes that are open or were started ahead."""
+        self.reference.close()
         for box in self._ahead.values():
-            box.__exit__(*exc)
+            box.__exit__(None, None, None)
+        self._ahead.clear()
 
     def boot(self, source: bytes, name: str) -> None:
         """Start the box of a submission that will be judged soon."""
@@ -89,7 +113,7 @@ class Containment:
         if self._level is not None:
             return ()
         if isolation == "limits":
-            return (_WEAK,)
+            return (WEAK,)
         reason = self._boxes.refused.get("full")
         if isolation == "strong" and self._kept != "strong" and reason:
             what = f"isolation is 'strong', not 'full': {reason}"

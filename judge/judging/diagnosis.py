@@ -10,7 +10,7 @@ from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Verdict
 from judge.run.reference import Reference
-from judge.run.result import Result
+from judge.run.result import Failure, Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, BoxFactory
 
@@ -44,6 +44,9 @@ def diagnosed(
         return result.noting(f"no smaller case for {result.submission}: {told(fault)}")
     if found is None:
         return result
+    if found.replay is not None:
+        told_of = runner.explained(Failure(found.message, input=found.input))
+        found = replace(found, message=told_of.message)
     return replace(result, counterexample=found.as_json(), counterexample_given=found.given)
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 
 from judge import __version__
-from judge.data import cache_folder
-from judge.data.kept import KeptFile
+from judge.digest import digest_of
+from judge.folders import cache_folder
+from judge.kept import KeptFile
 from judge.sandbox import LEVELS
 
 
@@ -32,4 +32,4 @@ def _file() -> KeptFile:
 
 
 def _digest(*parts: str) -> str:
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+    return digest_of("\0".join(parts).encode())[:32]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 from pathlib import Path
 
 from msgspec import Struct
 
 from judge.data.cache import all_code_files, content_key, own_files
+from judge.digest import digest_of
 from judge.problem import Problem
 from judge.problem.choose import chosen_groups
 
@@ -19,6 +19,7 @@ class Terms(Struct, frozen=True):
     ones; `isolation` demands a level instead of the best there is. `timed` says whether an accepted
     submission is raced against the reference, `diagnosed` whether the smallest case is looked for that breaks
     another one, `named` whether the mistake is. With a `level`, only groups of that level of the kata run.
+    A `program` is run as one even where it defines the problem's function.
     """
 
     groups: tuple[str, ...] = ()
@@ -28,6 +29,7 @@ class Terms(Struct, frozen=True):
     diagnosed: bool = True
     named: bool = True
     level: str | None = None
+    program: bool = False
 
     def chosen(self, problem: Problem) -> tuple[str, ...]:
         """The names of the groups to run. Raises UsageError where that problem has no such group or level."""
@@ -70,14 +72,19 @@ class Job(Struct, frozen=True):
 
     @property
     def digest(self) -> str:
-        """The sha256, in hex, of all that the outcome depends on: not of where the problem lies."""
+        """The digest, in hex, of all that the outcome depends on: not of where the problem lies."""
         terms = self.terms
-        plain = (self.problem, self.version, self.name, hashlib.sha256(self.source).hexdigest())
+        plain = (self.problem, self.version, self.name, digest_of(self.source))
         asked = [getattr(terms, name) for name in terms.__struct_fields__]
-        return hashlib.sha256(repr((plain, asked)).encode()).hexdigest()
+        return digest_of(repr((plain, asked)).encode())
 
 
 def version_of(problem: Problem) -> str:
     """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
+    return content_key("job/", [*judged_by(problem), *all_code_files()])
+
+
+def judged_by(problem: Problem) -> list[Path]:
+    """The files of the problem's two folders that it is judged by."""
     solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
-    return content_key("job/", [*own_files(problem), *solutions, *all_code_files()])
+    return [*own_files(problem), *solutions]

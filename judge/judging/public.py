@@ -9,7 +9,7 @@ from pathlib import Path
 from judge.errors import JudgeError, UsageError
 from judge.judging.job import Job, Terms, version_of
 from judge.judging.session import Session
-from judge.language import file_name, is_program
+from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem

@@ -11,6 +11,7 @@ from judge.diagnose.replay import decode
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.run.execute import run_in
+from judge.run.hurdle import with_hurdle
 from judge.run.printed import with_printed
 from judge.run.result import Result
 
@@ -28,7 +29,9 @@ def replayed(session: Session, replay: str, source: bytes, name: str) -> Result:
         judged = run_in(box, session.problem, data, source, name, settings=settings)
         result = replace(judged.result, levels=())  # one case says nothing of a level
         if judged.runner is not None:
-            result = with_printed(result, data, judged.runner, box)
+            result = with_hurdle(result, judged.runner, box, source)
+            if result.hurdle is None:
+                result = with_printed(result, data, judged.runner, box)
     return result.noting(*session.containment.notes(result.isolation))
 
 

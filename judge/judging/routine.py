@@ -55,7 +55,7 @@ def explained(data: ProblemData, routine: Routine) -> Result:
     first = next((each for each in judged if each.failure is not None), None)
     groups = tuple(each.result for each in judged)
     verdict = first.result.verdict if first else Verdict.AC
-    runner = _RoutineRunner(data.problem, routine)
+    runner = _RoutineRunner(data.problem, routine=routine)
     result = Result(data.problem.id, routine_name(routine), runner.mode, verdict, groups)
     if first is None or first.failure is None:
         return result
@@ -94,7 +94,7 @@ def _source(routine: Routine) -> bytes:
 class _RoutineRunner(FunctionRunner, frozen=True):
     """Calls the routine where any other runner asks a box to; its box is `_HERE`."""
 
-    routine: Routine
+    routine: Routine = print  # there is always one: fields without a default cannot follow others
 
     def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
         """What it answers to each of the cases, in this process and without limits; another box is asked."""
@@ -116,7 +116,7 @@ class _RoutineRunner(FunctionRunner, frozen=True):
 
 
 def _held(data: ProblemData, group: GroupData, routine: Routine) -> Held:
-    runner = _RoutineRunner(data.problem, routine)
+    runner = _RoutineRunner(data.problem, routine=routine)
     run = GroupRun(data, group, runner)
     with _as_it_was():
         replies, raised = runner.called(group.cases)

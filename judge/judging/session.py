@@ -8,7 +8,6 @@ Shared are the cases, the box of the reference, the known mistakes, and the turn
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
@@ -24,13 +23,17 @@ from judge.judging.diagnosis import diagnosed, with_thresholds
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming, has_choices
 from judge.problem import Problem, Verdict
+from judge.run.alone import Machine
 from judge.run.execute import judge_fault, run_in
-from judge.run.hurdle import hurdle_of
+from judge.run.hurdle import with_hurdle
 from judge.run.parallel import Turnstile
 from judge.run.printed import with_printed
+from judge.run.reference import check_needs
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
 
+_UNTIMED = "there is no reference solution in {}: only the limits on CPU time bound it"
+_WAITING = "waiting for another of your judges"
 _PACKAGE = str(Path(__file__).resolve().parent.parent)
 
 
@@ -63,16 +66,18 @@ class Session:
         self.terms = terms
         if containment is None:
             jobs = min(jobs, expected * len(terms.chosen(problem)))
-            containment = Containment(problem, terms.isolation, jobs)
+            containment = Containment(problem, terms.isolation, jobs, program=terms.program)
         self.containment = containment
         self.jobs = containment.jobs
         self.notes = (containment.short,) if containment.short else ()
+        self.turnstile = Turnstile(Machine(waiting=lambda: self._quietly(_WAITING)))
         self.settings = Settings(
             box_factory=self.containment.take,
             workers=max(1, self.jobs // max(1, expected)),
             measured=terms.timed,
-            turnstile=Turnstile(),
+            turnstile=self.turnstile,
             reference=self.containment.reference,
+            program=terms.program,
         )
         self.bars = bars
         self._lock = Lock()
@@ -96,7 +101,9 @@ class Session:
         self.prepare()
 
     def prepare(self) -> None:
-        """Read the problem's data, and start the reference, which is not wanted yet. Raises ProblemError."""
+        """Read the problem's data, and start the reference, not wanted yet. Raises as `judge` does."""
+        if self.terms.timed:
+            check_needs(self.problem)
         _ = self.data
         if self.terms.timed:
             self.containment.boot_reference()
@@ -122,9 +129,11 @@ class Session:
         A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
 
         Raises:
-            UsageError: the level of isolation that is asked for cannot be had.
+            UsageError: the level of isolation that is asked for cannot be had, or what the reference needs.
             ProblemError: the data cannot be built.
         """
+        if self.terms.timed:
+            check_needs(self.problem)
         data = self.data
         try:
             result = self._judged(data, source, name)
@@ -171,13 +180,16 @@ class Session:
             result = replace(judged.result, out_of=len(self.problem.groups) if left_out else 0)
             runner = judged.runner
             if runner is not None:
-                hurdle = hurdle_of(result, runner, box.inspect(), source)
-                if hurdle is not None:
-                    return replace(result, hurdle=hurdle)
+                result = with_hurdle(result, runner, box, source)
+                if result.hurdle is not None:
+                    return result
                 result = with_printed(result, data, runner, box)
+                if terms.timed and runner.language:
+                    result = result.noting(*_of_its_race(result, runner.language))
             if terms.diagnosed and runner is not None:
-                result = diagnosed(result, data, runner, box, self.containment.open_box)
-                result = with_thresholds(result, data, runner, box)
+                with self.turnstile.judging():
+                    result = diagnosed(result, data, runner, box, self.containment.open_box)
+                    result = with_thresholds(result, data, runner, box)
         return self.naming.named(result, source) if terms.named else result
 
     @contextmanager
@@ -187,8 +199,19 @@ class Session:
             yield advance
 
 
+def _of_its_race(result: Result, language: str) -> Iterator[str]:
+    """What is to be said of the time of a submission in another language."""
+    against = result.time.against
+    if against is not None and against.why:
+        yield against.why
+    elif against is None and result.verdict is Verdict.AC:
+        yield _UNTIMED.format(language)
+
+
 def _place(fault: Exception) -> str:
     """The innermost line of the judge's own that led to a fault, for whoever is to mend it."""
+    import traceback  # hardly ever
+
     for step in reversed(traceback.extract_tb(fault.__traceback__)):
         if step.filename.startswith(_PACKAGE):
             return f" (judge{step.filename[len(_PACKAGE) :]}:{step.lineno})"

@@ -17,6 +17,7 @@ from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
 from judge.problem import Group
 from judge.run.execute import run_submission
+from judge.run.hurdle import with_hurdle
 from judge.run.runner import Runner
 from judge.run.stress import Broken, OnCases, Stressed, stress
 from judge.sandbox.boundary import Box
@@ -43,14 +44,28 @@ class Stressing(Struct, frozen=True):
         fresh = Fresh(problem, module, self.groups, self.seed)
         with containment.take(self.source, self.name) as box:
             stressed = stress(
-                data, fresh, box, self.source, self.name, seconds=self.seconds, on_cases=on_cases
+                data,
+                fresh,
+                box,
+                self.source,
+                self.name,
+                seconds=self.seconds,
+                on_cases=on_cases,
+                turnstile=session.turnstile,
             )
+            if stressed.broken and stressed.runner:
+                stressed = replace(
+                    stressed, result=with_hurdle(stressed.result, stressed.runner, box, self.source)
+                )
+            if stressed.result.hurdle is not None:
+                return stressed
             try:
                 runner = stressed.runner if session.terms.diagnosed else None
-                if stressed.broken and runner:
-                    stressed = _shrunk(stressed, stressed.broken, runner, fresh, box, session)
-                if runner and not stressed.interrupted:  # or the box may be in the middle of a call
-                    stressed = _measured(stressed, runner, module, box, session)
+                with session.turnstile.judging():
+                    if stressed.broken and runner:
+                        stressed = _shrunk(stressed, stressed.broken, runner, fresh, box, session)
+                    if runner and not stressed.interrupted:  # or the box may be in the middle of a call
+                        stressed = _measured(stressed, runner, module, box, session)
                 if stressed.broken and session.terms.named and stressed.result.verdict in NAMED:
                     stressed = self._named(stressed, session)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest

@@ -16,8 +16,8 @@ from shlex import quote
 
 from msgspec import Struct
 
+from judge.atomic import new_file
 from judge.data import load_data
-from judge.data.atomic import new_file
 from judge.data.pins import write_pins
 from judge.errors import UsageError, unwritable
 from judge.problem import Problem

@@ -1,4 +1,4 @@
-"""Every run and its source, the kata in hand, and the help that was taken.
+"""Every run and its source, the kata in hand, the help that was taken, and the answers to cards.
 
     with History.open() as history:
         history.add(result, source, path)
@@ -13,8 +13,8 @@ import hashlib
 import json
 import os
 import zlib
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,8 +22,11 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import HistoryError, UsageError
+from judge.kata.answers import Answered, Rating
+from judge.kata.hacks import Hack, Outcome
 from judge.problem import Verdict
 from judge.problem.solutions import is_solution
+from judge.problem.verdict import FULL_SCORE
 from judge.run.result import Mode, Result
 
 if TYPE_CHECKING:
@@ -31,7 +34,6 @@ if TYPE_CHECKING:
 
 Clock = Callable[[], datetime]
 
-FULL_SCORE = 100
 _MOST = 2**63 - 1  # what SQLite can be asked for
 _START = datetime(1970, 1, 1, tzinfo=UTC)
 _MICROSECOND = timedelta(microseconds=1)
@@ -152,12 +154,13 @@ class History:
             HistoryError: it cannot be opened, is newer than this judge, or is no history.
         """
         try:
-            from judge.kata.database import connect, history_path
+            from judge.database import connect
+            from judge.kata.database import HISTORY, history_path
         except ImportError as fault:  # an interpreter that was built without it
             what = f"this Python cannot keep a history: {fault}"
             raise HistoryError(what, remedy="install its sqlite3 module") from fault
         path = history_path() if path is None else path
-        return cls(connect(path, reading=reading), path, clock)
+        return cls(connect(HISTORY, path, reading=reading), path, clock)
 
     def __enter__(self) -> History:
         return self
@@ -258,6 +261,43 @@ class History:
         rows = self._rows(f"SELECT time, problem, hints FROM help {where} ORDER BY id", values)
         return [Help(_when(time), name, hints) for time, name, hints in rows]
 
+    def add_hack(self, problem: str, mistake: str, case: str, outcome: Outcome) -> None:
+        """Note an attempt to break the wrong program that makes the mistake; `case` is that of `Hack`."""
+        with self._writing() as connection:
+            connection.execute(
+                "INSERT INTO hacks (time, problem, mistake, line, outcome) VALUES (?, ?, ?, ?, ?)",
+                (self._time(), problem, mistake, case, outcome.value),
+            )
+
+    def hacks(self, problem: str | None = None) -> list[Hack]:
+        """The attempts to break wrong programs, of one problem or of all; oldest first."""
+        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
+        rows = self._rows(
+            f"SELECT time, problem, mistake, line, outcome FROM hacks {where} ORDER BY id", values
+        )
+        with self._reading("an attempt of judge hack"):
+            return [
+                Hack(_when(time), name, mistake, line, Outcome(outcome))
+                for time, name, mistake, line, outcome in rows
+            ]
+
+    def answer(self, card: str, form: str, rating: Rating, *, judged: bool, given: str = "") -> None:
+        """Keep an answer to a card, now."""
+        row = (self._time(), card, form, int(rating), int(judged), given)
+        columns = "(time, card, form, rating, judged, given)"
+        with self._writing() as connection:
+            connection.execute(f"INSERT INTO answers {columns} VALUES (?, ?, ?, ?, ?, ?)", row)
+
+    def answers(self) -> list[Answered]:
+        """Every answer to a card, oldest first."""
+        found = []
+        for row in self._rows("SELECT id, time, card, form, rating, judged, given FROM answers ORDER BY id"):
+            with self._reading(f"answer {row[0]}"):
+                _, time, card, form, rating, judged, given = row
+                _texts(card, form, given)
+                found.append(Answered(_when(time), card, form, Rating(rating), bool(judged), given))
+        return found
+
     def _help(self, problem: str, hints: int) -> None:
         with self._writing() as connection:
             connection.execute(
@@ -274,22 +314,30 @@ class History:
         return (self._clock() - _START) // _MICROSECOND
 
     def _run(self, row: Sequence[Any]) -> Run:
-        try:
+        with self._reading(f"run {row[0]}"):
             return _run(row)
+
+    @contextmanager
+    def _reading(self, what: str) -> Iterator[None]:
+        """What of a row cannot be read as a HistoryError."""
+        try:
+            yield
         except (ValueError, TypeError, OverflowError, AttributeError) as fault:  # no judge wrote this
             remedy = "move the file away, and a new one begins"
-            raise HistoryError(f"run {row[0]} is damaged", where=str(self.path), remedy=remedy) from fault
+            raise HistoryError(f"{what} is damaged", where=str(self.path), remedy=remedy) from fault
 
     def _rows(self, query: str, values: Sequence[object] = ()) -> list[Any]:
-        from judge.kata.database import faults
+        from judge.database import faults
+        from judge.kata.database import HISTORY
 
-        with faults(self.path):
+        with faults(HISTORY, self.path):
             return self._connection.execute(query, values).fetchall()
 
     def _writing(self) -> AbstractContextManager[sqlite3.Connection]:
-        from judge.kata.database import writing
+        from judge.database import writing
+        from judge.kata.database import HISTORY
 
-        return writing(self._connection, self.path)
+        return writing(HISTORY, self._connection, self.path)
 
 
 def _stored(number: int) -> bool:
@@ -298,6 +346,12 @@ def _stored(number: int) -> bool:
 
 def _when(microseconds: int) -> datetime:
     return _START + microseconds * _MICROSECOND
+
+
+def _texts(*values: object) -> None:
+    """Raise TypeError unless these are texts."""
+    if not all(isinstance(each, str) for each in values):
+        raise TypeError("text is meant")
 
 
 def _run(row: Sequence[Any]) -> Run:
@@ -317,9 +371,7 @@ def _run(row: Sequence[Any]) -> Run:
         source,
         packed,
     ) = row
-    for text in (problem, passed, failed, source, mistake or ""):
-        if not isinstance(text, str):
-            raise TypeError("text is meant")
+    _texts(problem, passed, failed, source, mistake or "")
     return Run(
         number,
         _when(time),

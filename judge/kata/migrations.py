@@ -7,11 +7,6 @@ them.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from sqlite3 import Connection
-
 APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database
 
 _RUNS = (
@@ -54,28 +49,26 @@ _PRACTICE = (
 _FOLDER_IN_HAND = (
     "ALTER TABLE current ADD COLUMN problems BLOB NOT NULL DEFAULT x''",  # the folder its problem lies in
 )
-MIGRATIONS: tuple[tuple[str, ...], ...] = (_RUNS, _PRACTICE, _FOLDER_IN_HAND)
-
-
-def version_of(connection: Connection) -> int:
-    """How many of the steps the file has had."""
-    (version,) = connection.execute("PRAGMA user_version").fetchone()
-    return int(version)
-
-
-def migrate(connection: Connection) -> None:
-    """Take the steps that the file has not had: all of them or none. Safe where two do it at once."""
-    if version_of(connection) >= len(MIGRATIONS):
-        return
-    connection.execute("BEGIN IMMEDIATE")
-    try:
-        for step in MIGRATIONS[version_of(connection) :]:  # asked again: another process may have been first
-            for statement in step:
-                connection.execute(statement)
-        connection.execute(f"PRAGMA application_id = {APPLICATION}")
-        connection.execute(f"PRAGMA user_version = {len(MIGRATIONS)}")
-        connection.execute("COMMIT")
-    except BaseException:
-        if connection.in_transaction:
-            connection.execute("ROLLBACK")
-        raise
+_HACKS = (
+    """CREATE TABLE hacks (
+        id INTEGER PRIMARY KEY AUTOINCREMENT,
+        time INTEGER NOT NULL,
+        problem TEXT NOT NULL,
+        mistake TEXT NOT NULL,              -- the wrong program that was to be broken
+        line TEXT NOT NULL,                 -- the case, as a program reads it
+        outcome TEXT NOT NULL               -- won, lost or given-up: then it is the case that was shown
+    )""",
+    "CREATE INDEX hacks_of_a_problem ON hacks (problem, id)",
+)
+_QUIZ = (
+    """CREATE TABLE answers (
+        id INTEGER PRIMARY KEY AUTOINCREMENT,
+        time INTEGER NOT NULL,
+        card TEXT NOT NULL,                 -- its deck and its id: junior/three-counts
+        form TEXT NOT NULL,
+        rating INTEGER NOT NULL,            -- 1 again, 2 hard, 3 good, 4 easy
+        judged INTEGER NOT NULL,            -- 1 where the judge decided that, 0 where the person did
+        given TEXT NOT NULL
+    )""",
+)
+MIGRATIONS: tuple[tuple[str, ...], ...] = (_RUNS, _PRACTICE, _FOLDER_IN_HAND, _HACKS, _QUIZ)

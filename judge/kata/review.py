@@ -1,4 +1,4 @@
-"""Spaced review: which katas to do again today, worked out from what was judged and when.
+"""Spaced review: which katas and cards to do again today, worked out from what happened and when.
 
 Runs of a problem that lie less than eight hours apart are one sitting, and a sitting is one review. It is
 rated by what happened in it, not by what the person thinks of it:
@@ -9,8 +9,13 @@ rated by what happened in it, not by what the person thinks of it:
 
 Hints make it one step worse; giving up, or no accepted run at all, is "again". A run that passed no test
 group at all is no attempt: its file was not written yet. A run of a source that was accepted before counts
-for nothing: judging the old file again shows no memory. FSRS, whose model of forgetting gives the intervals,
-is run without fuzz: the same history gives the same dates, and nothing is stored.
+for nothing: judging the old file again shows no memory.
+
+Answers to a card make sittings in the same way. The first answer of a sitting rates it: a card that is asked
+again minutes later is still in mind.
+
+FSRS, whose model of forgetting gives the intervals, is run without fuzz: the same history gives the same
+dates, and nothing is stored.
 """
 
 from __future__ import annotations
@@ -18,24 +23,17 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from datetime import datetime, timedelta
-from enum import IntEnum
 
 from msgspec import Struct
+from msgspec.structs import asdict
 
+from judge.kata.answers import Answered
+from judge.kata.answers import Rating as Rating
 from judge.kata.history import Help, Run
 
 _SITTING = timedelta(hours=8)  # without a run: then the next one has to be remembered
 _SOME, _MANY = 1, 4  # failed runs
 _LONGEST = 365  # days until a kata comes again
-
-
-class Rating(IntEnum):
-    """How well a sitting went, in the numbers that FSRS has for it."""
-
-    AGAIN = 1
-    HARD = 2
-    GOOD = 3
-    EASY = 4
 
 
 class Sitting(Struct, frozen=True):
@@ -56,17 +54,15 @@ class Sitting(Struct, frozen=True):
         return Rating(max(best - worse, Rating.AGAIN))
 
 
-class Review(Struct, frozen=True):
-    """How a problem stands with memory: its last sitting, when it is due, and after how many days.
+class Memory(Struct, frozen=True):
+    """How something stands with memory: its last sitting, when it is due, and after how many days.
 
-    `recall` is how likely it is to be remembered now, between 0 and 1. `solved` is whether it ever was.
+    `recall` is how likely it is to be remembered now, between 0 and 1.
     """
 
-    problem: str
     last: datetime
     rating: Rating
     sittings: int
-    solved: bool
     due: datetime
     recall: float
 
@@ -78,6 +74,19 @@ class Review(Struct, frozen=True):
     def is_due(self, now: datetime) -> bool:
         """Whether it is due on the day of `now`, by the calendar of its time zone."""
         return self.due.astimezone(now.tzinfo).date() <= now.date()
+
+
+class Review(Memory, frozen=True):
+    """How a problem stands with memory, and whether it was ever solved."""
+
+    problem: str
+    solved: bool
+
+
+class CardReview(Memory, frozen=True):
+    """How a card stands with memory."""
+
+    card: str
 
 
 def reviews(runs: Iterable[Run], helps: Iterable[Help], now: datetime) -> list[Review]:
@@ -93,6 +102,19 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help], now: datetime) -> list[R
         if (review := _review(problem, list(sittings(own, taken)), now))
     ]
     return sorted(found, key=lambda review: (review.due, review.problem))
+
+
+def card_reviews(answers: Iterable[Answered], now: datetime) -> list[CardReview]:
+    """Every card that was ever answered, the one that is due first at the head; `answers` are in order."""
+    of_card: defaultdict[str, list[tuple[datetime, Rating]]] = defaultdict(list)
+    last: dict[str, datetime] = {}
+    for answer in answers:
+        before = last.get(answer.card)
+        if before is None or answer.when - before >= _SITTING:
+            of_card[answer.card].append((answer.when, answer.rating))
+        last[answer.card] = answer.when
+    found = [CardReview(card=card, **asdict(_memory(rated, now))) for card, rated in of_card.items()]
+    return sorted(found, key=lambda review: (review.due, review.card))
 
 
 def sittings(runs: Sequence[Run], helps: Sequence[Help]) -> Iterator[Sitting]:
@@ -141,17 +163,22 @@ def _sitting(events: Sequence[Run | Help]) -> Iterator[Sitting]:
 def _review(problem: str, found: Sequence[Sitting], now: datetime) -> Review | None:
     if not found:
         return None
+    rated = [(sitting.when, sitting.rating(first=place == 0)) for place, sitting in enumerate(found)]
+    solved = any(sitting.solved for sitting in found)
+    return Review(problem=problem, solved=solved, **asdict(_memory(rated, now)))
+
+
+def _memory(rated: Sequence[tuple[datetime, Rating]], now: datetime) -> Memory:
+    """What memory makes of sittings, at least one, each given by its time and its rating."""
     import fsrs  # late: it costs 40 ms, and only who asks what is due waits for it
 
     scheduler = fsrs.Scheduler(
         learning_steps=(), relearning_steps=(), maximum_interval=_LONGEST, enable_fuzzing=False
     )
-    card = fsrs.Card(card_id=1, due=found[0].when)
-    rating = Rating.AGAIN
-    for place, sitting in enumerate(found):
-        rating = sitting.rating(first=place == 0)
-        when = max(sitting.when, card.last_review or sitting.when)  # a clock may have been set back
+    card = fsrs.Card(card_id=1, due=rated[0][0])
+    for when, rating in rated:
+        when = max(when, card.last_review or when)  # a clock may have been set back
         card, _ = scheduler.review_card(card, fsrs.Rating(rating), when)
-    solved = any(sitting.solved for sitting in found)
     recall = scheduler.get_card_retrievability(card, now)
-    return Review(problem, found[-1].when, rating, len(found), solved, card.due, recall)
+    last, rating = rated[-1]
+    return Memory(last, rating, len(rated), card.due, recall)

@@ -15,13 +15,14 @@ from typing import Any
 
 from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
-from judge.language import file_name as program_name
+from judge.languages import file_name as program_name
 from judge.problem import Example, Problem
 
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
 _QUOTES = '"""'
 _IMPORTS = {"array": "from array import array"}
+_LATE = "from __future__ import annotations"  # before Python 3.12 an array takes no parameters at run time
 
 
 def file_name(problem: Problem) -> str:
@@ -41,7 +42,7 @@ def make_stub(problem: Problem) -> str:
         ProblemError: what the setter wrote makes no Python.
     """
     parts = [_head(problem), _function(problem)]
-    if problem.answer.rounded and problem.examples:
+    if problem.answer.rounded and problem.examples and _settled(problem):
         parts.append(_rounding(problem))
     text = "\n\n\n".join(parts) + "\n"
     try:
@@ -70,6 +71,8 @@ def _head(problem: Problem) -> str:
         if re.search(rf"\b{name}\b", signature)
     ]
     imports = [line for name, line in _IMPORTS.items() if re.search(rf"\b{name}\b", signature)]
+    if imports:
+        imports = [_LATE, "", *imports]
     return "\n".join([docstring, *([""] if imports else []), *imports, *([""] if aliases else []), *aliases])
 
 
@@ -79,7 +82,7 @@ def _rounding(problem: Problem) -> str:
     name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
     return "\n".join(
         [
-            f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:",
+            f"def rounded({name}: {answer.annotation}) -> {answer.rounded_as or answer.annotation}:",
             f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""',
             *_returned(answer.rounded.format(name)),
         ]
@@ -90,16 +93,34 @@ def _returned(expression: str) -> Iterator[str]:
     """The lines that return it, broken as formatters break them where one is too long."""
     line = f"{_INDENT}return {expression}"
     whole = ast.parse(expression, mode="eval").body
-    if len(line) <= _WIDTH or not isinstance(whole, ast.IfExp | ast.Tuple):
+    if len(line) <= _WIDTH or not isinstance(whole, ast.IfExp | ast.ListComp | ast.Tuple):
         yield line
+    elif isinstance(whole, ast.ListComp):
+        yield f"{_INDENT}return ["
+        yield f"{_INDENT * 2}{ast.unparse(whole.elt)}"
+        yield from (f"{_INDENT * 2}{ast.unparse(each).strip()}" for each in whole.generators)
+        yield f"{_INDENT}]"
     elif isinstance(whole, ast.IfExp):
         yield f"{_INDENT}if {ast.unparse(whole.test)}:"
         yield f"{_INDENT * 2}return {ast.unparse(whole.body)}"
         yield from _returned(ast.unparse(whole.orelse))
     else:
         yield f"{_INDENT}return ("
-        yield from (f"{_INDENT * 2}{ast.unparse(part)}," for part in whole.elts)
+        for part in whole.elts:
+            yield from _part(part, 2)
         yield f"{_INDENT})"
+
+
+def _part(part: ast.expr, depth: int) -> Iterator[str]:
+    """A part of a tuple in lines of its own, so many levels deep, broken in the same way."""
+    line = f"{_INDENT * depth}{ast.unparse(part)},"
+    if len(line) <= _WIDTH or not isinstance(part, ast.Tuple):
+        yield line
+        return
+    yield f"{_INDENT * depth}("
+    for inner in part.elts:
+        yield from _part(inner, depth + 1)
+    yield f"{_INDENT * depth}),"
 
 
 def _wrapped(text: str, width: int) -> list[str]:
@@ -146,23 +167,28 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     """
     opened, closed = "", ""
     wanted: Any = example.wanted
-    if problem.answer.rounded:
+    if problem.answer.rounded and _settled(problem):
         opened, closed = "rounded(", ")"
         wanted = problem.answer.round(wanted)
     if wanted is None:
         opened, closed = f"print({opened}", f"{closed})"
     values = zip(problem.parameters, example.case, strict=True)
     arguments = [parameter.type.literal(value) for parameter, value in values]
-    if not problem.answer.settled:
+    if not _settled(problem):
         return list(_filled(f"{problem.entry}(", arguments, f") may return {wanted!r}"))
     call = list(_filled(f"{opened}{problem.entry}(", arguments, f"){closed}"))
     return [*(f"{'...' if at else '>>>'} {row}" for at, row in enumerate(call)), repr(wanted)]
 
 
+def _settled(problem: Problem) -> bool:
+    """Whether an example shows the right answer: who is asked for nothing has more than one."""
+    return problem.answer.settled and bool(problem.parameters)
+
+
 def _filled(head: str, arguments: list[str], tail: str) -> Iterator[str]:
     """A call in rows that fit into a docstring beside the prompt."""
     room = _WIDTH - len(_INDENT) - len(">>> ")
-    row = head
+    row = head if arguments else head + tail
     for at, argument in enumerate(arguments):
         piece = argument + (tail if at == len(arguments) - 1 else ",")
         gap = "" if row in (head, _INDENT) else " "

@@ -10,7 +10,7 @@ import msgspec
 from judge.errors import ProblemError, nearest
 from judge.problem.lines import key_lines, line_of
 from judge.problem.text import read_text
-from judge.problem.tomlfile import toml_of
+from judge.problem.toml import read_toml
 
 if TYPE_CHECKING:
     from judge.problem.shape import Misfit
@@ -23,6 +23,7 @@ class Table:
 
     def __init__(self, path: Path) -> None:
         self._name = f"{path.parent.name}/{path.name}"
+        self._path = path
         self._text = read_text(path)
 
     def fault(self, what: str, remedy: str, *path: str | int) -> ProblemError:
@@ -31,7 +32,7 @@ class Table:
 
     def read(self, shape: type[T]) -> T:
         """The file in its shape. Raises ProblemError."""
-        raw = toml_of(self._text, self._name)
+        raw = read_toml(self._path, self._text, self._name)
         try:
             return msgspec.convert(raw, shape)
         except msgspec.ValidationError as why:

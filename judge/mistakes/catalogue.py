@@ -27,7 +27,8 @@ from judge.errors import ProblemError
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
 from judge.problem.text import read_text
-from judge.problem.tomlfile import meant, toml_of
+from judge.problem.toml import read_toml
+from judge.problem.tomlfile import meant
 
 FILE = "mistakes.toml"
 
@@ -59,7 +60,7 @@ def read_catalogue(problem: Problem) -> Catalogue:
     if not path.is_file():
         return {}
     where = f"{path.parent.name}/{FILE}"
-    tables = toml_of(read_text(path), where)
+    tables = read_toml(path, read_text(path), where)
     return {name: _words(name, table, problem.id, where) for name, table in tables.items()}
 
 

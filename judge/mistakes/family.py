@@ -19,7 +19,7 @@ from judge.problem import Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.text import read_text
 
-_INNER = "right_way"  # what a route is called below a transform
+INNER = "right_way"  # what a route is called below a transform
 
 
 class Choice(Struct, frozen=True):
@@ -111,6 +111,11 @@ class Family:
         """What it changes in its route."""
         return [self.routes[choice.route].changes[place] for place in choice.changes]
 
+    @staticmethod
+    def general(choice: Choice) -> bool:
+        """Whether nothing of this problem's own file is changed, but input or answer as in any problem."""
+        return not choice.changes and (choice.before >= 0 or choice.after >= 0)
+
     def words(self, name: str) -> Words:
         """What mistakes.toml says of a mistake; nothing where it does not know it."""
         return self.catalogue.get(name, Words())
@@ -160,10 +165,10 @@ class Family:
         """The text of a whole program that makes the choice."""
         route = self.routes[choice.route]
         source = route.source(self.changes(choice))
-        inner = _INNER if choice.before >= 0 or choice.after >= 0 else self.problem.entry
+        inner = INNER if choice.before >= 0 or choice.after >= 0 else self.problem.entry
         source = re.sub(rf"^def {route.name}\(", f"def {inner}(", source, count=1, flags=re.MULTILINE)
         parts = [self._routes.prelude, source.rstrip()]
-        if inner == _INNER:
+        if inner == INNER:
             parts += [HELPERS, self._outer(choice)]
         return "\n\n\n".join(part for part in parts if part) + "\n"
 
@@ -171,7 +176,7 @@ class Family:
         rows = [f"def {self.problem.entry}(*given):"]
         if choice.before >= 0:
             rows.append(f"    {self._transforms[choice.before].line}")
-        rows.append(f"    answer = {_INNER}(*given)")
+        rows.append(f"    answer = {INNER}(*given)")
         if choice.after >= 0:
             rows.append(f"    {self._transforms[choice.after].line}")
         return "\n".join([*rows, "    return answer"])

@@ -1,4 +1,4 @@
-"""What a program's syntax tree has, as far as a mistake's name may speak of it.
+"""What a program's syntax tree has, as far as a mistake's name may speak of it; in another language its text.
 
 A name that speaks of `//`, a slope, a global or a root is said only of a program that has one. What is found
 is what might do it: a feature is missing only where it cannot be there.
@@ -7,6 +7,7 @@ is what might do it: a feature is missing only where it cannot be there.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 _ROUNDERS = frozenset({"int", "round", "floor", "trunc", "ceil", "rint", "astype", "quantize", "divmod"})
@@ -39,12 +40,35 @@ _DECIMAL = frozenset(
 _SLICED = (ast.Subscript, ast.Attribute)
 
 
-def features(source: bytes | str) -> frozenset[str]:
-    """The features of a program; of a text that is no Python all of them, for nothing is known."""
+_NOTED: Mapping[
+    str, str
+] = {  # what is met in a text of any language that has the feature; the others may be there
+    "//": r"/|\bdiv\b|[Ff]loor|[Tt]runc|>>",
+    "whole": r"/|%|>>|\||[Ff]loor|[Cc]eil|[Rr]ound|[Rr]int|[Tt]runc"
+    r"|\b(?:int|long|i32|i64|as|Number)\b|int\d\d",
+    "/": r"/|\*\*|[Tt]an|[Pp]ow|recip",
+    "root": r"[Ss]qrt|[Hh]ypot|[Pp]ow|[Cc]brt|[Nn]orm|[Dd]ist|[Aa]bs|\*\*|[Ll]en",
+    "round": r"[Rr]ound|[Ff]loor|[Cc]eil|[Tt]runc|[Rr]int|[Ff]ormat|toFixed|setprecision|/"
+    r"|\b(?:int|long|i32|i64|as)\b|int\d\d",
+    "float32": r"\bfloat\b|[Ff]loat32|\bf32\b|fround|\bFloat\b|\d[fF]\b|[a-z]f\(",
+    "fixed-width": r"[Ii]nt|[Ll]ong|\b[iu](?:8|16|32|64|128)\b|[&%|]|>>|asUintN",
+    "decimal": r"[Dd]ecimal|long\s+double|__float128|\bbig\.|quadmath|Float\d",
+    "comparison": r"[<>=!]=|[<>]|[Cc]ompare|[Mm]in|[Mm]ax",
+    "print": r"[Pp]rint|[Pp]uts?\b|[Ww]rite|cout|cerr|\blog\b|\bsay\b|\becho\b",
+}
+
+
+def features(source: bytes | str, foreign: str | None = None) -> frozenset[str]:
+    """The features of a program; of a text that is no Python all of them, for nothing is known.
+
+    `foreign` is the source of another language without comments and strings: what shows nowhere is missing.
+    """
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return frozenset(FEATURES)
+        if foreign is None:
+            return frozenset(FEATURES)
+        return frozenset(each for each in FEATURES if re.search(_NOTED.get(each, ""), foreign))
     nodes = list(ast.walk(tree))
     names = frozenset(_names(nodes))
     return frozenset(name for name, has in FEATURES.items() if has(nodes, names))

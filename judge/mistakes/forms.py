@@ -7,7 +7,7 @@ meant, a crash that is no matter of numbers.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -56,7 +56,7 @@ def of_form(
     problem = data.problem
     given = [outline for group in result.groups for outline in group.wrong.values()]
     forms = Counter(outline[0] for outline in given)
-    if _prints(result, forms, has):
+    if _prints(result, forms, has, rights):
         advice = "The function prints its answer and returns None. Return it; printing is for programs."
         return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
     for form, (name, advice) in _OF_TYPE.items():
@@ -75,10 +75,14 @@ def of_form(
     return Form(faulty=odd >= _MOST * len(given))
 
 
-def _prints(result: Result, forms: Counter[str], has: frozenset[str]) -> bool:
+def _prints(
+    result: Result, forms: Counter[str], has: frozenset[str], rights: Mapping[str, Sequence[Outline]]
+) -> bool:
     """Whether a function prints, and answers None to all that it is asked; a program would print `none`."""
     returned = result.failure is not None and result.failure.got == "None"
-    return returned and "print" in has and forms["none"] == forms.total()
+    if not (returned and "print" in has and forms["none"] == forms.total()):
+        return False
+    return all(form == "none" for form, _ in _passed(result, rights))
 
 
 def _bare(result: Result, data: ProblemData) -> int:
@@ -100,15 +104,18 @@ def _constant(result: Result, rights: Mapping[str, Sequence[Outline]], forms: Co
     if len(given) != 1 or any(form.startswith(("raised ", "stopped ", "type ")) for form in forms):
         return ""
     (answer,) = given
-    passed = [
-        rights[group.name][case] == answer
-        for group in result.groups
-        for case in range(group.reached)
-        if case not in group.wrong
-    ]
+    passed = [right == answer for right in _passed(result, rights)]
     if len(passed) + forms.total() < _ENOUGH or not all(passed):
         return ""
     return "None" if answer[0] == "none" else _in_words(answer)
+
+
+def _passed(result: Result, rights: Mapping[str, Sequence[Outline]]) -> Iterator[Outline]:
+    """The right answers to the cases that were accepted."""
+    for group in result.groups:
+        for case in range(group.reached):
+            if case not in group.wrong:
+                yield rights[group.name][case]
 
 
 def _in_words(answer: Outline) -> str:

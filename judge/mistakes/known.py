@@ -10,48 +10,31 @@ problem.py is. A file of `wrong/` may keep state, loop or read standard input; i
 
 from __future__ import annotations
 
-import hashlib
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
-from msgspec import Struct
-
-from judge.data.cache import cache_folder, code_files, content_key, data_key, kept_stem
-from judge.data.kept import KeptFile
+from judge.data.cache import code_files, content_key, data_key, kept_stem
 from judge.data.model import ProblemData
-from judge.errors import ProblemError
+from judge.folders import cache_folder
+from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
-from judge.mistakes.answers import Answers, Behaviour, behaviour
+from judge.mistakes.answers import Behaviour, behaviour
+from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
 from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
 from judge.run.parallel import in_order
 from judge.run.settings import Settings
-from judge.sandbox.encode import encode
 from judge.values import Outline, Usual
-from judge.values.rightness import is_right
 
 FORMAT = 3  # raise it when the form of the file changes
 
 Progress = Callable[[int, int], None]  # programs done, programs in all
 _CODE = ("run", "sandbox")  # beside the packages that the data depend on
 _WHAT = "the known mistakes' answers"
-
-
-class Program(Struct, frozen=True):
-    """A program whose answers are wanted; a trusted one is run here and now."""
-
-    source: bytes
-    file: str
-    trusted: bool = False
-
-    @property
-    def key(self) -> str:
-        """What its answers are kept under."""
-        return hashlib.sha256(self.source).hexdigest()[:24]
 
 
 class KnownAnswers:
@@ -61,8 +44,8 @@ class KnownAnswers:
         self._data = data
         self._settings = settings
         self._workers = workers
-        key = _key(data.problem, seed)
-        self._file = KeptFile(cache_folder, "mistakes", kept_stem(data.problem, seed), key, _WHAT)
+        self._kinds: dict[tuple[str, int, Outline], str] = {}
+        self._file = _file_of(data.problem, seed)
 
     @property
     def kept(self) -> bool:
@@ -103,8 +86,9 @@ class KnownAnswers:
             result = run_submission(data.problem, data, program.source, program.file, settings=settings)
             return behaviour(result)
 
+        computer = Computer(data)
         judged = {key: each for key, each in missing.items() if not each.trusted}
-        trusted = ((key, computed(data, each)) for key, each in missing.items() if each.trusted)
+        trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)
         contained = zip(judged, in_order(list(judged.values()), self._workers, judge), strict=True)
         for done, found in enumerate(chain(trusted, contained), 1):
             yield found
@@ -115,7 +99,12 @@ class KnownAnswers:
         return {name: packed(answers, partial(self._kind, name)) for name, answers in known.items()}
 
     def _kind(self, group: str, case: int, given: Outline) -> str:
-        return kind_of(given, self._rights[group][case], self._data.problem.answer, self._usual)
+        """What kind of wrong answer that is; found once of what several programs answer."""
+        key = group, case, given
+        if key not in self._kinds:
+            right = self._rights[group][case]
+            self._kinds[key] = kind_of(given, right, self._data.problem.answer, self._usual)
+        return self._kinds[key]
 
     @cached_property
     def _rights(self) -> Mapping[str, Sequence[Outline]]:
@@ -126,43 +115,13 @@ class KnownAnswers:
         return Usual.of(right for outlines in self._rights.values() for right in outlines)
 
 
-def computed(
-    data: ProblemData, program: Program, only: Mapping[str, Sequence[int]] | None = None
-) -> Behaviour:
-    """What a trusted program answers wrongly, found by calling it. Raises ProblemError.
-
-    Groups of big cases are left out: they ask for time. `only` are the cases asked for, by group, if not all.
-    """
-    function = _entry(data.problem, program)
-    answer, outline, call = data.problem.answer, data.problem.answer.outline, data.problem.calls
-    found: Behaviour = {}
-    for group in data.groups:
-        if group.group.size is not None:
-            continue
-        wrong: dict[int, Outline] = {}
-        asked = range(len(group.cases)) if only is None else only.get(group.group.name, ())
-        for index, given in zip(asked, call([group.cases[index] for index in asked]), strict=True):
-            try:
-                raw = encode(function(*given))
-            except Exception as fault:  # as a submission's would be, a wrong answer
-                wrong[index] = (f"raised {type(fault).__name__}", ())
-                continue
-            exact = partial(data.exact, group.cases[index], group.group)
-            if not is_right(answer, raw, group.targets[index], exact):
-                wrong[index] = outline(raw)
-        found = {**found, group.group.name: Answers(len(group.cases), wrong)}
-    return found
+def is_kept(problem: Problem, seed: int | None) -> bool:
+    """Whether anything is kept of what the known mistakes answer, or cannot be. Raises ProblemError."""
+    return _file_of(problem, seed).exists()
 
 
-def _entry(problem: Problem, program: Program) -> Callable[..., Any]:
-    space: dict[str, Any] = {"__name__": "mistakes"}
-    try:
-        exec(compile(program.source, program.file, "exec", dont_inherit=True), space)
-        function: Callable[..., Any] = space[problem.entry]
-    except Exception as fault:
-        what = f"the program with this mistake cannot be run: {type(fault).__name__}: {fault}"
-        raise ProblemError(what, where=program.file, remedy="correct the change") from None
-    return function
+def _file_of(problem: Problem, seed: int | None) -> KeptFile:
+    return KeptFile(cache_folder, "mistakes", kept_stem(problem, seed), _key(problem, seed), _WHAT)
 
 
 def _key(problem: Problem, seed: int | None) -> str:

@@ -9,8 +9,8 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour
 from judge.mistakes.catalogue import Words, read_catalogue, with_kills
+from judge.mistakes.computed import Program
 from judge.mistakes.family import Choice, Family, Line
-from judge.mistakes.known import Program
 from judge.problem import Problem
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 
@@ -50,7 +50,8 @@ class Makers(Struct, frozen=True):
 
 def read_makers(problem: Problem) -> Makers:
     """What is known of a problem's mistakes. A file that cannot be read is a fault and no maker."""
-    programs, faults = read_solutions(problem, Kind.WRONG)
+    solutions, faults = read_solutions(problem, Kind.WRONG)
+    programs = [each for each in solutions if each.language is None]  # the others would be compiled for it
     found: list[Maker] = []
     family = None
     try:

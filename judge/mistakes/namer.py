@@ -12,11 +12,14 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.model import ProblemData
+from judge.languages import language_of
+from judge.languages.sources import stripped
 from judge.mistakes.answers import Behaviour, behaviour
+from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
 from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
-from judge.mistakes.known import KnownAnswers, Program, Progress, computed
+from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.makers import Maker, Makers, distinct, read_makers
 from judge.mistakes.naming import Known, Match, best_match
 from judge.mistakes.nearest import nearest
@@ -64,6 +67,7 @@ class Namer:
         self.notes: list[str] = []
         self._data = data
         self._answers = KnownAnswers(data, seed, replace(settings, workers=1, measured=False), workers)
+        self._computer = Computer(data)  # of what makes two mistakes at once
         self._progress = progress
         self._lock = threading.Lock()
         self._made: _Ready | None = None
@@ -84,7 +88,8 @@ class Namer:
             return self._named(result, source, alone)
 
     def _named(self, result: Result, source: bytes, alone: Alone) -> Result:
-        has = features(source)
+        abroad = language_of(result.submission) is not None
+        has = features(source, stripped(source) if abroad else None)
         found = of_form(result, self._data, has, self._rights)
         if found.pitfall is not None:
             return replace(result, pitfall=found.pitfall)
@@ -150,7 +155,7 @@ class Namer:
             both = next((each for each in pairs if each is not None), None)
             if both is None:
                 return None
-            return computed(self._data, Program(family.program(both).encode(), family.place(both)), only)
+            return self._computer.behaviour(Program(family.program(both).encode(), family.place(both)), only)
 
         return joint
 

@@ -96,6 +96,9 @@ def read_routes(text: str, where: str) -> Routes:
     except SyntaxError as fault:
         place = f"{where}:{fault.lineno or 1}"
         raise ProblemError(f"no Python: {fault.msg}", where=place, remedy="repair this line") from None
+    if not tree.body:
+        remedy = f'write a function with the docstring "{RIGHT}", or remove the file'
+        raise ProblemError("there is no code in it", where=where, remedy=remedy)
     lines = text.splitlines()
     nodes = [node for node in tree.body if isinstance(node, ast.FunctionDef) and ast.get_docstring(node)]
     begun = [_first_line(node) for node in tree.body]

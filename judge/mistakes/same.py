@@ -31,7 +31,7 @@ _LOOKED_AT = 150
 _MOST = 0.7  # … most of which they have to answer as the submission does …
 _RUN = 3  # … before so many of them are run on some
 _FEW, _SOME = 12, 45  # of the cases that it fails; and of the others
-_MISSED = 0.08  # of those, that may be different …
+_MISSED = 0.08  # of those, that may be different, and in the end of all …
 _MISSED_BY_CHANCE = 0.12, 0.04  # … where chance decides for one of the two, and for both
 _CLEARLY = 1.5  # and so many times as many have to be with other mistakes
 ENOUGH = 6  # wrong answers of twins; evidence.py has cases that are much alike count for as many at most
@@ -106,7 +106,14 @@ class Same:
         missed = 1 - best[0]
         if missed > self._allowed(best[1]) or any(1 - share <= _CLEARLY * missed for share, _ in others):
             return None
-        return self._match(best[1]) if self._needed(best[1], best[0]) else None
+        if not self._needed(best[1], best[0]) or 1 - self._everywhere(best[1]) > _MISSED:
+            return None
+        return self._match(best[1])
+
+    def _everywhere(self, pair: tuple[int, int]) -> float:
+        """What `fits` says of some cases, of all."""
+        every = {data.group.name: range(self._submission[data.group.name].reached) for data in self._groups}
+        return self._share(self._joint(*pair, every) if self._joint else None)
 
     def _told_apart(self, found: list[tuple[float, tuple[int, int]]]) -> list[tuple[float, tuple[int, int]]]:
         """The same, where the first two do as well by what they answer where they differ."""

@@ -1,7 +1,8 @@
 """The setter's gate for mistakes.py: every choice is rendered as a program and judged as a submission is.
 
     right ways    every right route, plain and in each of its styles, answers all cases rightly
-    rejected      every mistake is rejected, unless the file says why no case can tell it
+    rejected      every mistake is rejected, unless the file says why no case can tell it; of the changes that
+                  are made in every problem alike, one of a name at least
     kills         each group that names a mistake rejects each program that makes it, in five cases at least
     spared        where mistakes.toml says why a group spares some, it rejects another one so, and another
                   group that one
@@ -20,8 +21,9 @@ from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.catalogue import FILE, Words
+from judge.mistakes.computed import Computer, Program
+from judge.mistakes.contained import Contained
 from judge.mistakes.family import Family
-from judge.mistakes.known import Program, computed
 from judge.mistakes.makers import Maker, read_makers
 from judge.problem import Problem
 from judge.run.execute import run_submission
@@ -60,23 +62,23 @@ def verify_choices(
     aimed = _aimed(read.problem)
     warnings: list[Fault] = []
     counts: dict[str, list[_Counted]] = {}
-    settings = Settings(box_factory=box_factory, measured=False)
     try:
-        faults += _wrong_right_ways(read.family, data)
-        for done, maker in enumerate(choices):
-            if progress:
-                progress("judging mistakes", done, len(choices))
-            program = maker.program
-            result = run_submission(problem, data, program.source, "mistake.py", settings=settings)
-            does = behaviour(result)
-            if does != {**dict(computed(data, program)), **_beside(does, data)}:
-                remedy = "make it depend on nothing but its arguments"
-                faults.append(Fault(f"{maker.name} answers otherwise in containment", maker.file, remedy))
-            rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
-            if maker.choice is not None and read.family.equal(maker.choice):
-                warnings += _still_told(maker, rejected)
-            else:
-                counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
+        computer = Computer(data)
+        faults += _wrong_right_ways(read.family, computer)
+        with Contained(data, [each.program for each in choices], box_factory) as contained:
+            judge = _Judge(data, computer, contained, box_factory)
+            for done, maker in enumerate(choices):
+                if progress:
+                    progress("judging mistakes", done, len(choices))
+                does, alike = judge.behaviour(maker)
+                if not alike:
+                    remedy = "make it depend on nothing but its arguments"
+                    faults.append(Fault(f"{maker.name} answers otherwise in containment", maker.file, remedy))
+                rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
+                if maker.choice is not None and read.family.equal(maker.choice):
+                    warnings += _still_told(maker, rejected)
+                else:
+                    counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
     except ProblemError as fault:
         faults.append(Fault(fault.what, fault.where or where, fault.remedy or ""))
     faults += _names(choices, aimed)
@@ -84,7 +86,8 @@ def verify_choices(
         counts.keys() | {name for name, words in read.family.catalogue.items() if words.spared}
     ):
         words = read.family.words(name)
-        faults += _kills(name, counts.get(name, ()), aimed.get(name, ()), words, read.problem)
+        counted = _told_apart(counts.get(name, ()), read.family)
+        faults += _kills(name, counted, aimed.get(name, ()), words, read.problem)
     made = frozenset(maker.name for maker in choices)
     return ChoicesReport(len(choices), made, tuple(faults), tuple(warnings), read.problem)
 
@@ -98,16 +101,42 @@ def _aimed(problem: Problem) -> Mapping[str, Sequence[str]]:
     return found
 
 
-def _beside(does: Behaviour, data: ProblemData) -> Behaviour:
-    """What is not computed: groups of big cases."""
-    big = {each.group.name for each in data.groups if each.group.size is not None}
-    return {name: answers for name, answers in does.items() if name in big}
+class _Judge:
+    """Judges choices: here and all in one container.
+
+    One that answers otherwise there is judged by itself, and so is on big cases what their group names.
+    """
+
+    def __init__(
+        self, data: ProblemData, computer: Computer, contained: Contained, box_factory: BoxFactory
+    ) -> None:
+        self._data = data
+        self._computer = computer
+        self._contained = contained
+        self._settings = Settings(box_factory=box_factory, measured=False)
+
+    def behaviour(self, maker: Maker) -> tuple[Behaviour, bool]:
+        """What a choice answers wrongly, in containment, and whether it does so here. Raises JudgeError."""
+        program, data = maker.program, self._data
+        here, ends = self._computer.ended(program)
+        small = [each.group.name for each in data.groups if each.group.size is None]
+        big = [
+            each.name for each in data.problem.groups if each.size is not None and maker.name in each.kills
+        ]
+        asked = big if self._contained.agrees(program, ends) else small + big
+        if not asked:
+            return here, True
+        result = run_submission(
+            data.problem, data, program.source, "mistake.py", settings=self._settings, groups=asked
+        )
+        does = {**here, **behaviour(result)}
+        return does, all(does[name] == here[name] for name in small)
 
 
-def _wrong_right_ways(family: Family, data: ProblemData) -> Iterator[Fault]:
+def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
     for choice in family.right_ways():
         where = family.style_place(choice)
-        does = computed(data, Program(family.program(choice).encode(), where, trusted=True))
+        does = computer.behaviour(Program(family.program(choice).encode(), where, trusted=True))
         failed = [name for name, answers in does.items() if answers.wrong]
         if failed:
             yield Fault(
@@ -126,6 +155,19 @@ class _Counted(Struct, frozen=True):
     def most(self, groups: Iterable[str]) -> int:
         """The greatest number of one of these groups."""
         return max((self.rejected.get(name, 0) for name in groups), default=0)
+
+
+def _told_apart(counted: Sequence[_Counted], family: Family) -> Sequence[_Counted]:
+    """Those that are to be rejected. A change that is made in every problem alike may be no mistake in this
+    one: it is left out where no case rejects it, and one does another that makes the same mistake.
+    """
+    if not any(each.rejected for each in counted):
+        return counted
+    return [
+        each
+        for each in counted
+        if each.rejected or each.maker.choice is None or not family.general(each.maker.choice)
+    ]
 
 
 def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:

@@ -25,6 +25,7 @@ _TIERS = list(Tier)
 _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
+_FEW = 8  # problems that a message may name
 
 
 def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
@@ -41,7 +42,10 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
             return load_problem(folder)
     names = [folder.name for folder in folders]
     meant = nearest(name, names)
-    remedy = f"did you mean {meant!r}?" if meant else f"there are {', '.join(names) or 'none at all'}"
+    known = f"there are {', '.join(names) or 'none at all'}"
+    if len(names) > _FEW:
+        known = f"'judge list' shows all {len(names)}"
+    remedy = f"did you mean {meant!r}?" if meant else known
     raise UsageError(f"no problem is called {name!r}", remedy=remedy)
 
 

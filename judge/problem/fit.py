@@ -6,22 +6,28 @@ Asked in this order, until exactly one problem is left:
     the line that a stub begins with (`count: …`), or the file's name (count.py)
     a function inside a class or another function, which the verdict then says to move out
 
-The text is searched and not parsed: a file that does not compile has its problem too, and no text, however
+In another language than Python only the first two are looked at, by that language's own patterns. The text is
+searched and not parsed: a file that does not compile has its problem too, and no text, however
 it was made, takes longer than reading it.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge.errors import nearest
+from judge.languages import language_of
 from judge.problem.find import near_problem_folders, problem_folders
 from judge.problem.load import load_problem
 from judge.problem.model import Problem
+
+if TYPE_CHECKING:
+    from judge.languages.model import Language
 
 _READ = 2**20  # characters of a file that are looked at
 _QUIET = re.compile(  # comments and strings, in which nothing is defined; one without an end goes to the end
@@ -36,6 +42,7 @@ _DEFINED = re.compile(
 )
 _NESTED = re.compile(r"^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)", re.MULTILINE)
 _STUB = re.compile(r"\s*(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')\s*([a-z][a-z0-9-]*): ")
+_ABROAD = r"\s*{comment}\s*([a-z][a-z0-9-]*): "  # such a line in another language
 _ENTRY = re.compile(r"""^[ \t]*["']?entry["']?[ \t]*=[ \t]*["'](\w+)["']""", re.MULTILINE)
 
 
@@ -46,19 +53,47 @@ class Signs(Struct, frozen=True):
     nested: frozenset[str]  # functions below it
     stub: str  # the problem's id in the first line, or nothing
     stem: str  # the id that the file's name stands for
+    defines: Callable[[str], bool] | None = None  # in another language: whether it defines such an entry
+
+    def has(self, entry: str) -> bool:
+        """Whether the file defines the entry where it is called."""
+        return self.defines(entry) if self.defines else entry in self.defined
 
 
 def signs(source: bytes, name: str) -> Signs:
     """The signs of a file with this text and name."""
     text = source[:_READ].decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")
+    language = language_of(name)
+    if language is not None:
+        return _signs_abroad(text, PurePath(name).name, language)
     stub = _STUB.match(text)
     bare = _QUIET.sub(" ", text)
     return Signs(
         frozenset(one or other for one, other in _DEFINED.findall(bare)),
         frozenset(_NESTED.findall(bare)),
         stub[1] if stub else "",
-        PurePath(name).stem.lower().replace("_", "-"),
+        id_of(PurePath(name).stem),
     )
+
+
+def _signs_abroad(text: str, name: str, language: Language) -> Signs:
+    from judge.languages.sources import stripped
+
+    stub = re.match(_ABROAD.replace("{comment}", re.escape(language.comment)), text)
+    quiet = stripped(text.encode())
+
+    def defines(entry: str) -> bool:
+        word = language.spelt(entry)
+        pattern = language.defines.replace("{entry}", re.escape(word))
+        return bool(pattern) and word in quiet and re.search(pattern, quiet) is not None
+
+    suffix = next(each for each in language.suffixes if name.endswith(each))
+    return Signs(frozenset(), frozenset(), stub[1] if stub else "", id_of(name.removesuffix(suffix)), defines)
+
+
+def id_of(stem: str) -> str:
+    """The problem that a file or folder of this name, without its ending, is called like."""
+    return stem.lower().replace("_", "-")
 
 
 def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
@@ -89,13 +124,14 @@ def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, s
 
 def _fitting(found: Signs, entries: dict[Path, str]) -> list[Path]:
     hinted = [[folder for folder in entries if folder.name == name] for name in (found.stub, found.stem)]
-    for names in (found.defined, found.nested):
-        fitting = [folder for folder, entry in entries.items() if entry in names]
+    for at_top in (True, False):
+        has = found.has if at_top else found.nested.__contains__
+        fitting = [folder for folder, entry in entries.items() if has(entry)]
         if len(fitting) > 1:  # the stub's line or the file's name says which
             fitting = next((hint for hint in hinted if hint and hint[0] in fitting), fitting)
         if fitting:
             return fitting
-        if names is found.defined and any(hinted):
+        if at_top and any(hinted):
             return next(hint for hint in hinted if hint)
     return []
 

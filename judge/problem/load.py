@@ -17,17 +17,18 @@ import msgspec
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
-from judge.language import file_name, is_program
+from judge.languages import described, file_name, is_described, is_program
 from judge.problem import schema
 from judge.problem.growing import MOST_INPUT_MB, GrowingKeys
 from judge.problem.level import level_fault
 from judge.problem.lines import KeyPath
 from judge.problem.model import EXAMPLES, Group, GroupLimits, Parameter, Problem, ShownSkill, TimeRule
+from judge.problem.source import source_of
 from judge.problem.statement import read_statement
 from judge.problem.tomlfile import TomlFile, meant
+from judge.problem.verdict import FULL_SCORE
 from judge.values import Tolerance, Type, TypeFault, Words, parse
 
-_POINTS = 100
 _MOST_CASES = 1_000_000
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _LEAST_LIMIT, _MOST_LIMIT = Fraction(1, 1000), 1_000_000  # of seconds, megabytes and multiples
@@ -101,6 +102,7 @@ class _Reader:
             skills=self._skills(table),
             growth=growing.growth(groups),
             audit=self._audit(table),
+            source=source_of(table.source, self.fault),
         )
         text, examples = read_statement(problem, _words(table))
         groups = tuple(
@@ -118,8 +120,6 @@ class _Reader:
         return MappingProxyType(widths)
 
     def _parameters(self, table: schema.ProblemTable) -> tuple[Parameter, ...]:
-        if not table.parameters:
-            self.fault(("parameters",), "the entry has no parameters", "add a [[parameters]] table for each")
         self._unique("parameters", [parameter.name for parameter in table.parameters])
         return tuple(self._parameter(each, ("parameters", at)) for at, each in enumerate(table.parameters))
 
@@ -192,7 +192,21 @@ class _Reader:
             if name is not None and not (is_program(name) and Path(name).name == name):
                 remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
                 self.fault(("time", key), f"{name!r} is no solution's file", remedy)
-        return TimeRule(float(table.limit), table.function, table.program)
+        for name in table.needs:
+            if not name.isidentifier():
+                self.fault(("time", "needs"), f"{name!r} is no module's name", "name modules such as numpy")
+        references = self._references(table)
+        return TimeRule(float(table.limit), table.function, table.program, tuple(table.needs), references)
+
+    def _references(self, table: schema.TimeTable) -> MappingProxyType[str, str]:
+        for language, name in table.references.items():
+            path = ("time", "references", language)
+            if not is_described(language):
+                self.fault(path, f"there is no language {language!r}", meant(language, described()))
+            if not name or Path(name).name != name:
+                remedy = "name a file of the accepted solutions"
+                self.fault(path, f"{name!r} is no solution's file", remedy)
+        return MappingProxyType(table.references)
 
     def _sensible(self, limit: Fraction, path: KeyPath) -> None:
         if not _LEAST_LIMIT <= limit <= _MOST_LIMIT:
@@ -204,26 +218,25 @@ class _Reader:
             self.fault(("groups",), "there are no test groups", "add a [[groups]] table")
         self._unique("groups", [group.name for group in table.groups])
         total = sum(group.points for group in table.groups)
-        if total != _POINTS:
-            self.fault(
-                ("groups", 0, "points"), f"the groups' points sum to {total}", f"make them sum to {_POINTS}"
-            )
+        if total != FULL_SCORE:
+            what = f"the groups' points sum to {total}"
+            self.fault(("groups", 0, "points"), what, f"make them sum to {FULL_SCORE}")
         if mixed := level_fault([(group.name, group.level) for group in table.groups]):
-            at, what, remedy = mixed
-            self.fault(("groups", at), what, remedy)
+            self.fault(("groups", mixed[0]), *mixed[1:])
         return tuple(self._group(each, table, ("groups", at)) for at, each in enumerate(table.groups))
 
     def _group(self, group: schema.GroupTable, table: schema.ProblemTable, path: KeyPath) -> Group:
         if not is_name(group.name):
-            self.fault(
-                (*path, "name"),
-                f"{group.name!r} is no name for a group",
-                "use small letters, digits and single hyphens",
-            )
+            remedy = "use small letters, digits and single hyphens"
+            self.fault((*path, "name"), f"{group.name!r} is no name for a group", remedy)
         if group.points < 0:
             self.fault((*path, "points"), f"group {group.name!r} has negative points", "give 0 to 100")
         if len(set(group.kills)) < len(group.kills):
             self.fault((*path, "kills"), f"group {group.name!r} names a mistake twice", "remove one")
+        if group.bits is not None and group.bits <= 64:
+            self.fault(
+                (*path, "bits"), f"{group.bits} bits are no more than any language has", "leave it out"
+            )
         seed, count = self._seed_and_count(group, path)
         return Group(
             name=group.name,
@@ -242,6 +255,7 @@ class _Reader:
             kills=tuple(group.kills),
             neighbours=self._neighbours(group, path),
             level=group.level,
+            bits=group.bits,
         )
 
     def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:
@@ -382,4 +396,5 @@ def _numbers(prefix: str, table: schema.ToleranceTable | schema.LimitsTable | No
 
 
 def _written(number: schema.TomlNumber) -> str:
-    return str(number).lower().replace("e+", "e")
+    small = isinstance(number, Decimal) and 0 < abs(number) < Decimal("1e-4")  # 1e-6, as well as 1e-7
+    return (f"{number:e}" if small else str(number)).lower().replace("e+", "e")

@@ -70,11 +70,15 @@ class TimeRule(Struct, frozen=True):
     """The time limit: how many times the CPU time of a reference solution a submission may use.
 
     The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs.
+    `needs` are the modules that they import and that do not come with Python. `references` are functions in
+    other languages, by the language's id.
     """
 
     limit: float
     function: str
     program: str | None = None
+    needs: tuple[str, ...] = ()
+    references: MappingProxyType[str, str] = MappingProxyType({})
 
 
 class GrowthRule(Struct, frozen=True):
@@ -104,6 +108,7 @@ class Group(Struct, frozen=True):
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
     level: KataLevel | None = None  # None where the problem's groups have none
+    bits: int | None = None  # of the widest integer that a plain solution computes, where 64 are too few
 
 
 class ShownSkill(Struct, frozen=True):
@@ -115,6 +120,14 @@ class ShownSkill(Struct, frozen=True):
     name: str
     groups: tuple[str, ...]
     about: str | None = None
+
+
+class Source(Struct, frozen=True):
+    """Where the problem comes from; what its setter says nothing of is empty."""
+
+    authors: tuple[str, ...] = ()
+    license: str = ""
+    origin: str = ""
 
 
 class Example(Struct, frozen=True):
@@ -148,6 +161,7 @@ class Problem(Struct, frozen=True):
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
     audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
+    source: Source = Source()
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:

@@ -38,6 +38,8 @@ class TimeTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     limit: TomlNumber
     function: str
     program: str | None = None
+    needs: list[str] = []
+    references: dict[str, str] = {}  # in other languages, by the language's id
 
 
 class GrowthTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -70,6 +72,14 @@ class WordsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     unit: str = ""
 
 
+class SourceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """`[source]`: who wrote the problem, on which terms, and after what."""
+
+    authors: list[str] = []
+    license: str | None = None
+    origin: str | None = None
+
+
 class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """One `[[parameters]]`."""
 
@@ -98,6 +108,7 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     limits: GroupLimitsTable | None = None
     neighbours: bool = False
     level: KataLevel | None = None
+    bits: int | None = None
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -127,6 +138,7 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
     growth: GrowthTable | None = None
     audit: dict[str, str] = {}  # kinds of cases that there need not be, each with the reason
+    source: SourceTable | None = None
 
 
 _TABLES: dict[str, type[msgspec.Struct]] = {
@@ -135,6 +147,7 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
     "time": TimeTable,
     "growth": GrowthTable,
     "words": WordsTable,
+    "source": SourceTable,
     "parameters": ParameterTable,
     "groups": GroupTable,
     "skills": SkillTable,

@@ -7,26 +7,30 @@
 Beside the folders may stand mistakes.py, from which many more wrong programs are made (judge.mistakes).
 
 A program begins with what the judge says about it: its name (an idea, or a mistake), and below that why it
-works, or what is wrong and what to do instead. In Python that is its docstring. A pack may come without any.
+works, or what is wrong and what to do instead. In Python that is its docstring, in another language the line
+comments that it begins with. A pack may come without any.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
-from typing import NamedTuple, assert_never
+from typing import TYPE_CHECKING, NamedTuple, assert_never
 
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.language import SUFFIX, is_program
+from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.model import Problem
 from judge.problem.program import tree_of
 from judge.problem.verdict import Verdict
 from judge.reading import read_ordinary
+
+if TYPE_CHECKING:
+    from judge.languages.model import Language
 
 MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (judge.mistakes.routes)
 
@@ -57,13 +61,17 @@ class Kind(Enum):
 
 
 class Solution(Struct, frozen=True):
-    """One program: its bytes, its name and what is told below it; both texts may be empty."""
+    """One program: its bytes, its name and what is told below it; both texts may be empty.
+
+    `language` is None for Python's.
+    """
 
     kind: Kind
     path: Path
     source: bytes
     name: str
     text: str
+    language: Language | None = None
 
     @property
     def file(self) -> str:
@@ -110,7 +118,8 @@ def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
                 continue
             if not programs[-1].name:
                 remedy = f"begin it with the name of its {'mistake' if kind is Kind.WRONG else 'idea'}"
-                faults.append(ProblemError("it has no docstring", where=_place(path, 3), remedy=remedy))
+                what = "it has no docstring" if programs[-1].language is None else "no comment begins it"
+                faults.append(ProblemError(what, where=_place(path, 3), remedy=remedy))
     return Solutions(tuple(programs), (*faults, *([] if kinds else _strays(problem))))
 
 
@@ -162,26 +171,36 @@ def _strays(problem: Problem) -> list[ProblemError]:
 
 
 def _read(kind: Kind, path: Path) -> Solution:
-    if path.suffix not in _HEADS:
-        remedy = f"end its name in {' or '.join(_HEADS)} if it is one, or move it elsewhere"
+    language = language_of(path)
+    if language is None and path.suffix != SUFFIX:
+        remedy = f"end its name as a language does ({SUFFIX}) if it is one, or move it elsewhere"
         raise ProblemError("this is no program", where=_place(path, 3), remedy=remedy)
     try:
         source = read_ordinary(path)
-        head = _HEADS[path.suffix](source)
+        head = _docstring(source) if language is None else parted(source, language)[0]
     except OSError as fault:
         what = f"cannot be read: {fault.strerror}"
         raise ProblemError(what, where=_place(path, 3), remedy="make it readable") from None
     except SyntaxError as fault:
         raise ProblemError(f"no Python: {fault}", where=_place(path, 3), remedy="repair it") from None
     name, _, text = head.partition("\n")
-    return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"))
+    return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"), language)
+
+
+def parted(source: bytes, language: Language) -> tuple[str, str]:
+    """The text of the line comments that a source of another language begins with, and the lines below."""
+    mark = language.comment
+    lines = source.decode("utf-8-sig", errors="replace").splitlines()
+    first = next((at for at, line in enumerate(lines) if line.strip() and not line.startswith("#!")), 0)
+    end = first
+    while end < len(lines) and lines[end].startswith(mark):
+        end += 1
+    head = [line.removeprefix(mark).removeprefix(" ").rstrip() for line in lines[first:end]]
+    return "\n".join(head), "\n".join(lines[end:]).strip("\n")
 
 
 def _docstring(source: bytes) -> str:
     return ast.get_docstring(tree_of(source)) or ""
-
-
-_HEADS: Mapping[str, Callable[[bytes], str]] = {SUFFIX: _docstring}  # how a language's programs begin
 
 
 def _place(path: Path, parts: int) -> str:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Callable, Sequence
-from decimal import Decimal
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, assert_never
 
@@ -15,6 +13,7 @@ from judge.problem.lines import KeyPath, key_lines, line_of
 from judge.problem.model import Problem
 from judge.problem.schema import ProblemTable, fields_at
 from judge.problem.text import read_text
+from judge.problem.toml import read_toml
 
 if TYPE_CHECKING:
     from judge.problem.shape import Misfit
@@ -27,7 +26,8 @@ class TomlFile:
 
     def __init__(self, folder: Path) -> None:
         self._name = f"{folder.name}/problem.toml"
-        self._text = read_text(folder / "problem.toml")
+        self._path = folder / "problem.toml"
+        self._text = read_text(self._path)
 
     def fault(self, path: KeyPath, what: str, remedy: str) -> NoReturn:
         """Raise the fault of what stands at `path`."""
@@ -36,7 +36,7 @@ class TomlFile:
 
     def table(self) -> ProblemTable:
         """The file in its shape; its values are not yet checked."""
-        raw = toml_of(self._text, self._name, parse_float=Decimal)
+        raw = read_toml(self._path, self._text, self._name, exact=True)
         return self.shaped(raw, ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
@@ -86,32 +86,6 @@ def key_place(problem: Problem, path: KeyPath) -> str:
     """Where a key stands, as `id/problem.toml:12`, for faults that the file alone does not show."""
     lines = key_lines(read_text(problem.folder / "problem.toml"))
     return f"{problem.id}/problem.toml:{line_of(path, lines)}"
-
-
-def toml_of(text: str, name: str, parse_float: Callable[[str], Any] = float) -> dict[str, Any]:
-    """The tables of a TOML text; `name` is its file's. Raises ProblemError, with the line if it is known."""
-    try:
-        return tomllib.loads(text, parse_float=parse_float)
-    except tomllib.TOMLDecodeError as error:
-        what = str(error).partition(" (at ")[0]
-        line = _line_of(error, text)
-        what, where = f"{what[:1].lower()}{what[1:]}", f"{name}:{line}"
-    except ValueError:  # longer than Python reads
-        what, where = "an integer has too many digits", name
-    except RecursionError:
-        what, where = "its lists or tables are nested too deeply", name
-    raise ProblemError(
-        f"no TOML: {what}", where=where, remedy="repair this line" if ":" in where else "repair it"
-    )
-
-
-def _line_of(error: tomllib.TOMLDecodeError, text: str) -> int:
-    """The line of a fault; before Python 3.14 it is in the error's text alone: "… (at line 3, column 1)"."""
-    line = getattr(error, "lineno", None)
-    if isinstance(line, int):
-        return line
-    number = str(error).rpartition("(at line ")[2].partition(",")[0]
-    return int(number) if number.isdecimal() else text.count("\n") + 1
 
 
 def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:

@@ -68,6 +68,26 @@ class Decision(Struct, frozen=True):
     beyond: float | None = None
 
 
+class Puzzle(Struct, frozen=True):
+    """A small figure, and the answer to a question about it.
+
+    Attributes:
+        given: the figure in words, a line each: all that is needed for the answer.
+        picture: the figure without the answer; None where it cannot be drawn.
+        words: what an answer is made of, each with what it means, empty where that is plain.
+        answer: the right one; empty for "none".
+        one: whether one word is the whole answer.
+        why: what makes it so.
+    """
+
+    given: tuple[str, ...]
+    picture: Picture | None
+    words: Mapping[str, str]
+    answer: tuple[str, ...]
+    one: bool = False
+    why: str = ""
+
+
 class Topic(Struct, frozen=True):
     """The hooks of a topic.
 
@@ -79,7 +99,11 @@ class Topic(Struct, frozen=True):
             cases the one without them is the simpler.
         picture: a case drawn, or None where it cannot be.
         decisions: what the answers of a problem turn on, for the audit of its data.
+        explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
+            arguments by parameter name, or a usual case. None where there is no such page for the problem.
         borders: where answers turn, and a submission's own threshold can be measured; the most usual first.
+        puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`, which knows the
+            answer; None for a form that it has no figures for.
     """
 
     images: Callable[[Problem, Case, Any, Chance, int], list[Image]] | None = None
@@ -87,4 +111,6 @@ class Topic(Struct, frozen=True):
     special: Callable[[Case], int] | None = None
     picture: Callable[[Shown], Picture | None] | None = None
     decisions: Callable[[Problem], Iterable[Decision]] | None = None
+    explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
     borders: Callable[[Problem], Sequence[Border]] | None = None
+    puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from enum import Enum
 
+FULL_SCORE = 100  # what the points of a problem's groups sum to
+
 
 class Verdict(Enum):
     """The outcome of a test group or of a whole submission; the value is its name in JSON."""
@@ -31,5 +33,5 @@ _MEANING = {
     Verdict.OLE: "output limit exceeded",
     Verdict.RTE: "run-time error",
     Verdict.CE: "does not compile",
-    Verdict.JE: "the judge's or the problem's own fault",
+    Verdict.JE: "could not be judged",
 }

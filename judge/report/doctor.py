@@ -8,13 +8,17 @@ from typing import TYPE_CHECKING
 from judge.report.layout import Line, Span, Style, hanging, line
 
 if TYPE_CHECKING:
+    from judge.languages.find import Found
     from judge.sandbox.probe import Level
 
+_LANGUAGES = 12
 _LABELS = 10  # the column where what follows a label begins
 
 
-def doctor_lines(facts: Mapping[str, str], levels: Sequence[Level], width: int | None) -> Iterator[Line]:
-    """Facts, then each level with what it is or what it lacks, then the one that is used."""
+def doctor_lines(
+    facts: Mapping[str, str], levels: Sequence[Level], languages: Sequence[Found], width: int | None
+) -> Iterator[Line]:
+    """Facts, each level with what it is or what it lacks, the languages beside Python, the level in use."""
     for label, fact in facts.items():
         yield from hanging(Span(label, Style.FAINT), Span(fact), width, indent=0, column=_LABELS)
     yield line()
@@ -26,6 +30,17 @@ def doctor_lines(facts: Mapping[str, str], levels: Sequence[Level], width: int |
                 yield from hanging(Span(label, Style.FAINT), Span(text), width, indent=_LABELS, column=20)
     yield line()
     best = next((level for level in levels if level.available), None)
+    for each in languages:
+        style = Style.GOOD if each.version else Style.FAINT
+        text = each.version or f"missing {each.missing}: {each.remedy}"
+        if each.works and best:
+            text += f", works at {best.name}"
+        style = Style.WARNING if each.works is False else style
+        yield from hanging(Span(each.name, style), Span(text), width, indent=0, column=_LANGUAGES)
+        if each.works is False:
+            for label, words in (("fails", each.why_not), ("remedy", each.remedy)):
+                yield from hanging(Span(label, Style.FAINT), Span(words), width, indent=_LANGUAGES, column=22)
+    yield line()
     used = Span(f"isolation is {best.name}", Style.STRONG) if best else Span("nothing can be run", Style.BAD)
     yield line(used)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 
-from judge.kata.review import Rating, Review
-from judge.language import file_name
+from judge.kata.review import CardReview, Memory, Rating, Review
+from judge.languages import file_name
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
 from judge.report.values import counted
@@ -43,9 +43,32 @@ def due_lines(
         yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
 
 
-def nothing_lines(width: int | None) -> Iterator[Line]:
-    """Nothing was tried; runs of a problem's own solutions are no tries."""
-    text = "You have tried no kata yet, so none comes again; 'judge practice' takes up the first kata."
+def card_lines(found: Sequence[CardReview], now: datetime, width: int | None) -> Iterator[Line]:
+    """How many cards are due, and when the next one is; nothing where none was ever answered."""
+    if not found:
+        return
+    due = sum(review.is_due(now) for review in found)
+    yield line()
+    yield line(Span("Cards", Style.STRONG), Span(f"  {due} due of {len(found)} answered", Style.FAINT))
+    if due:
+        yield line("  next  ", Span("judge quiz", Style.STRONG))
+    else:
+        text = f"The next one is due {due_words(min(found, key=lambda review: review.due), now)}."
+        yield from hanging(Span(""), Span(text), width, indent=2, column=2)
+
+
+def waiting_lines(due: int, width: int | None) -> Iterator[Line]:
+    """That cards are due, beside a kata."""
+    if due:
+        yield line()
+        text = f"{counted(due, 'card')} {'is' if due == 1 else 'are'} due: judge quiz"
+        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
+
+
+def nothing_lines(width: int | None, *, tried: bool) -> Iterator[Line]:
+    """No kata is kept in mind yet; runs of a problem's own solutions are no tries."""
+    none = "No run of yours has passed a test group yet" if tried else "You have tried no kata yet"
+    text = f"{none}, so none comes again; 'judge practice' takes up the first kata."
     yield from hanging(Span(""), Span(text), width, indent=0, column=0)
 
 
@@ -64,7 +87,7 @@ def _table(found: Sequence[Review], now: datetime) -> Table:
 def _row(review: Review, now: datetime) -> list[Cell]:
     return [
         Span(review.problem, Style.STRONG),
-        _due(review, now),
+        due_words(review, now),
         Span(f"{review.recall:.0%}", Style.FAINT),
         Span(day(review.last), Style.FAINT),
         Span(_went(review), _STYLES.get(review.rating, Style.PLAIN)),
@@ -72,7 +95,8 @@ def _row(review: Review, now: datetime) -> list[Cell]:
     ]
 
 
-def _due(review: Review, now: datetime) -> str:
+def due_words(review: Memory, now: datetime) -> str:
+    """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
     days = (review.due.astimezone(now.tzinfo).date() - now.date()).days
     if days < 0:
         return f"{counted(-days, 'day')} ago"

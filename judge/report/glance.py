@@ -16,18 +16,20 @@ from judge.report.names import shown_name
 from judge.report.results import (
     HOW_RUN,
     again_line,
+    cut_short,
     failure_lines,
     failure_place,
     group_table,
     pitfall_lines,
     place_lines,
+    smallest,
     verdict_lines,
     verdict_span,
 )
 from judge.report.screen import Screen, is_terminal
 from judge.report.thresholds import threshold_lines
 from judge.report.values import counted
-from judge.run.result import Failure, Result
+from judge.run.result import Result
 
 _ROWS = 23  # of a screen of 24, whose last one the prompt takes
 
@@ -171,12 +173,8 @@ def case_lines(
         yield from failure_lines(failure, width, most=most)
     else:
         title = "smallest case found" if smaller else f"no smaller case found: {failure_place(failure)}"
-        yield line("  ", Span(title, Style.STRONG))
-        shown = (
-            Failure(found["message"], input=found["input"], expected=found["expected"], got=found["got"])
-            if smaller
-            else failure
-        )
+        yield line("  ", Span(title + cut_short(found), Style.STRONG))
+        shown = smallest(found) if smaller else failure
         yield from failure_lines(shown, width, most=most, titled=False)
     yield from place_lines(result, width)
     if found is not None and found["replay"] is None:

@@ -13,7 +13,7 @@ from judge.problem.verdict import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
-from judge.report.values import counted, times
+from judge.report.values import counted, score_text, times
 
 _LABELS = 12  # the column where what follows a label begins
 _TAB = "→   "  # a tab and four spaces are not the same to Python, and must not look the same
@@ -101,8 +101,12 @@ def _lately(when: datetime, year: int) -> str:
 
 def _result(run: Run) -> str:
     if not run.whole:
-        return f"{run.verdict.value} {run.score}"
+        return f"{run.verdict.value} {_score(run)}"
     return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+
+
+def _score(run: Run) -> str:
+    return score_text(run.score, accepted=run.verdict is Verdict.AC)
 
 
 def change_lines(change: Change, width: int | None) -> Iterator[Line]:
@@ -128,7 +132,7 @@ def _short(run: Run) -> list[Cell]:
         run.problem,
         shown_name(run.submission),
         verdict_span(run.verdict),
-        Span(counted(run.score, "point"), Style.FAINT),
+        Span(counted(run.score, "point") if _score(run).isdigit() else _score(run), Style.FAINT),
     ]
 
 
@@ -137,7 +141,7 @@ def _outcome(change: Change) -> Iterator[tuple[str, str, Style]]:
     old, new = change.old, change.new
     pairs = [
         ("verdict", old.verdict.value, new.verdict.value),
-        ("points", str(old.score), str(new.score)),
+        ("points", _score(old), _score(new)),
         ("mistake", old.mistake or "none named", new.mistake or "none named"),
         ("× ref.", _times(old.ratio) or "not measured", _times(new.ratio) or "not measured"),
     ]

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from judge.errors import nearest
-from judge.language import file_name
+from judge.languages import file_name
 from judge.problem import Problem
 from judge.report.layout import Line, Link, Span, Style, hanging
 from judge.run.result import Hurdle, Obstacle, Result
@@ -18,8 +18,11 @@ _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
 
 
-def hurdle_lines(result: Result, hurdle: Hurdle, problem: Problem, width: int | None) -> list[Line]:
-    """The obstacle, with its line in the file, and the remedy."""
+def hurdle_lines(result: Result, problem: Problem, width: int | None) -> list[Line]:
+    """The obstacle, with its line in the file, and the remedy; nothing where there is none."""
+    hurdle = result.hurdle
+    if hurdle is None:
+        return []
     label = f"line {hurdle.line}" if hurdle.line else "cause"
     column = 2 + len(label) + 2
     place = Span(label, Style.FAINT, Link(result.submission, hurdle.line))
@@ -41,7 +44,8 @@ def hurdle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
             return _missing_module(result, hurdle.name)
         case Obstacle.IMPORT:
             message = result.failure.message.removesuffix(IMPORTING) if result.failure else ""
-            return f"{message} ends the import; put what only you need below if __name__ == '__main__':"
+            more = ", or use 'judge run --mode program'" if message.startswith("EOFError") else ""
+            return f"{message} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED:
             return f"{entry} stands in a class or another function: move it out, to the left margin"
         case Obstacle.MISNAMED:

@@ -7,7 +7,6 @@ file): then no line is ever broken.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from enum import Enum
 from typing import TypeVar
@@ -68,14 +67,19 @@ def printable(text: str) -> str:
     )
 
 
+_COMBINING = "\u0300"  # the first character that takes another number of columns than one
+
+
 def cells(text: str) -> int:
     """How many columns `text` takes."""
-    if text.isascii():
-        return len(text)
-    return sum(_columns(character) for character in text)
+    return len(text) if text.isascii() else sum(_columns(character) for character in text)
 
 
 def _columns(character: str) -> int:
+    if character < _COMBINING:
+        return 1
+    import unicodedata  # a large table, for what hardly any text holds
+
     if unicodedata.combining(character):
         return 0
     return 2 if unicodedata.east_asian_width(character) in "WF" else 1
@@ -190,13 +194,15 @@ class Column(Struct, frozen=True):
     """A column of a table.
 
     The one that is `flexible` holds prose and gives way when room is short. After it names are broken, those
-    of the first column unless another one is `broken` instead.
+    of the first column unless another one is `broken` instead. One that is `spare` is left out where no row
+    has anything in it.
     """
 
     title: str
     right: bool = False
     flexible: bool = False
     broken: bool = False
+    spare: bool = False
 
 
 Cell = Span | str
@@ -218,6 +224,10 @@ class Table(Struct, frozen=True):
         no room beside it; then the names of one column are broken, and at last a row becomes a paragraph.
         """
         rows = [[_span(cell) for cell in row] for row in self.rows]
+        for index in reversed([at for at, column in enumerate(self.columns) if column.spare]):
+            if not any(row[index].text for row in rows):
+                kept = [_without(row, index) for row in rows]
+                return Table(_without(self.columns, index), kept, self.indent).lines(width)
         widths = self._widths(rows)
         spare = self._spare(widths, width)
         flexible = next((index for index, column in enumerate(self.columns) if column.flexible), None)
@@ -247,20 +257,24 @@ class Table(Struct, frozen=True):
         return laid
 
     def _paragraphs(self, rows: list[list[Span]], width: int | None) -> list[Line]:
-        """Every row as its name and, below it, what the columns say, each with its title."""
+        """Every row as its name and, below it, what the columns say, each with its title; then its prose."""
         under = " " * (self.indent + 2)
         room = None if width is None else min(width, READABLE) - len(under)
         laid = []
         for name, *rest in rows:
-            said = [
-                span.text if column.flexible else f"{column.title} {span.text}"
-                for span, column in zip(rest, self.columns[1:], strict=True)
-                if span.text
-            ]
+            told = [each for each in zip(rest, self.columns[1:], strict=True) if each[0].text]
+            said = [f"{column.title} {span.text}".strip() for span, column in told if not column.flexible]
+            prose = [span for span, column in told if column.flexible]
             laid += [
                 line(" " * self.indent, Span(text, name.style, name.link)) for text in wrap(name.text, room)
             ]
-            laid += [line(under, text) for text in wrap(", ".join(said), room)]
+            laid += [line(under, text) for text in wrap(", ".join(said), room) if text]
+            laid += [
+                line(under, Span(text, span.style))
+                for span in prose
+                for text in wrap(span.text, room)
+                if text
+            ]
         return laid
 
     def _titles(self) -> list[list[Span]]:

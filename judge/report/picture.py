@@ -19,9 +19,9 @@ _STYLES = {
 }
 
 
-def has_room(screen: Screen) -> bool:
+def has_room(screen: Screen, columns: int = COLUMNS) -> bool:
     """Whether a drawing can be read there: a terminal that is wide enough and knows the characters."""
-    if not is_terminal(screen.stream) or screen.width is None or screen.width < COLUMNS:
+    if not is_terminal(screen.stream) or screen.width is None or screen.width < columns:
         return False
     try:
         "\u28ff".encode(getattr(screen.stream, "encoding", None) or "utf-8")
@@ -30,9 +30,9 @@ def has_room(screen: Screen) -> bool:
     return True
 
 
-def picture_lines(picture: Picture, rows: int | None = None) -> Iterator[Line]:
+def picture_lines(picture: Picture, rows: int | None = None, *, answered: bool = True) -> Iterator[Line]:
     """The drawing in about so many rows, coloured by what is wanted and what was given."""
-    for row in to_braille(picture, ROWS if rows is None else rows):
+    for row in to_braille(picture, ROWS if rows is None else rows, answered=answered):
         yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from judge.problem import Group, Parameter, Problem, Tolerance
+from judge.problem import Group, GrowthRule, Parameter, Problem, Tolerance
+from judge.problem.model import Source
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.levels import level_name
 from judge.report.values import bound, counted, size
@@ -17,8 +18,6 @@ def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]
     columns = (
         Column("problem"),
         Column("tier"),
-        Column("entry"),
-        Column("groups", right=True),
         Column("cases", right=True),
         Column("title", flexible=True),
     )
@@ -26,8 +25,6 @@ def list_lines(problems: Sequence[Problem], width: int | None) -> Iterator[Line]
         [
             Span(problem.id, Style.STRONG),
             problem.tier.value,
-            problem.entry,
-            str(len(problem.groups)),
             f"{cases(problem):,}",
             problem.title,
         ]
@@ -63,6 +60,18 @@ def detail_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     yield from _labelled("memory", size(limits.memory_bytes), width)
     yield from _labelled("output", size(limits.output_bytes), width)
     yield from _own_limits(problem, width)
+    yield from _source(problem.source, width)
+
+
+def _source(source: Source, width: int | None) -> Iterator[Line]:
+    """Who wrote it, on which terms and after what, where that is said."""
+    said = {"authors": ", ".join(source.authors), "license": source.license, "origin": source.origin}
+    if any(said.values()):
+        yield line()
+        yield line(Span("Source", Style.STRONG))
+    for label, text in said.items():
+        if text:
+            yield from _labelled(label, text, width)
 
 
 def _kinds(problem: Problem) -> Iterator[tuple[str, Sequence[Group]]]:
@@ -95,13 +104,21 @@ def _own_limits(problem: Problem, width: int | None) -> Iterator[Line]:
     for group in problem.groups:
         parts = [f"CPU {group.limits.cpu_seconds:g} s"] if group.limits else []
         parts += [f"wall clock {group.limits.wall_seconds:g} s"] if group.limits else []
-        parts += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
+        parts += [time_rule(group)] if group.time_limit is not None else []
         if parts:
             yield from _labelled(group.name, ", ".join(parts), width)
     if problem.growth is not None:
-        rule = problem.growth
-        text = f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
-        yield from _labelled("growth", text, width)
+        yield from _labelled("growth", growth_rule(problem.growth), width)
+
+
+def time_rule(group: Group) -> str:
+    """`8 × the reference`: the CPU time of a group that has a limit of its own; empty where it has none."""
+    return "" if group.time_limit is None else f"{group.time_limit:g} × the reference"
+
+
+def growth_rule(rule: GrowthRule) -> str:
+    """`at most n^0.4 faster than the reference, over …`: how CPU time may grow."""
+    return f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
 
 
 def cases(problem: Problem) -> int:

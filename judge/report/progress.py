@@ -42,6 +42,8 @@ class _Bar:
         if self._progress is None or self._task is None:
             if time.monotonic() - self._begun < _PATIENCE:
                 return
+            if done >= total:  # it is over, and was not long; or there is nothing left to show
+                return
             self._progress = _rich_progress()
             self._task = self._progress.add_task(label, total=total)
             self._progress.start()
@@ -50,11 +52,14 @@ class _Bar:
         self._progress.update(self._task, description=label, completed=done, total=total, refresh=drawn)
         if drawn:
             self._drawn = now
+        if done >= total:  # what comes after it may have a bar of its own
+            self.close()
 
     def close(self) -> None:
         """Take the bar off the screen."""
         if self._progress is not None:
             self._progress.stop()
+            self._progress = self._task = None
 
 
 @contextmanager

@@ -23,8 +23,8 @@ from judge.report.levels import levels_text
 from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
 from judge.report.thresholds import threshold_lines
-from judge.report.values import arguments, counted, seconds, size, times
-from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result
+from judge.report.values import arguments, counted, score_text, seconds, size, times
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing
 
 _STYLES = {
     Verdict.AC: Style.GOOD,
@@ -89,6 +89,8 @@ def _group_row(group: GroupResult) -> list[Cell]:
     accepted = group.verdict is Verdict.AC
     quiet = Style.FAINT if accepted else Style.PLAIN
     points = str(group.points) if accepted else f"0 of {group.points}"
+    if not group.points:
+        points = "extra"
     return [
         Span(group.name, Style.PLAIN if accepted else Style.STRONG),
         verdict_span(group.verdict),
@@ -110,19 +112,13 @@ def failure_lines(
         ("input", None if failure.input is None else arguments(failure.input), Style.PLAIN),
         ("wanted", failure.expected, Style.GOOD),
         ("got", failure.got, Style.BAD),
-        *((label, row, Style.PLAIN) for label, row in _printed(failure)),
+        ("printed", failure.printed, Style.PLAIN),
         ("why", None if _says_nothing_new(failure) else failure.message, Style.PLAIN),
     ]
     for label, text, style in rows:
         if text:
             laid = hanging(Span(label, Style.FAINT), Span(text, style), width, indent=4, column=_LABELS)
             yield from clipped(laid, most)
-
-
-def _printed(failure: Failure) -> list[tuple[str, str]]:
-    """A row for each line that the function printed, the first with the label."""
-    rows = failure.printed.split("\n") if failure.printed else []
-    return [("" if number else "printed", row) for number, row in enumerate(rows)]
 
 
 def place_lines(result: Result, width: int | None) -> Iterator[Line]:
@@ -148,17 +144,26 @@ def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) 
         yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
         return
     same = result.failure is not None and result.failure.input == found["input"]
-    cut = ", the search was cut short" if found.get("cut_short") else ""
-    yield line("  ", Span(("no smaller case found" if same else "smallest case found") + cut, Style.STRONG))
+    title = "no smaller case found" if same else "smallest case found"
+    yield line("  ", Span(title + cut_short(found), Style.STRONG))
     if not same:
-        smallest = Failure(
-            found["message"],
-            input=found["input"],
-            expected=found["expected"],
-            got=found["got"],
-            printed=found.get("printed", ""),
-        )
-        yield from failure_lines(smallest, width)
+        yield from failure_lines(smallest(found), width)
+
+
+def cut_short(found: Mapping[str, Any]) -> str:
+    """What the title of a smallest case ends with where the search had not come to its end."""
+    return ", the search was cut short" if found.get("cut_short") else ""
+
+
+def smallest(found: Mapping[str, Any]) -> Failure:
+    """The smallest failing case, to be shown as any other one."""
+    return Failure(
+        found["message"],
+        input=found["input"],
+        expected=found["expected"],
+        got=found["got"],
+        printed=found.get("printed", ""),
+    )
 
 
 def again_line(submission: str, replay: str) -> Line:
@@ -225,12 +230,12 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
     if result.groups:
         passed, cases = _cases(result)
         parts += [f"on {result.partial} only"] if result.partial else []
-        parts += [f"{result.score} of {counted(result.points, 'point')}", _share(passed, cases)]
+        parts += [_points(result), _share(passed, cases)]
         imported = result.time.import_seconds if result.time.import_tells else 0.0
         at_import = f", {seconds(imported)} of it at import" if imported else ""
         parts += [f"{seconds(result.time.cpu_seconds)} CPU{at_import}", size(result.memory_bytes)]
         if result.time.ratio:
-            parts.append(_ratio_text(result.time.ratio, borderline=result.time.borderline))
+            parts.append(_ratio_text(result.time.ratio, result.time))
         if result.time.growth and result.verdict is Verdict.AC:
             parts.append(str(result.time.growth))
     if levels := levels_text(result.levels):
@@ -239,12 +244,24 @@ def verdict_lines(result: Result, width: int | None, *, alone: bool = False) -> 
     return hanging(label, Span(", ".join(parts)), width, indent=0, column=len(label.text) + 2)
 
 
-def _ratio_text(ratio: Ratio, *, borderline: bool) -> str:
+def _points(result: Result) -> str:
+    """`58 of 100 points`; where all are earned all the same, how many groups without any fail."""
+    if result.verdict is Verdict.AC or result.score < result.points:
+        return f"{result.score} of {counted(result.points, 'point')}"
+    failed = sum(group.verdict is not Verdict.AC for group in result.groups)
+    extra = f"{counted(failed, 'extra group')} {'fails' if failed == 1 else 'fail'}"
+    return f"all {counted(result.points, 'point')}, but {extra}" if result.points else extra
+
+
+def _ratio_text(ratio: Ratio, time: Timing) -> str:
     """`1.3 × the reference (1.2 to 1.4, 9 pairs)`, with what stands against believing it."""
+    against = time.against
     spread = f"{times(ratio.low)} to {times(ratio.high)}, {counted(ratio.pairs, 'pair')}"
     doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
-    doubts += ["near the limit"] if borderline else []
-    return f"{times(ratio.median)} × the reference ({'; '.join([spread, *doubts])})"
+    doubts += [ratio.busy] if ratio.busy else []
+    doubts += ["near the limit"] if time.borderline else []
+    whose = f" in {against.language}" if against else ""
+    return f"{times(ratio.median)} × the reference{whose} ({'; '.join([spread, *doubts])})"
 
 
 def _share(passed: int, cases: int) -> str:
@@ -282,14 +299,15 @@ def summary_lines(results: Sequence[Result], width: int | None, left: int = 0) -
 
 
 def _summary_row(result: Result, *, several: bool) -> list[Cell]:
-    judged = result.verdict is not Verdict.JE
+    judged, ratio = result.verdict is not Verdict.JE, result.time.ratio
+    beside = "busy " if ratio and ratio.busy else ""
     return [
         Span(shown_name(result.submission), link=Link(result.submission)),
         *([result.problem] if several else []),
         verdict_span(result.verdict),
-        Span(str(result.score) if judged else "", Style.FAINT),
+        Span(score_text(result.score, accepted=result.verdict is Verdict.AC) if judged else "", Style.FAINT),
         Span(seconds(result.time.cpu_seconds) if judged else "", Style.FAINT),
-        Span(times(result.time.ratio.median) if result.time.ratio else "", Style.FAINT),
+        Span(f"{beside}{times(ratio.median)}" if ratio else "", Style.FAINT),
         result.failure.message if result.hurdle and result.failure else failure_place(result.failure),
     ]
 

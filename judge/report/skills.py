@@ -39,7 +39,7 @@ def progress_lines(
     yield from Table(columns, [_row(skill, explained=explained) for skill in skills]).lines(width)
     if mistakes:
         yield line()
-        text = Span(_counted(mistakes))
+        text = Span(counted_mistakes(mistakes))
         yield from hanging(Span("mistakes", Style.FAINT), text, width, indent=2, column=_LABELS)
 
 
@@ -57,11 +57,11 @@ def _row(progress: SkillProgress, *, explained: bool) -> list[Cell]:
 def _remarks(progress: SkillProgress, *, explained: bool) -> Iterator[str]:
     """What stands in the way: the groups that fail again, what is asked for, the mistakes made."""
     if progress.state is SkillState.LOST:
-        yield f"Fails {', '.join(_failing(progress))}."
+        yield f"Fails {', '.join(failing_groups(progress))}."
     elif progress.state is not SkillState.SHOWN and explained:
         yield progress.skill.about
     if progress.mistakes:
-        made = _counted(progress.mistakes)
+        made = counted_mistakes(progress.mistakes)
         yield f"Mistakes: {made}." if explained else made
 
 
@@ -71,13 +71,13 @@ def _said(progress: SkillProgress) -> str:
     return {SkillState.SHOWN: "✓", SkillState.LOST: "lost"}.get(progress.state, "")
 
 
-def _failing(progress: SkillProgress) -> list[str]:
+def failing_groups(progress: SkillProgress) -> list[str]:
     """The groups that were passed and no longer are, with their problem."""
     lost = [need for need in progress.needs if need.lost]
     return [f"{need.need.problem} {group}" for need in lost for group in need.failing]
 
 
-def _counted(mistakes: Mapping[str, int]) -> str:
+def counted_mistakes(mistakes: Mapping[str, int]) -> str:
     """`absolute-epsilon 3 ×, no-clamp`, the most frequent first."""
     found = Counter(mistakes).most_common()
     return ", ".join(name if number == 1 else f"{name} {number} ×" for name, number in found)

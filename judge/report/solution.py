@@ -22,7 +22,8 @@ def solution_text(problem: Problem, model: Model, screen: Screen) -> str:
     head = [*beside(Span(f"{problem.id}: {idea}", Style.STRONG), model.path.name, screen.width), line()]
     explained = statement_text(model.explanation, screen) if model.explanation else ""
     fence = [] if is_terminal(screen.stream) else [line("```")]
-    begun = [] if is_terminal(screen.stream) else [line("```python")]
+    tongue = model.language.id if model.language else "python"
+    begun = [] if is_terminal(screen.stream) else [line(f"```{tongue}")]
     code = [line(Span(row)) for row in model.program.split("\n")]
     return screen.text(head) + explained + screen.text([line(), *begun, *code, *fence])
 
@@ -35,12 +36,12 @@ def approach_lines(
     ratios: Mapping[str, float | None],
     width: int | None,
 ) -> Iterator[Line]:
-    """A row for each approach, its time beside the person's own; `ratios` has them by name where measured."""
+    """A row for each approach, its time beside the person's own; `ratios` has them by file where measured."""
     columns = [Column("approach"), Column("× reference", right=True), Column("idea", flexible=True)]
     rows: list[list[Cell]] = []
     for model in models:
         about = "the one above" if model is shown else model.about
-        rows.append([Span(model.name, Style.STRONG), _ratio(ratios.get(model.name)), Span(about)])
+        rows.append([Span(model.call, Style.STRONG), _ratio(ratios.get(model.path.name)), Span(about)])
     if yours is not None:
         name = f"run {yours.id}, {shown_name(yours.submission)}"
         rows.append([Span(YOURS, Style.GOOD), _ratio(ratios.get(YOURS)), Span(name, Style.FAINT)])
@@ -48,7 +49,7 @@ def approach_lines(
         columns, rows = [columns[0], columns[2]], [[row[0], row[2]] for row in rows]
     yield line()
     yield from Table(tuple(columns), rows).lines(width)
-    others = [model.name for model in models if model is not shown]
+    others = [model.call for model in models if model is not shown]
     if others:
         yield line()
         text = f"judge solution {problem.id} {others[0]}"

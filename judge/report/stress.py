@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from msgspec.structs import replace
 
@@ -15,11 +15,17 @@ from judge.run.stress import Stressed
 
 
 def stress_lines(
-    stressed: Stressed, width: int | None, rows: int, drawing: Iterable[Line] = ()
+    stressed: Stressed,
+    width: int | None,
+    rows: int,
+    *,
+    hurdle: Sequence[Line] = (),
+    drawing: Iterable[Line] = (),
 ) -> list[Line]:
     """The report: what broke it with its smallest case, and last how many cases it came to."""
     result = replace(stressed.result, groups=())  # they say nothing about fresh cases
-    return glance_lines(result, width, rows, drawing=drawing, verdict=_verdict_lines(stressed, width))
+    verdict = _verdict_lines(stressed, width)
+    return glance_lines(result, width, rows, hurdle=hurdle, drawing=drawing, verdict=verdict)
 
 
 def _verdict_lines(stressed: Stressed, width: int | None) -> list[Line]:

@@ -71,7 +71,7 @@ def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:
             yield f"{place}[0]".strip(), float("-inf"), accepted["lo"]
             yield f"{place}[1]".strip(), accepted["hi"], float("inf")
         for key in ("run", "any"):
-            if key in exact:
+            if key in exact and key in accepted:
                 yield from _intervals(exact[key], accepted[key], f"{place}{' or ' if key == 'any' else ''}")
     elif isinstance(exact, list) and isinstance(accepted, list):
         for at, (one, ends) in enumerate(zip(exact, accepted, strict=True)):
@@ -83,6 +83,8 @@ def _plain(exact: Any) -> str:
     if isinstance(exact, dict):
         if "enclosed" in exact:
             return f"{exact['enclosed']}, enclosed within {exact['width']}"
+        if "such as" in exact:
+            return f"such as {_plain(exact['such as'])}"
         if "any" in exact:
             return " or ".join(map(_plain, exact["any"]))
         return f"{', '.join(map(_plain, exact['run']))} (in any order)"

@@ -8,6 +8,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
+from judge.problem.verdict import FULL_SCORE
+
 _ITEMS = 40  # of a list that are shown
 
 
@@ -43,6 +45,11 @@ def _with_points(value: Any) -> Any:
 def counted(number: int, noun: str) -> str:
     """`1 case`, `1,240 cases`."""
     return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
+
+
+def score_text(score: int, *, accepted: bool) -> str:
+    """The points of a run, or that with all of them it fails groups that are worth none."""
+    return str(score) if accepted or score < FULL_SCORE else "extra fails"
 
 
 def seconds(duration: float) -> str:

@@ -119,6 +119,8 @@ def _matrix_row(row: Row) -> list[Cell]:
 
 
 def _row(report: SolutionReport) -> list[Cell]:
+    if report.verdict is None:
+        return [report.file, "", Span(report.unjudged, Style.WARNING)]
     verdict = Span(report.verdict.value, Style.GOOD if report.ok else Style.BAD)
     return [report.file, verdict, Span(", ".join(report.failed), Style.FAINT)]
 

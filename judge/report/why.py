@@ -9,7 +9,7 @@ from judge.problem import Group, Problem
 from judge.problem.level import KataLevel, levels_among
 from judge.report.layout import Line, Span, Style, beside, cells, hanging, line, wrap
 from judge.report.levels import level_name
-from judge.report.problems import totals
+from judge.report.problems import growth_rule, time_rule, totals
 from judge.report.values import counted
 
 _INDENT = 2
@@ -19,11 +19,17 @@ _BESIDE = 28  # columns an explanation needs beside the names; with less it goes
 def why_lines(
     problem: Problem, groups: Sequence[Group], mistakes: Mapping[str, Told], width: int | None
 ) -> Iterator[Line]:
-    """Each group's sentence and, below it, its mistakes, each with its own and a line that it spoils."""
+    """How time may grow; each group's sentence and, below it, its mistakes, with a line that each spoils.
+
+    A mistake is explained where it is met first; later groups only name it.
+    """
     yield from beside(Span(problem.id, Style.STRONG), problem.title, width)
+    if problem.growth is not None and any(group.name in problem.growth.groups for group in groups):
+        yield from _indented(f"CPU time may grow {growth_rule(problem.growth)}.", _INDENT, width)
     names = [name for group in groups for name in group.kills]
     column = 2 * _INDENT + max(map(cells, names), default=0) + 2
     whole = len(groups) == len(problem.groups)
+    explained: set[str] = set()
     for group, begun in _by_level(groups) if whole else ((group, None) for group in groups):
         if begun is not None:
             yield from _level_lines(begun, groups, width)
@@ -31,7 +37,13 @@ def why_lines(
         aside = level_name(group.level) if group.level and not whole else ""
         yield from beside(Span(group.name, Style.STRONG), aside, width)
         yield from _indented(group.about, _INDENT, width)
+        if allowed := time_rule(group):
+            yield from _indented(f"CPU time: at most {allowed}.", _INDENT, width)
+        again = [name for name in group.kills if name in explained]
         for name in group.kills:
+            if name in explained:
+                continue
+            explained.add(name)
             sentence = _sentence(mistakes.get(name))
             if width is None or width - column >= _BESIDE:
                 label = Span(name, Style.BAD)
@@ -39,6 +51,9 @@ def why_lines(
             else:
                 yield from _indented(name, 2 * _INDENT, width, Style.BAD)
                 yield from _indented(sentence, 3 * _INDENT, width)
+        if again:
+            label, text = Span("again", Style.FAINT), Span(", ".join(again), Style.BAD)
+            yield from hanging(label, text, width, indent=2 * _INDENT, column=2 * _INDENT + len("again") + 2)
 
 
 def _by_level(groups: Sequence[Group]) -> Iterator[tuple[Group, KataLevel | None]]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 import threading
 
 from judge.problem import Problem, Verdict
-from judge.run.replies import Replies
+from judge.run.replies import VERDICTS, Replies
 from judge.sandbox.boundary import Limits, Stop, Usage
 
 MOST_TIMEOUTS = 2
@@ -29,6 +29,7 @@ class Budget:
     def __init__(self, problem: Problem) -> None:
         self._lock = threading.Lock()
         self._timeouts = self._losses = 0
+        self._lost_by: set[Verdict] = set()
         self._at_once = False
         longest = max([problem.limits_of(group).wall_seconds for group in problem.groups], default=0.0)
         self._most_waiting = WAITING_LIMITS * max(longest, problem.limits.wall_seconds)
@@ -45,7 +46,9 @@ class Budget:
             self._waited += replies.usage.waiting_seconds
             if stop is Stop.WAITING:  # whatever the clocks say of the last millisecond
                 self._waited = max(self._waited, self._most_waiting)
-            self._losses += replies.lost
+            if replies.lost:
+                self._losses += 1
+                self._lost_by.add(VERDICTS.get(stop, Verdict.RTE))
         # The box knows only what was left of the time for waiting.
         return replies.told(self._waited_too_long) if stop is Stop.WAITING else replies
 
@@ -74,7 +77,8 @@ class Budget:
         if self._waited >= self._most_waiting:
             return Verdict.TLE, f"{self._waited_too_long} before"
         if self._losses >= MOST_LOSSES:
-            return Verdict.RTE, f"its process was lost {MOST_LOSSES} times"
+            verdict = next(iter(self._lost_by)) if len(self._lost_by) == 1 else Verdict.RTE
+            return verdict, f"its process was lost {MOST_LOSSES} times"
         return None
 
     @property

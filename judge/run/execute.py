@@ -9,6 +9,8 @@ from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from judge.problem import Problem, Verdict
+from judge.run.alone import Admitted
+from judge.run.bits import judge_fitting
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
@@ -19,11 +21,14 @@ from judge.run.reference import Reference
 from judge.run.result import Failure, GroupResult, LevelResult, Result, Timing
 from judge.run.runner import Runner, runner_for
 from judge.run.settings import Progress, Settings
-from judge.run.timing import Decision
+from judge.run.timing import BESIDE, Decision, disturbed
 from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
     from judge.data.model import GroupData, ProblemData
+
+_LONG_WAIT_SECONDS = 2.0
+_WAITED = "waited {:.0f} s for other judges of yours on this machine: times are measured alone"
 
 
 class Judged(NamedTuple):
@@ -78,26 +83,30 @@ def run_in(
     """As `run_submission`, in a box that is open already and holds the submission."""
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
     turnstile = settings.turnstile or Turnstile()
-    runner = opened(box, problem, source)
+    runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
         return Judged(uncompiled(problem, name, runner, box), None)
     budget = Budget(problem)
     open_box = partial(settings.box_factory, source, name)
     judging = _Judging(data, runner, open_box, settings.workers, on_progress, budget)
-    with turnstile.judging():
-        runs = judging.groups(box, chosen)
-    timing = Timed(Decision(None))
+    with turnstile.judging() as place:
+        runs, why = judge_fitting(runner, chosen, partial(judging.groups, box))
+    timing, waited = Timed(Decision(None)), place.waited
     if settings.measured and worth_racing(problem, runs):
-        timing = _race(runner, runs, box, settings, turnstile, budget)
-    return Judged(_result(problem, name, runner, runs, timing, box.isolation), runner)
+        timing, place = _race(runner, runs, box, settings, turnstile, budget)
+        waited += place.waited
+    result = _result(problem, name, runner, runs, timing, box.isolation)
+    notes = [why] if why else []
+    notes += [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
+    return Judged(result.noting(*notes), runner)
 
 
-def opened(box: Box, problem: Problem, source: bytes) -> Runner | Failure:
-    """How to run the submission in `box`, or why it does not compile."""
+def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) -> Runner | Failure:
+    """How to run the submission in `box`, as a `program` where it must be one; or why it does not compile."""
     inspection = box.inspect()
     if inspection.fault:
         return Failure(_fault_text(inspection.fault, source))
-    return runner_for(problem, inspection, source)
+    return runner_for(problem, inspection, source, program=program)
 
 
 def uncompiled(problem: Problem, name: str, failure: Failure, box: Box) -> Result:
@@ -115,7 +124,7 @@ def _result(
     problem: Problem, name: str, runner: Runner, runs: Sequence[GroupRun], timing: Timed, isolation: str
 ) -> Result:
     """What the groups come to together."""
-    decision, growth = timing
+    decision, growth, against = timing
     usage = sum((run.usage for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
@@ -135,6 +144,7 @@ def _result(
             _close(timing),
             growth,
             decision.imported,
+            against,
         ),
         usage.memory_bytes,
         isolation,
@@ -164,12 +174,15 @@ def _race(
     settings: Settings,
     turnstile: Turnstile,
     budget: Budget,
-) -> Timed:
+) -> tuple[Timed, Admitted]:
     problem = runner.problem
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
-        stack.enter_context(turnstile.measuring())
-        return race_all(problem, runner, runs, box, shared, budget)
+        place = stack.enter_context(turnstile.measuring())
+        timing = race_all(problem, runner, runs, box, shared, budget)
+        if not place.alone:
+            timing = timing._replace(decision=disturbed(timing.decision, BESIDE))
+        return timing, place
 
 
 class _Judging:

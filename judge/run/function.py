@@ -18,6 +18,7 @@ class FunctionRunner(Struct, frozen=True):
     """Calls the entry function; see `judge.run.runner.Runner`."""
 
     problem: Problem
+    language: str = ""
     mode: ClassVar[Mode] = Mode.FUNCTION
     calls: ClassVar[bool] = True
     tells_where: ClassVar[bool] = True
@@ -66,7 +67,7 @@ class FunctionRunner(Struct, frozen=True):
         return answer
 
     def reference(self, rule: TimeRule) -> str | None:
-        """The accepted function that sets the time limit."""
+        """The accepted function that is asked."""
         return rule.function
 
     def explained(self, failure: Failure) -> Failure:

@@ -4,6 +4,8 @@ The logarithm of the ratio of both times is fitted against log n by least square
 the submission's exponent exceeds the reference's: it says the same on any machine, in any language.
 Groups that take the reference less than 10 ms say nothing. Two interleaved rounds settle most submissions; in
 the grey zone around the limit nine pairs do, and both their medians and the least times must be too steep.
+What a submission took before its time was up is the least that it takes, so such a group may make the fit
+steeper, never flatter, than the groups that came to an end.
 """
 
 from __future__ import annotations
@@ -12,8 +14,9 @@ import math
 from collections.abc import Callable, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from judge.run.result import Growth
+from judge.run.result import Growth, GrowthPoint
 from judge.run.timing import MOST_PAIRS, Decision, Pair, Run, decide, is_clear, quantile, turn
 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count
@@ -26,7 +29,8 @@ class Course(Struct, frozen=True):
     """One group to be run on: its size n, a turn each, and its limit as a multiple of the reference's time.
 
     `cases` is how many cases of that size a turn runs.
-    Where a submission ran out of time, its turn gives the time it used, and the limit is None.
+    Where a submission ran out of time, its turn gives the least that all cases take it, the limit is None and
+    it has not `ended`.
     """
 
     name: str
@@ -35,6 +39,7 @@ class Course(Struct, frozen=True):
     reference: Run
     limit: float | None = None
     cases: int = 1
+    ended: bool = True
 
 
 class Grown(Struct, frozen=True):
@@ -45,11 +50,17 @@ class Grown(Struct, frozen=True):
     decisions: dict[str, Decision]
 
 
-def grow(courses: Sequence[Course], slope: float, goes_on: Callable[[], bool] = lambda: True) -> Grown:
+def grow(
+    courses: Sequence[Course],
+    slope: float,
+    goes_on: Callable[[], bool] = lambda: True,
+    *,
+    cautious: bool = False,
+) -> Grown:
     """Run the courses in rounds, the smallest first, until it is clear how the submission grows.
 
-    `goes_on` is asked after each round whether there may be another. A submission whose turn does not end
-    well is not judged by its growth.
+    `goes_on` is asked after each round whether there may be another; `cautious` is as in `timing.race`. A
+    submission whose turn does not end well is not judged by its growth.
     """
     pairs: dict[str, list[Pair]] = {course.name: [] for course in courses}
     waiting: Sequence[Course] = courses
@@ -61,11 +72,13 @@ def grow(courses: Sequence[Course], slope: float, goes_on: Callable[[], bool] = 
             pairs[course.name].append(pair)
         if not goes_on():
             break
-        if number + 1 >= ROUNDS:
+        if number + 1 >= ROUNDS + cautious:
             waiting = _unclear(courses, pairs, slope)
     counting = _counting(courses, pairs)
     decisions = {
-        each.name: decide(pairs[each.name], each.limit) for each in courses if each.limit is not None
+        each.name: replace(decide(pairs[each.name], each.limit, cautious=cautious), limit=each.limit)
+        for each in courses
+        if each.limit is not None
     }
     if len({each.size for each in counting}) < 2:
         return Grown(None, False, decisions)
@@ -78,7 +91,7 @@ def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: flo
     counting = _counting(courses, pairs)
     grey = False
     if len({each.size for each in counting}) >= 2:
-        by_medians, by_least = _slopes(counting, pairs)
+        _, by_medians, by_least = _steepest(counting, pairs)
         grey = min(by_medians, by_least) < slope + GREY and max(by_medians, by_least) > slope - GREY
     return [
         each
@@ -93,8 +106,8 @@ def _counting(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> list[C
     return [each for each in courses if _least(pairs[each.name]).reference >= LEAST_SECONDS]
 
 
-def _judged(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> tuple[Growth, bool]:
-    by_medians, by_least = _slopes(courses, pairs)
+def _judged(counting: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> tuple[Growth, bool]:
+    courses, by_medians, by_least = _steepest(counting, pairs)
     too_steep = by_medians > slope and by_least > slope
     many = max(len(pairs[each.name]) for each in courses)
     reference = exponent([(each.size, _least(pairs[each.name]).reference / each.cases) for each in courses])
@@ -105,8 +118,25 @@ def _judged(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: floa
         tuple(each.name for each in courses),
         many,
         borderline=slope - GREY < max(by_medians, by_least) and min(by_medians, by_least) < slope + GREY,
+        points=tuple(_point(each, _least(pairs[each.name])) for each in counting),
     )
     return growth, too_steep
+
+
+def _point(course: Course, least: Pair) -> GrowthPoint:
+    mine, theirs = least.submission / course.cases, least.reference / course.cases
+    return GrowthPoint(course.name, course.size, mine, theirs, course.ended)
+
+
+def _steepest(
+    counting: Sequence[Course], pairs: dict[str, list[Pair]]
+) -> tuple[Sequence[Course], float, float]:
+    """All courses, or those that ended where these grow faster; by how much their exponent exceeds."""
+    ended = [each for each in counting if each.ended]
+    every = (counting, *_slopes(counting, pairs))
+    if len(ended) == len(counting) or len({each.size for each in ended}) < 2:
+        return every
+    return max(every, (ended, *_slopes(ended, pairs)), key=lambda fit: fit[1])
 
 
 def _slopes(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> tuple[float, float]:

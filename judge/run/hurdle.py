@@ -8,16 +8,24 @@ from __future__ import annotations
 
 import re
 
+from msgspec.structs import replace
+
 from judge.problem import Problem, Verdict
-from judge.run.program import missing_entry
+from judge.run.program import ProgramRunner, missing_entry
 from judge.run.result import Hurdle, Obstacle, Result
 from judge.run.runner import Runner
-from judge.sandbox.boundary import IMPORTING, Defined, Inspection
+from judge.sandbox.boundary import IMPORTING, Box, Defined, Inspection
 
 _MISSING = re.compile(
     r"ModuleNotFoundError: No module named '([\w.]+)'"
 )  # as Python says it, and no other way
 _LINE = re.compile(r"\(line (\d{1,9})\)")
+
+
+def with_hurdle(result: Result, runner: Runner, box: Box, source: bytes) -> Result:
+    """The result, with what keeps the submission in `box` from running at all, if anything does."""
+    hurdle = hurdle_of(result, runner, box.inspect(), source)
+    return result if hurdle is None else replace(result, hurdle=hurdle)
 
 
 def hurdle_of(result: Result, runner: Runner, inspection: Inspection, source: bytes) -> Hurdle | None:
@@ -28,12 +36,16 @@ def hurdle_of(result: Result, runner: Runner, inspection: Inspection, source: by
     entry = next((each for each in inspection.functions if each.name == problem.entry), None)
     if called and entry is not None and entry.empty:
         return Hurdle(Obstacle.STUB, entry.line)
-    missing = None if called else _no_entry(problem, inspection, source)  # what it printed is right by chance
+    # What such a one printed is right by chance; in another language its compiler would not have taken it.
+    meant = runner.language or (isinstance(runner, ProgramRunner) and runner.asked)
+    missing = None if called or meant else _no_entry(problem, inspection, source)
     if missing is not None or any(group.passed for group in result.groups):
         return missing
     if result.verdict is Verdict.RTE:
         if called and entry is not None and not entry.takes(len(problem.parameters)):
             return Hurdle(Obstacle.ARITY, entry.line, takes=_takes(entry))
+        if runner.language:
+            return None  # what is wrong with it stands in its message
         if not called or result.failure.message.endswith(IMPORTING):
             return _failed_import(result.failure.message, called=called)
     return None

@@ -7,46 +7,59 @@ for them; what they started ends with the judge's own process.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import closing, contextmanager
+from queue import SimpleQueue
 from typing import Generic, TypeVar
+
+from judge.run.alone import Admitted, Machine
 
 T = TypeVar("T")
 R = TypeVar("R")
 
 
 class Turnstile:
-    """Many may judge at once, or one may measure alone; who waits to measure is let in first."""
+    """Many may judge at once, or one may measure alone; who waits to measure is let in first.
 
-    def __init__(self) -> None:
+    So it is among the threads that share the turnstile, and among the user's processes on this machine. What
+    is yielded says how long the other processes kept us waiting, and whether they left us alone.
+    """
+
+    def __init__(self, machine: Machine | None = None) -> None:
+        self._machine = machine or Machine()
         self._changed = threading.Condition()
         self._judging = 0
         self._measuring = False
         self._waiting = 0
 
     @contextmanager
-    def judging(self) -> Iterator[None]:
-        """Hold a place among those who judge."""
+    def judging(self) -> Iterator[Admitted]:
+        """Hold a place among those who judge; not to be asked for by who holds a place."""
         with self._changed:
             self._changed.wait_for(lambda: not self._measuring and not self._waiting)
             self._judging += 1
         try:
-            yield
+            with self._machine.judging() as place:
+                yield place
         finally:
             with self._changed:
                 self._judging -= 1
                 self._changed.notify_all()
 
     @contextmanager
-    def measuring(self) -> Iterator[None]:
-        """Be the only one; not to be asked for by who holds a place among those who judge."""
+    def measuring(self) -> Iterator[Admitted]:
+        """Be the only one; not to be asked for by who holds a place."""
         with self._changed:
             self._waiting += 1
-            self._changed.wait_for(lambda: not self._measuring and not self._judging)
-            self._waiting -= 1
-            self._measuring = True
+            try:
+                self._changed.wait_for(lambda: not self._measuring and not self._judging)
+                self._measuring = True
+            finally:  # after Ctrl-C too
+                self._waiting -= 1
+                self._changed.notify_all()
         try:
-            yield
+            with self._machine.measuring() as place:
+                yield place
         finally:
             with self._changed:
                 self._measuring = False
@@ -57,7 +70,7 @@ class _Queue(Generic[T]):
     """Hands out the items of a sequence, each once, with its place."""
 
     def __init__(self, items: Sequence[T]) -> None:
-        self._items = enumerate(items)
+        self._items: Iterator[tuple[int, T]] = iter(enumerate(items))
         self._lock = threading.Lock()
 
     def __iter__(self) -> Iterator[tuple[int, T]]:
@@ -67,6 +80,11 @@ class _Queue(Generic[T]):
             if item is None:
                 return
             yield item
+
+    def end(self) -> None:
+        """Hand out nothing more."""
+        with self._lock:
+            self._items = iter(())
 
 
 def share(items: Sequence[T], workers: int, work: Callable[[Iterable[tuple[int, T]]], None]) -> None:
@@ -92,6 +110,23 @@ def share(items: Sequence[T], workers: int, work: Callable[[Iterable[tuple[int, 
         raise faults[0]
 
 
+class _Outcome(Generic[R]):
+    """What an item's work has come to."""
+
+    def __init__(self, work: Callable[[T], R], item: T) -> None:
+        self._fault: BaseException | None = None
+        try:
+            self._result = work(item)
+        except BaseException as fault:
+            self._fault = fault
+
+    def get(self) -> R:
+        """The result, or the exception that is in its place."""
+        if self._fault is not None:
+            raise self._fault
+        return self._result
+
+
 def in_order(items: Sequence[T], workers: int, work: Callable[[T], R]) -> Iterator[R]:
     """`work` of each item, several at once; the results come in the order of the items.
 
@@ -99,34 +134,49 @@ def in_order(items: Sequence[T], workers: int, work: Callable[[T], R]) -> Iterat
 
     An exception is raised in place of its item's result.
     """
-    if workers <= 1 or len(items) <= 1:
-        yield from map(work, items)
-        return
+    done: dict[int, _Outcome[R]] = {}
+    outcomes = _outcomes(items, workers, work)
+    with closing(outcomes):
+        for place in range(len(items)):
+            while place not in done:
+                at, outcome = next(outcomes)
+                done[at] = outcome
+            yield done.pop(place).get()
+
+
+def finished(
+    items: Sequence[T], workers: int, work: Callable[[T], R]
+) -> Generator[tuple[int, R], None, None]:
+    """As `in_order`, but each result, with its item's place, as soon as it is there. An exception is raised
+    as soon as it comes.
+    """
+    outcomes = _outcomes(items, workers, work)
+    with closing(outcomes):
+        for place, outcome in outcomes:
+            yield place, outcome.get()
+
+
+def _outcomes(
+    items: Sequence[T], workers: int, work: Callable[[T], R]
+) -> Generator[tuple[int, _Outcome[R]], None, None]:
+    """Each item's place and outcome; once this is closed, nothing more is begun."""
     queue: _Queue[T] = _Queue(items)
-    done: dict[int, R | BaseException] = {}
-    changed = threading.Condition()
+    done: SimpleQueue[tuple[int, _Outcome[R]]] = SimpleQueue()
 
     def serve() -> None:
         for place, item in queue:
-            outcome: R | BaseException
-            try:
-                outcome = work(item)
-            except BaseException as fault:
-                outcome = fault
-            with changed:
-                done[place] = outcome
-                changed.notify_all()
+            done.put((place, _Outcome(work, item)))
 
-    if not _started(serve, min(workers, len(items))):
-        yield from map(work, items)
-        return
-    for place in range(len(items)):
-        with changed:
-            changed.wait_for(lambda place=place: place in done)  # type: ignore[misc]
-            outcome = done.pop(place)
-        if isinstance(outcome, BaseException):
-            raise outcome
-        yield outcome
+    try:
+        several = workers > 1 and len(items) > 1
+        if several and _started(serve, min(workers, len(items))):
+            for _ in items:
+                yield done.get()
+        else:
+            for place, item in queue:
+                yield place, _Outcome(work, item)
+    finally:
+        queue.end()
 
 
 def _started(serve: Callable[[], None], count: int) -> list[threading.Thread]:

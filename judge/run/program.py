@@ -33,11 +33,16 @@ _OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has a
 
 
 class ProgramRunner(Struct, frozen=True):
-    """Runs the whole program; see `judge.run.runner.Runner`. `names` are those that its source binds."""
+    """Runs the whole program; see `judge.run.runner.Runner`.
+
+    `names` are those that its source binds; `asked` says that a program is what it was to be run as.
+    """
 
     problem: Problem
     names: tuple[tuple[str, int], ...] = ()  # each with its line
     source: bytes = b""
+    language: str = ""
+    asked: bool = False
     mode: ClassVar[Mode] = Mode.PROGRAM
     calls: ClassVar[bool] = False
     tells_where: ClassVar[bool] = False
@@ -79,12 +84,13 @@ class ProgramRunner(Struct, frozen=True):
         return None if isinstance(read, str) else read[0]
 
     def reference(self, rule: TimeRule) -> str | None:
-        """The accepted program that sets the time limit, if there is one."""
+        """The accepted program, if there is one."""
         return rule.program
 
     def explained(self, failure: Failure) -> Failure:
         """The failure, told what it could not read, or that the entry is missing and so made it a program."""
-        notes = [_why_a_program(self.problem.entry, self.names, self.source)]
+        meant = self.language or self.asked
+        notes = [] if meant else [_why_a_program(self.problem.entry, self.names, self.source)]
         if failure.input is not None and _CHOKED.match(failure.message):
             notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
         return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))

@@ -9,23 +9,43 @@ from collections.abc import Sequence
 from functools import partial
 from typing import NamedTuple
 
+from msgspec.structs import replace
+
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
+from judge.run.foreign import LongDuel, rival_of
 from judge.run.group import GroupRun
 from judge.run.growth import Course, Grown, grow
-from judge.run.measure import Duel, measure, time_limit, track_of
+from judge.run.measure import Duel, time_limit, track_of
 from judge.run.reference import Reference
-from judge.run.result import Growth
+from judge.run.result import Against, Growth
 from judge.run.runner import Runner
-from judge.run.timing import Decision
+from judge.run.timing import Decision, Pace, busy, disturbed, race
 from judge.sandbox.boundary import Box
 
 
 class Timed(NamedTuple):
-    """What the races came to; groups that are too slow know it themselves."""
+    """What the races came to; groups that are too slow know it themselves.
+
+    `against` says whose time it is, where the submission is not in Python.
+    """
 
     decision: Decision
     growth: Growth | None = None
+    against: Against | None = None
+
+
+class Contest(NamedTuple):
+    """The two that take turns; `cases` is how many a turn of the reference runs.
+
+    `against` is None for a submission in Python, whose race needs no caution with the start of a language.
+    """
+
+    duel: Duel | LongDuel
+    limit: float
+    cases: int
+    pace: Pace | None = None
+    against: Against | None = None
 
 
 def worth_racing(problem: Problem, runs: Sequence[GroupRun]) -> bool:
@@ -52,27 +72,87 @@ def race_all(
     growing = _growing(problem, runs)
     alone = [run for run in runs if run.group.time_limit is not None and run not in growing]
     together = [run for run in runs if run not in growing and run not in alone]
-    decision = Decision(None)
+    decision, against = Decision(None), None
     parts = ([together] if together else []) + [[run] for run in alone]
     if any(run.verdict is not Verdict.AC for run in runs):
         parts = []  # it is too slow, and what is left to say is why
     for part in parts:
         raced = measure(problem, runner, part, submission, reference, budget)
-        _too_slow(problem, part, raced)
+        _too_slow(part, raced)
+        against = raced.against
         decision = _worse(decision, raced)
         if any(run.verdict is not Verdict.AC for run in part):
-            return Timed(decision)
+            return Timed(decision, against=against)
     if not growing or problem.growth is None:
-        return Timed(decision)
-    grown = _grown(problem, runner, growing, submission, reference, budget)
+        return Timed(decision, against=against)
+    grown, against = _grown(problem, runner, growing, submission, reference, budget)
     for run in growing:
         if run.group.name in grown.decisions and run.verdict is Verdict.AC:
             raced = grown.decisions[run.group.name]
-            _too_slow(problem, [run], raced)
+            _too_slow([run], raced)
             decision = _worse(decision, raced)
     if grown.growth is not None and grown.too_steep:
         _too_steep(growing, grown.growth)
-    return Timed(decision, grown.growth)
+    return Timed(decision, grown.growth, against)
+
+
+def contest(
+    problem: Problem,
+    runner: Runner,
+    runs: Sequence[GroupRun],
+    submission: Box,
+    reference: Reference,
+    budget: Budget,
+) -> Contest | None:
+    """The contest on the cases of these groups; None where there is nobody to race against.
+
+    Raises:
+        JudgeError: the reference does not compile, or not come to the end of the cases.
+    """
+    if problem.time is None:
+        return None
+    limit = time_limit(problem, runs)
+    if runner.language:
+        rival = rival_of(runner, problem.time, reference, limit)
+        if rival is None:
+            return None
+        track = track_of(reference, runner, runs)
+        long = LongDuel(runner, runs, submission, rival, track, budget)
+        return Contest(long, rival.limit, long.passes * len(track.cases), against=rival.against)
+    box = reference.open(runner.reference(problem.time))
+    if box is None:
+        return None
+    track = track_of(reference, runner, runs)
+    duel = Duel(runner, runs, submission, box, track, budget)
+    return Contest(duel, limit, len(track.cases), track.pace)
+
+
+def measure(
+    problem: Problem,
+    runner: Runner,
+    runs: Sequence[GroupRun],
+    submission: Box,
+    reference: Reference,
+    budget: Budget,
+) -> Decision:
+    """Race a submission and the reference, if there is one, on the cases of accepted groups.
+
+    There is no more racing for a submission that is no longer accepted, nor for one that has kept the judge
+    waiting.
+
+    Raises:
+        JudgeError: the reference does not come to the end of the cases.
+    """
+    found = contest(problem, runner, runs, submission, reference, budget)
+    if found is None:
+        return Decision(None)
+    duel, against = found.duel, found.against
+    cautious = against is not None
+    decision = race(duel.mine, duel.theirs, found.limit, duel.goes_on, found.pace, cautious=cautious)
+    if any(run.verdict is not Verdict.AC for run in runs):
+        decision = Decision(decision.ratio)
+    decision = replace(decision, imported=duel.imported, against=against, limit=found.limit)
+    return disturbed(decision, busy(duel.theirs_took))
 
 
 def _growing(problem: Problem, runs: Sequence[GroupRun]) -> list[GroupRun]:
@@ -96,36 +176,50 @@ def _grown(
     submission: Box,
     reference: Reference,
     budget: Budget,
-) -> Grown:
+) -> tuple[Grown, Against | None]:
     rule = problem.growth
-    rival = reference.open(runner.reference(problem.time)) if problem.time else None
-    if rule is None or rival is None:
-        return Grown(None, False, {})
-    duels, courses = [], []
-    for run in growing:
-        track = track_of(reference, runner, [run])
-        duel = Duel(runner, [run], submission, rival, track, budget)
-        duels.append(duel)
+    contests = [contest(problem, runner, [run], submission, reference, budget) for run in growing]
+    found = [each for each in contests if each is not None]
+    if rule is None or not found:
+        return Grown(None, False, {}), None
+    courses = []
+    for run, each in zip(growing, found, strict=True):
         ended = run.verdict is Verdict.AC
         courses.append(
             Course(
                 run.group.name,
                 run.group.size or 1,
-                duel.mine if ended else partial(float, run.usage.cpu_seconds),
-                duel.theirs,
-                time_limit(problem, [run]) if ended else None,
-                len(track.cases),
+                each.duel.mine if ended else partial(_at_least, run, each.cases),
+                each.duel.theirs,
+                each.limit if ended else None,
+                each.cases,
+                ended,
             )
         )
-    return grow(courses, rule.slope, lambda: all(duel.goes_on() for duel in duels))
+    against = found[0].against
+    cautious = against is not None
+    grown = grow(courses, rule.slope, lambda: all(each.duel.goes_on() for each in found), cautious=cautious)
+    for course, each in zip(courses, found, strict=True):
+        if course.name in grown.decisions:
+            decision = grown.decisions[course.name]
+            grown.decisions[course.name] = disturbed(decision, busy(each.duel.theirs_took))
+    return grown, against
 
 
-def _too_slow(problem: Problem, runs: Sequence[GroupRun], decision: Decision) -> None:
-    if decision.too_slow and decision.ratio and problem.time:
+def _at_least(run: GroupRun, cases: int) -> float:
+    """What so many cases take that are like those which were begun before the time was up."""
+    return run.usage.cpu_seconds * cases / (run.passed + 1)
+
+
+def _too_slow(runs: Sequence[GroupRun], decision: Decision) -> None:
+    if decision.too_slow and decision.ratio:
         slowest = max(runs, key=lambda run: run.usage.cpu_seconds)
+        against = decision.against
+        whose = f" in {against.language}" if against else ""
+        why = f" ({against.why})" if against and against.why else ""
         slowest.too_slow(
-            f"it takes {decision.ratio.median:,.0f} times the CPU time of the reference solution; "
-            f"the limit is {time_limit(problem, runs):g} times"
+            f"it takes {decision.ratio.median:,.0f} times the CPU time of the reference solution{whose}; "
+            f"the limit is {decision.limit:g} times{why}"
         )
 
 

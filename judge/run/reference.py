@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from importlib.util import find_spec
 from typing import NamedTuple
 
+from judge.errors import UsageError
 from judge.problem import Case, Problem
 from judge.problem.solutions import accepted_source
 from judge.run.timing import Pace
 from judge.sandbox.boundary import Box, BoxFactory
 
 MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
+
+
+def check_needs(problem: Problem) -> None:
+    """Raise UsageError where a module is not installed that the reference solutions import."""
+    for name in problem.time.needs if problem.time else ():
+        if find_spec(name) is None:
+            raise UsageError(
+                f"{problem.id} is timed beside a solution that imports {name}, which is not installed",
+                remedy=f"install it where the judge is: pip install {name}",
+            )
 
 
 class Track(NamedTuple):
@@ -38,9 +50,13 @@ class Reference:
         return self
 
     def __exit__(self, *exc: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the boxes; the next race opens others."""
         for box in self._boxes.values():
             if box is not None:
-                box.__exit__(*exc)
+                box.__exit__(None, None, None)
         self._boxes.clear()
 
     def warm_up(self) -> None:

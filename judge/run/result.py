@@ -131,7 +131,8 @@ class Ratio(Struct, frozen=True):
     """CPU time as a multiple of the reference solution's, over interleaved pairs of runs.
 
     `low` and `high` are the quartiles. `unreliable` says why the figure deserves no belief ("too short",
-    "too noisy"); it is empty, and not in the JSON, where it does.
+    "too noisy"); it is empty, and not in the JSON, where it does. `busy` says what else the machine did
+    meanwhile, in the same way.
     """
 
     median: float
@@ -139,6 +140,7 @@ class Ratio(Struct, frozen=True):
     high: float
     pairs: int
     unreliable: str = ""
+    busy: str = ""
 
     def as_json(self) -> dict[str, Any]:
         """The ratio's object in the published form."""
@@ -148,14 +150,50 @@ class Ratio(Struct, frozen=True):
             "high": self.high,
             "pairs": self.pairs,
         }
-        return figures | ({"unreliable": self.unreliable} if self.unreliable else {})
+        doubts = {"unreliable": self.unreliable, "busy": self.busy}
+        return figures | {name: why for name, why in doubts.items() if why}
+
+
+class Against(Struct, frozen=True):
+    """Whose time a submission in another language than Python is a multiple of.
+
+    That of the reference in `language`; `why` says why that is another one than its own.
+    """
+
+    language: str
+    why: str = ""
+
+    def as_json(self) -> dict[str, Any]:
+        """The object in the published form."""
+        return {"language": self.language} | ({"why": self.why} if self.why else {})
+
+
+class GrowthPoint(Struct, frozen=True):
+    """The CPU seconds of one case; the submission takes so many at least, where it has not `ended`."""
+
+    group: str
+    size: int
+    seconds: float
+    reference: float
+    ended: bool = True
+
+    def as_json(self) -> dict[str, Any]:
+        """The point's object in the published form."""
+        return {
+            "group": self.group,
+            "size": self.size,
+            "cpu_seconds": self.seconds,
+            "reference_seconds": self.reference,
+            "ended": self.ended,
+        }
 
 
 class Growth(Struct, frozen=True):
     """How CPU time grows with n: `exponent` is the submission's, `reference` that of the reference solution.
 
-    `slope` is by how much the first may exceed the second, `groups` are those that took long enough to count,
-    `pairs` how many interleaved pairs of runs the widest of them had.
+    `slope` is by how much the first may exceed the second, `groups` are those that the exponents are of, and
+    `pairs` how many interleaved pairs of runs the widest of them had. `points` are all that took long enough,
+    by size.
     """
 
     exponent: float
@@ -164,6 +202,7 @@ class Growth(Struct, frozen=True):
     groups: tuple[str, ...]
     pairs: int
     borderline: bool = False
+    points: tuple[GrowthPoint, ...] = ()
 
     def __str__(self) -> str:
         return f"it grows like n^{self.exponent:.1f}, the reference like n^{self.reference:.1f}"
@@ -177,6 +216,7 @@ class Growth(Struct, frozen=True):
             "groups": list(self.groups),
             "pairs": self.pairs,
             "borderline": self.borderline,
+            "points": [point.as_json() for point in self.points],
         }
 
 
@@ -184,7 +224,8 @@ class Timing(Struct, frozen=True):
     """What a submission used in all its groups; `borderline` says the time limit was a close call.
 
     `growth` is there, and in the JSON, only where the problem has a rule of growth. `import_seconds` is the
-    CPU time of a function's import, which `ratio` leaves out; in the JSON where it is worth a word.
+    CPU time of a function's import, which `ratio` leaves out; in the JSON where it is worth a word. `against`
+    is there, and in the JSON, where a submission in another language than Python was raced.
     """
 
     cpu_seconds: float = 0.0
@@ -193,6 +234,7 @@ class Timing(Struct, frozen=True):
     borderline: bool = False
     growth: Growth | None = None
     import_seconds: float = 0.0
+    against: Against | None = None
 
     @property
     def import_tells(self) -> bool:
@@ -209,6 +251,8 @@ class Timing(Struct, frozen=True):
         }
         if self.import_tells:
             figures["import_seconds"] = self.import_seconds
+        if self.against:
+            figures["reference"] = self.against.as_json()
         return figures | ({"growth": self.growth.as_json()} if self.growth else {})
 
 

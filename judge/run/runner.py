@@ -21,8 +21,9 @@ from judge.values import ExactOf, Outcome, Outline, Raw, Target
 class Runner(Protocol):
     """One way to run a submission on cases and to decide what it answers.
 
-    `mode` is its name in results. `calls` says whether a case is a call, which a test of one's own can make
-    as well; `tells_where` whether it is known which case ended a process.
+    `mode` is its name in results, `language` that of the submission, "" for Python. `calls` says whether a
+    case is a call, which a test of one's own can make as well; `tells_where` whether it is known which case
+    ended a process.
     """
 
     @property
@@ -32,6 +33,10 @@ class Runner(Protocol):
 
     @property
     def mode(self) -> Mode:  # noqa: D102
+        ...
+
+    @property
+    def language(self) -> str:  # noqa: D102
         ...
 
     @property
@@ -81,7 +86,7 @@ class Runner(Protocol):
         ...
 
     def reference(self, rule: TimeRule) -> str | None:
-        """The file among the accepted solutions that sets the time limit; None where there is none."""
+        """The file among the accepted solutions that is run in this way; None where there is none."""
         ...
 
     def explained(self, failure: Failure) -> Failure:
@@ -89,8 +94,11 @@ class Runner(Protocol):
         ...
 
 
-def runner_for(problem: Problem, inspection: Inspection, source: bytes) -> Runner:
-    """The runner of a source that compiles: its entry function is called if it has one."""
-    if inspection.defines(problem.entry):
-        return FunctionRunner(problem)
-    return ProgramRunner(problem, inspection.names, source)
+def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, program: bool = False) -> Runner:
+    """The runner of a source that compiles: its entry function is called if it has one.
+
+    With `program` it is run as a program all the same.
+    """
+    if inspection.defines(problem.entry) and not program:
+        return FunctionRunner(problem, inspection.language)
+    return ProgramRunner(problem, inspection.names, source, inspection.language, asked=program)

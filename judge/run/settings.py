@@ -19,7 +19,8 @@ class Settings(Struct, frozen=True):
 
     `box_factory` opens the containment; `workers` is how many boxes one submission may use at once;
     `measured` says whether an accepted one is raced against the reference; `turnstile` keeps races alone;
-    `reference` is there where several submissions share it.
+    `reference` is there where several submissions share it; a `program` is run as one even where it defines
+    the problem's function.
     """
 
     box_factory: BoxFactory = field(default_factory=Boxes)
@@ -27,3 +28,4 @@ class Settings(Struct, frozen=True):
     measured: bool = True
     turnstile: Turnstile | None = None
     reference: Reference | None = None
+    program: bool = False

@@ -23,6 +23,7 @@ from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
+from judge.run.parallel import Turnstile
 from judge.run.result import SCHEMA, Failure, GroupResult, Result, Timing
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Usage
@@ -95,11 +96,13 @@ def stress(
     *,
     seconds: float,
     on_cases: OnCases | None = None,
+    turnstile: Turnstile | None = None,
     clock: Callable[[], float] = time.monotonic,
 ) -> Stressed:
     """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
 
-    `data` answers for the problem's exact answers; its own cases are not judged.
+    `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `turnstile`
+    to measure gets in between two handfuls of series.
 
     Raises:
         ProblemError: a builder, the promise or the reference fails.
@@ -109,10 +112,12 @@ def stress(
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
     run = _Run(data, fresh, box, runner, clock, clock() + seconds)
+    turnstile = turnstile or Turnstile()
     begun, interrupted = clock(), False
     try:
         while not run.over:
-            run.some()
+            with turnstile.judging():
+                run.some()
             if on_cases:
                 on_cases(run.cases, clock() - begun)
     except KeyboardInterrupt:

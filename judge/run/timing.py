@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from judge.run.result import Ratio
+from judge.run.result import Against, Ratio
+from judge.sandbox.boundary import Usage
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
@@ -26,6 +28,10 @@ _DRIFT = 0.1  # by which two turns at one speed may differ
 _REMEMBERED = 30  # turns of the reference
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
+_SURE_SECONDS = 0.05  # of a turn far above the limit, after which no second one is needed
+_WAKING_SECONDS = 0.002  # between a turn's wall time and its CPU time where nothing else runs
+_BUSY = 1 / 3  # of the wall time of the reference's turns, waited for a processor
+BESIDE = "beside another judge"
 
 Run = Callable[[], float | None]  # CPU seconds of one run, None where it did not end well
 
@@ -33,13 +39,16 @@ Run = Callable[[], float | None]  # CPU seconds of one run, None where it did no
 class Decision(Struct, frozen=True):
     """What the pairs came to; `ratio` is None where nothing could be paired.
 
-    `imported` is the CPU time of the submission's import, which the pairs are without.
+    `imported` is the CPU time of the submission's import, which the pairs are without. `against` says whose
+    time the pairs are of, where the submission is not in Python; `limit` is what the ratio was held to.
     """
 
     ratio: Ratio | None
     too_slow: bool = False
     borderline: bool = False
     imported: float = 0.0
+    against: Against | None = None
+    limit: float = 0.0
 
 
 class Pair(Struct, frozen=True):
@@ -77,13 +86,17 @@ def race(
     limit: float,
     goes_on: Callable[[], bool] = lambda: True,
     pace: Pace | None = None,
+    *,
+    cautious: bool = False,
 ) -> Decision:
     """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
 
-    A submission that comes near the limit in any pair gets nine whatever they take; any other as many, three
-    at least, as fit a moment that a waiting person does not notice. `goes_on` is asked after each pair
-    whether there may be another. With the `pace` of earlier races a clear one needs a single turn of the
-    reference; one that is far below the limit needs a single one of its own, unless that is short.
+    A submission that comes near the limit in any pair gets nine whatever they take, one far above it whose
+    turns are short three; any other as many, three at least, as fit a moment that a waiting person does not
+    notice. `goes_on` is asked after each pair whether there may be another. With the `pace` of earlier races
+    a clear one needs a single turn of the reference; one that is far below the limit needs a single one of
+    its own, unless that is short.
+    A `cautious` race is one of long turns in another language: see `decide`.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
@@ -110,16 +123,24 @@ def race(
                 pairs, usual = pairs[:1], None
             continue
         if pairs[0].ratio > limit:
+            if len(pairs) < _LEAST_PAIRS and (cautious or pair.submission < _SURE_SECONDS):
+                continue
+            break
+        if cautious and _one_will_do(pair, limit):
             break
         if usual is not None and _one_will_do(Pair(pairs[0].submission, usual), limit):
-            return decide([Pair(pairs[0].submission, usual)], limit)
+            return decide([Pair(pairs[0].submission, usual)], limit, cautious=cautious)
         if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
             break
-    return decide(pairs, limit)
+    return decide(pairs, limit, cautious=cautious)
 
 
-def decide(pairs: list[Pair], limit: float) -> Decision:
-    """The ratio of the pairs, and whether it exceeds the limit."""
+def decide(pairs: list[Pair], limit: float, *, cautious: bool = False) -> Decision:
+    """The ratio of the pairs, and whether it exceeds the limit.
+
+    Where the decision is `cautious`, quartiles that lie wider apart than what is clearly above and clearly
+    below the limit, or on both sides of it, make it a close call and never too slow.
+    """
     if not pairs:
         return Decision(None)
     ratio = summary(pairs)
@@ -127,6 +148,9 @@ def decide(pairs: list[Pair], limit: float) -> Decision:
         return Decision(ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
     too_slow = least > limit and ratio.median > limit
+    wide = ratio.low <= limit or ratio.high > ratio.low * CLEARLY_ABOVE / CLEARLY_BELOW
+    if cautious and too_slow and wide:
+        return Decision(ratio, borderline=True)
     # One odd pair is no close call where the median and the least times agree that it is not.
     return Decision(ratio, too_slow, borderline=too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit)
 
@@ -141,6 +165,25 @@ def summary(pairs: list[Pair]) -> Ratio:
     elif high - low > _TOO_WIDE * median:
         unreliable = "too noisy"
     return Ratio(median, low, high, len(pairs), unreliable)
+
+
+def disturbed(decision: Decision, what: str) -> Decision:
+    """The decision, whose ratio says that this went on beside it; the verdict stays what it is."""
+    ratio = decision.ratio
+    if ratio is None or not what:
+        return decision
+    return replace(decision, ratio=replace(ratio, busy=", ".join(filter(None, (what, ratio.busy)))))
+
+
+def busy(turns: Sequence[Usage]) -> str:
+    """Whether the reference waited for a processor in these turns, and for how much of its time; "" if not.
+
+    The reference neither sleeps nor reads, so what it takes beyond its CPU time and a moment to be woken in
+    is the machine's doing. A submission might sleep, so it is not asked.
+    """
+    wall = sum(turn.wall_seconds for turn in turns)
+    waited = sum(max(0.0, turn.waiting_seconds - _WAKING_SECONDS) for turn in turns)
+    return f"busy machine, {waited / wall:.0%} waiting" if waited > _BUSY * wall else ""
 
 
 def quantile(ordered: list[float], part: float) -> float:

@@ -41,3 +41,20 @@ class Said(Struct, frozen=True):
     isolation: str
     mode: Mode | None = None
     given: Any = None
+
+
+class Hacked(Struct, frozen=True):
+    """What came of a case that was to break a wrong program; `why` says why it does not, or is empty.
+
+    `tried` and `said` are None where the case is none of the problem's. `notes` are sentences for the person.
+    """
+
+    why: str
+    tried: Tried | None = None
+    said: Said | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def won(self) -> bool:
+        """Whether the program is broken."""
+        return not self.why

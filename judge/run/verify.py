@@ -22,13 +22,19 @@ from judge.data.module import blaming, load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
-from judge.language import file_name
+from judge.languages import NAME as PYTHON
+from judge.languages import file_name, language_of
+from judge.languages.boxes import AnyBoxes
+from judge.languages.find import why_not
+from judge.languages.signature import signature_of
 from judge.problem import Group, Problem, Verdict
+from judge.problem.lines import KeyPath
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.tomlfile import key_place, meant
 from judge.run.audit import Audit, audit
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
+from judge.run.reference import check_needs
 from judge.run.result import GroupResult, Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
@@ -48,13 +54,17 @@ class Fault(Struct, frozen=True):
 
 
 class SolutionReport(Struct, frozen=True):
-    """One program's verdict, whole and by group; `name` is its docstring's first line."""
+    """One program's verdict, whole and by group; `name` is the first line of what it begins with.
+
+    The verdict is None where it was `unjudged`, which then says why.
+    """
 
     file: str  # as wrong/absolute-epsilon.py
     kind: Kind
     name: str
-    verdict: Verdict
+    verdict: Verdict | None
     groups: tuple[GroupResult, ...]
+    unjudged: str = ""
 
     @property
     def failed(self) -> tuple[str, ...]:
@@ -64,7 +74,7 @@ class SolutionReport(Struct, frozen=True):
     @property
     def ok(self) -> bool:
         """Whether this is the verdict that the folder wants."""
-        return self.kind.allows(self.verdict)
+        return self.verdict is None or self.kind.allows(self.verdict)
 
 
 class VerifyReport(Struct, frozen=True):
@@ -94,18 +104,19 @@ def verify_problem(
     progress: Progress | None = None,
     box_factory: BoxFactory | None = None,
     made: frozenset[str] = frozenset(),
+    data: ProblemData | None = None,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
     Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
-    of wrong/, since mistakes.py makes them. A problem whose data cannot be built has that
-    as its one fault. Raises ProblemError only where hashes.json cannot be written.
+    of wrong/, since mistakes.py makes them. `data` are the problem's, as `fresh_data` gives them; without it
+    they are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
+    where hashes.json cannot be written, UsageError where a module is not installed that its reference needs.
     """
-    tell = progress or (lambda _what, _done, _total: None)
+    check_needs(problem)
+    tell = progress or _untold
     try:
-        data = load_data(
-            problem, progress=lambda done, total: tell("building data", done, total), cache=False
-        )
+        data = data or fresh_data(problem, progress)
         _prove_data(problem, data)
     except ProblemError as error:
         return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
@@ -118,9 +129,14 @@ def verify_problem(
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
     faults += _time_faults(problem, solutions)
     reports = []
-    settings = Settings(box_factory=box_factory or Boxes())
+    settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
     for done, solution in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
+        lacking = why_not(solution.language) if solution.language else ""
+        if lacking:
+            told = f"not judged here: {lacking}"
+            reports.append(SolutionReport(solution.file, solution.kind, solution.name, None, (), told))
+            continue
         result = run_submission(problem, data, solution.source, solution.path.name, settings=settings)
         report = _solution_report(solution, result)
         reports.append(report)
@@ -141,6 +157,16 @@ def verify_problem(
         matrix=matrix,
         audit=audited,
     )
+
+
+def fresh_data(problem: Problem, progress: Progress | None = None) -> ProblemData:
+    """The problem's data, built without a look at the cache. Raises ProblemError."""
+    tell = progress or _untold
+    return load_data(problem, progress=lambda done, total: tell("building data", done, total), cache=False)
+
+
+def _untold(_what: str, _done: int, _total: int) -> None:
+    """Tell nobody."""
 
 
 def _prove_data(problem: Problem, data: ProblemData) -> None:
@@ -200,16 +226,30 @@ def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]
     """The files that `[time]` names and that are not there: nothing would be raced against them."""
     rule = problem.time
     accepted = [solution.path.name for solution in solutions if solution.kind is Kind.ACCEPTED]
-    named = {"function": rule.function, "program": rule.program} if rule else {}
-    return [
+    named: dict[KeyPath, str | None] = {}
+    if rule:
+        named = {("time", "function"): rule.function, ("time", "program"): rule.program}
+        named |= {("time", "references", key): name for key, name in rule.references.items()}
+    missing = [
         Fault(
             f"[time] names {name!r}, which is no accepted solution",
-            key_place(problem, ("time", key)),
+            key_place(problem, path),
             meant(name, accepted, "name one of"),
         )
-        for key, name in named.items()
+        for path, name in named.items()
         if name and name not in accepted
     ]
+    return missing + [
+        _reference_fault(problem, key, name)
+        for key, name in (rule.references.items() if rule else ())
+        if name in accepted and getattr(language_of(name), "id", "") != key
+    ]
+
+
+def _reference_fault(problem: Problem, key: str, name: str) -> Fault:
+    found = language_of(name)
+    what = f"[time.references] names {name!r} for {key}, which is in {found.name if found else PYTHON}"
+    return Fault(what, key_place(problem, ("time", "references", key)), "name a file in that language")
 
 
 def _solution_report(solution: Solution, result: Result) -> SolutionReport:
@@ -225,7 +265,7 @@ def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matri
 def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:
     why = f" ({result.failure.message})" if result.failure else ""
     return Fault(
-        f"gets {report.verdict.value} where {report.kind.wanted} is wanted{why}",
+        f"gets {result.verdict.value} where {report.kind.wanted} is wanted{why}",
         f"{problem.solutions.name}/{report.file}",
         "move it to the folder it belongs to, or correct it or the data",
     )
@@ -249,6 +289,8 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport], made: froz
             remedy = f"add {problem.solutions / 'wrong' / file_name(mistake)}"
             faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
             continue
+        if any(report.verdict is None for report in programs):
+            continue  # it may catch them all
         killing = {name for report in programs for name in report.failed}
         faults += [
             Fault(
@@ -271,7 +313,7 @@ def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem:
         faults.append(Fault(what, where, remedy))
     if report.name not in aimed:
         faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
-    elif report.ok and not aimed[report.name].intersection(report.failed):
+    elif report.verdict is not None and report.ok and not aimed[report.name].intersection(report.failed):
         listed = ", ".join(report.failed) or "none"
         what = f"it fails no group that names {report.name!r}; it fails {listed}"
         faults.append(Fault(what, where, "correct the groups' kills, or their data"))

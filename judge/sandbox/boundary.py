@@ -96,6 +96,7 @@ class Inspection(NamedTuple):
     fault: SourceFault | None
     names: tuple[tuple[str, int], ...] = ()  # what it binds at module level, each with its line
     functions: tuple[Defined, ...] = ()  # of these, those that are plain functions
+    language: str = ""  # its name; "" for Python
 
     def defines(self, name: str) -> bool:
         """Whether the module binds `name` at its top level."""
@@ -131,6 +132,7 @@ class ProgramResult(NamedTuple):
     stderr: bytes  # the last few KB
     detail: str
     usage: Usage
+    code: int | None = None  # its exit status where that is known, below 0 for a signal
 
 
 class Box(Protocol):

@@ -1,4 +1,4 @@
-"""The fork server's own code as one file, so that no path of the package is needed inside the container.
+"""The code of a container's server as one file, so that no path of the package is needed inside it.
 
 A descriptor carries marshal data: (modules, config, source). The interpreter inside, the same as the
 judge's, reads it, makes the modules under their own names and starts the server; the server forgets those
@@ -26,12 +26,14 @@ _ALWAYS = (
     "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
 )
+_EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
 _ON_LINUX = (
     "judge.sandbox.linux.foreign",
     "judge.sandbox.linux.kernel",
     "judge.sandbox.linux.syscalls",
     "judge.sandbox.linux.bpf",
     "judge.sandbox.linux.landlock",
+    "judge.sandbox.linux.profiles",
     "judge.sandbox.linux.seccomp",
 )
 
@@ -50,13 +52,14 @@ for name, code in modules:
     package, _, own = name.rpartition(".")
     setattr(sys.modules[package], own, module)
     exec(code, module.__dict__)
-sys.modules["judge.sandbox.inside.server"].start(channel, region, config, source)
+module.start(channel, region, config, source)
 """
 
 
 def pack(config: dict[str, Any], source: bytes) -> bytes:
-    """The bundle's bytes. `config` holds plain values only."""
-    return marshal.dumps((_modules(), config, source))
+    """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
+    modules = (*_modules(), (_EXEC, _code_of(_EXEC))) if "profile" in config else _modules()
+    return marshal.dumps((modules, config, source))
 
 
 @cache

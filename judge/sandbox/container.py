@@ -139,8 +139,19 @@ _STARTER = _Starter()
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(self, level: str, name: str, source: bytes, roots: Roots, share: Share) -> None:
-        """Start it. Raises NotStarted where there is no room for it or the command itself is missing."""
+    def __init__(
+        self,
+        level: str,
+        name: str,
+        source: bytes,
+        roots: Roots,
+        share: Share,
+        place: launch.Workplace | None = None,
+    ) -> None:
+        """Start it, with `place` the server of what is no Python.
+
+        Raises NotStarted where there is no room for it or the command itself is missing.
+        """
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
@@ -148,7 +159,7 @@ class Container:
         self._level = level
         self._exposed = ""  # a path
         try:
-            self._start(level, name, source, roots, share)
+            self._start(level, name, source, roots, share, place)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
             not_started = refusal.of_fault(fault)
@@ -159,7 +170,15 @@ class Container:
             self.close()
             raise
 
-    def _start(self, level: str, name: str, source: bytes, roots: Roots, share: Share) -> None:
+    def _start(
+        self,
+        level: str,
+        name: str,
+        source: bytes,
+        roots: Roots,
+        share: Share,
+        place: launch.Workplace | None,
+    ) -> None:
         ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
@@ -172,7 +191,7 @@ class Container:
             self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share)
+            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             try:

@@ -96,10 +96,17 @@ def _packed(numbers: Any) -> dict[str, Any] | None:
     for number in numbers:
         if type(number) is not first:
             return None
-    try:
-        return _bytes("d" if first is float else "q", array("d" if first is float else "q", numbers))
-    except OverflowError:  # ints that are too large for it
-        return None
+    return _bytes("d", array("d", numbers)) if first is float else _narrow(numbers)
+
+
+def _narrow(numbers: Any) -> dict[str, Any] | None:
+    """Ints as bytes, each in as few as all of them fit into: there is room for so many only."""
+    for code in "bhiq":
+        try:
+            return _bytes(code, array(code, numbers))
+        except OverflowError:
+            continue
+    return None
 
 
 def _bytes(code: str, numbers: array[Any]) -> dict[str, Any]:
@@ -154,7 +161,8 @@ def _array(value: array[Any]) -> Any:
         return _wrong("array", "of characters")
     if len(value) <= MANY:
         return value.tolist()
-    return _bytes(_CODES[f"{_KINDS.get(code, 'u')}{value.itemsize}"], value)
+    packed = None if code in "fd" else _narrow(value)
+    return packed or _bytes(_CODES[f"{_KINDS.get(code, 'u')}{value.itemsize}"], value)
 
 
 def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] | None:
@@ -191,6 +199,11 @@ def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] 
 
 def _vector(value: Any) -> Any:
     """An array of numpy's as bytes."""
+    if value.dtype.kind in "iu":
+        low, high = int(value.min()), int(value.max())
+        bits = max(max(high, 0).bit_length(), max(-low - 1, 0).bit_length()) + 1
+        fitting = next((size for size in (1, 2, 4, 8) if bits <= 8 * size), None)
+        value = value.astype(f"i{fitting}") if fitting else value
     dtype = value.dtype
     code = _CODES.get(f"{dtype.kind}{dtype.itemsize}")
     if code is None:

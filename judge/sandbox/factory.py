@@ -51,28 +51,34 @@ class Boxes:
         self.refused: dict[str, str] = {}
         self._demanded = level
         self._least = least
-        self._hide = tuple(hide)
-        self._share = share
+        self.hide = tuple(hide)
+        self._own_share = share
         self._had = set[str]() if had is None else {had}
         self._roots: Roots | None = None  # looking for them takes longer than starting a process
         self._idle: IdleCosts = {}
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `below`."""
-        from judge.sandbox import room  # only a run needs sockets, processes and ctypes
-        from judge.sandbox.box import ForkServerBox
+        from judge.sandbox.box import ForkServerBox  # only a run needs sockets, processes and ctypes
         from judge.sandbox.container import Container
         from judge.sandbox.holder import Holder
         from judge.sandbox.roots import find_roots
 
-        level = self._first()
-        if self._share is None:
-            self._share = room.measure().share(1)
+        level = self.first()
         if self._roots is None:
-            self._roots = find_roots(self._hide)
-        roots, share = self._roots, self._share
+            self._roots = find_roots(self.hide)
+        roots, share = self._roots, self.share
         holder = Holder(level, self, lambda level: Container(level, name, source, roots, share))
         return ForkServerBox(holder, share, self._idle)
+
+    @property
+    def share(self) -> Share:
+        """The threads that each submission may have."""
+        if self._own_share is None:
+            from judge.sandbox import room
+
+            self._own_share = room.measure().share(1)
+        return self._own_share
 
     def had(self, level: str) -> None:
         """A container is ready at this level."""
@@ -103,7 +109,7 @@ class Boxes:
         self.refused[level] = reason
         return self._from(following[0])
 
-    def _first(self) -> str:
+    def first(self) -> str:
         """The level to begin with: what was had, what is demanded, or the best there may be."""
         had = next((level for level in LEVELS if level in self._had), None)
         return had or self._from(self._demanded or LEVELS[0])

@@ -1,4 +1,4 @@
-"""Starting a fork server at a level: the command line, the environment, the user it becomes.
+"""Starting a container's server at a level: the command line, the environment, the user it becomes.
 
     full     bubblewrap → fork server as pid 1 of its own namespaces, landlock and seccomp inside
     strong   the fork server alone, landlock and seccomp
@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.room import Share, tasks_of_mine
-from judge.sandbox.roots import Roots
+from judge.sandbox.roots import Roots, open_to_all
 
 _ENVIRONMENT = {
     "PATH": "/usr/bin:/bin",
@@ -30,8 +30,36 @@ _ENVIRONMENT = {
     "VECLIB_MAXIMUM_THREADS": "1",
     "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
 }
+SCRATCH = "/scratch"
+RESULT = "out"  # the folder in it that a compiler's result goes to
+SCRATCH_BYTES = 256 << 20
+_RANDOM = "/dev/urandom"
+_ITSELF = "/proc/self/exe"
 _UIDS = 0x7000_0000  # where no real user lives
 _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
+
+
+class Workplace(NamedTuple):
+    """What the container of a compiler, or of what it made, has besides the interpreter of its server.
+
+    `shown` are folders of this machine by the names they have inside at `full`; below that they keep their
+    own. `scratch` is a folder of this machine that may be filled; at `full` an empty one of SCRATCH_BYTES is
+    filled instead. `runnable` are real paths from which programs may be started.
+    """
+
+    profile: str  # of judge.sandbox.linux.profiles
+    shown: tuple[tuple[str, str], ...] = ()
+    scratch: str = ""
+    runnable: tuple[str, ...] = ()
+    descriptors: int = 64
+    random: bool = True  # whether there is /dev/urandom
+    itself: str = ""  # what /proc/self/exe leads to at `full`, where there is no /proc
+
+    def where(self, name: str, level: str) -> str:
+        """The path inside of one of the folders shown, or of `SCRATCH`."""
+        if level == "full":
+            return name
+        return self.scratch if name == SCRATCH else dict(self.shown)[name]
 
 
 class Plan(NamedTuple):
@@ -42,27 +70,60 @@ class Plan(NamedTuple):
     config: dict[str, Any]
 
 
-def plan(level: str, name: str, roots: Roots, descriptors: tuple[int, int, int], share: Share) -> Plan:
-    """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's."""
+def plan(
+    level: str,
+    name: str,
+    roots: Roots,
+    descriptors: tuple[int, int, int],
+    share: Share,
+    place: Workplace | None = None,
+) -> Plan:
+    """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's.
+
+    `place` is there for what is no Python. Raises OSError where its scratch folder cannot be handed over.
+    """
     uid = _spare_uid()
+    closed = uid is not None and place is not None and not open_to_all(place.runnable, below=level == "full")
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
     config: dict[str, Any] = {
         "level": level,
         "name": name,
         "uid": uid,
-        "reads_all": uid is not None and not roots.outsiders_may_read(below=level == "full"),
+        "reads_all": uid is not None and (closed or not roots.outsiders_may_read(below=level == "full")),
         "parent": None if level == "full" else os.getpid(),
         "path": list(roots.imports),
-        "readable": [*roots.folders, *roots.files, "/dev/urandom"] if level == "full" else roots.readable(),
+        "readable": [*roots.folders, *roots.files, _RANDOM] if level == "full" else roots.readable(),
         "writable": ["/dev/null"],
-        "threads": _threads(level, uid, share),
+        "threads": threads(level, share, alone=uid is not None),
         "cores": os.cpu_count() or 1,
         "unseen": to_look_for(level, roots),
     }
+    if place is not None:
+        _settle(place, level, roots, config)
+        config["passes_on"] = closed
     if level != "full":
         return Plan(tuple(python), dict(_ENVIRONMENT), config)
-    command = [*_bubblewrap(roots, uid, config["reads_all"]), "--", *python]
+    command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+
+
+def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) -> None:
+    """What the server is told besides."""
+    shown = [place.where(name, level) for name, _ in place.shown]
+    readable = [*config["readable"], *shown]
+    config["profile"], config["descriptors"] = place.profile, place.descriptors
+    config["readable"] = [path for path in readable if place.random or path != _RANDOM]
+    config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
+    config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
+    config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
+    if place.scratch and level != "full" and config["uid"] is not None:
+        os.chown(place.scratch, config["uid"], config["uid"])
+
+
+def _loaders() -> list[str]:
+    """The programs that the kernel starts so that they load a program's libraries."""
+    found = (path for folder in ("/lib", "/lib64") for path in Path(folder).glob("ld-*.so*"))
+    return [os.path.realpath(path) for path in found]
 
 
 def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -79,7 +140,7 @@ def bubblewrap_path() -> str | None:
     return None
 
 
-def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
+def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace | None = None) -> list[str]:
     arguments = [
         bubblewrap_path() or "bwrap",
         "--die-with-parent",
@@ -104,8 +165,14 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool) -> list[str]:
     for path in roots.hidden:
         arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
     arguments += _parents("/dev/null", made)
-    for device in ("/dev/null", "/dev/urandom"):
+    for device in ("/dev/null", _RANDOM) if place is None or place.random else ("/dev/null",):
         arguments += ["--dev-bind", device, device]
+    if place and place.itself:
+        arguments += [*_parents(_ITSELF, made), "--symlink", place.itself, _ITSELF]
+    for name, folder in place.shown if place else ():
+        arguments += ["--ro-bind", folder, name]
+    if place and place.scratch:
+        arguments += ["--perms", "1777", "--size", str(SCRATCH_BYTES), "--tmpfs", SCRATCH]
     return [*arguments, "--chdir", "/", "--remount-ro", "/"]
 
 
@@ -140,10 +207,13 @@ def _may_change_user() -> bool:
     return int(effective, 16) >> 6 & 0b11 == 0b11
 
 
-def _threads(level: str, uid: int | None, share: Share) -> int:
-    """RLIMIT_NPROC that leaves a submission its threads; the kernel counts those of the whole user."""
+def threads(level: str, share: Share, *, alone: bool) -> int:
+    """RLIMIT_NPROC that leaves a submission its threads; the kernel counts those of the whole user.
+
+    `alone` says that it has a user to itself.
+    """
     if sys.platform != "linux":
         return 0
-    if uid is not None or level == "full":
+    if alone or level == "full":
         return share.each + 2
     return max(1, min(tasks_of_mine() + share.together, share.ceiling))

@@ -39,30 +39,35 @@ class Roots(NamedTuple):
 
     def readable(self) -> list[str]:
         """The paths that are allowed one by one, for a sandbox that cannot cover a folder inside another."""
+        return [*self.around(self.folders), *self.files, *_DEVICES]
+
+    def around(self, paths: Iterable[str]) -> list[str]:
+        """These real paths, or instead of one that has something hidden in it what lies around that."""
         hidden = [Path(path) for path in self.hidden]
-        allowed = [path for folder in self.folders for path in _around(Path(folder), hidden)]
-        return [*allowed, *self.files, *_DEVICES]
+        return [each for path in paths for each in _around(Path(path), hidden)]
 
     def outsiders_may_read(self, *, below: bool) -> bool:
         """Whether somebody who owns nothing can read the interpreter; `below` looks at the folders only."""
-        found = [Path(path) for path in (self.executable, *self.imports) if Path(path).exists()]
-        if below:
-            found += [Path(path) for path in self.folders]
-            return all(_open_to_all(place) for place in found)
-        return all(_open_to_all(part) for place in found for part in (place, *place.parents))
+        named = (self.executable, *self.imports, *(self.folders if below else ()))
+        return open_to_all(named, below=below)
 
 
-def find_roots(hide: Iterable[Path] = ()) -> Roots:
-    """The roots of the interpreter that runs the judge; `hide` are more folders that must not be seen."""
+def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = ()) -> Roots:
+    """The roots of the interpreter that runs the judge.
+
+    `hide` are more folders that must not be seen, `more` files and folders that must be, as a compiler's.
+    """
     executable = places.real(sys.executable)
     libraries = _libraries()
     path = [places.absolute(entry) for entry in sys.path]
     sites = [entry for entry in path if Path(entry).name in SITE_NAMES]
     stores = [store for store in _STORES if executable.startswith(store)]
-    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites))
+    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites, *more))
     wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
     folders = places.outermost(wanted.values())
-    files = {name: places.real(name) for name in (executable, _LOADER_CACHE) if Path(name).exists()}
+    single = [name for name in names if name not in wanted]
+    asked = (executable, _LOADER_CACHE, *single)
+    files = {name: places.real(name) for name in asked if os.path.exists(name)}  # noqa: PTH110 - False if closed
     links = dict(link for name, real in (wanted | files).items() for link in places.links_on(name, real))
     shown = [*wanted.values(), *files.values(), *_DEVICES, *links]
     searched = concealed.searched(path, (*_LIBRARY_FOLDERS, *libraries))
@@ -110,6 +115,13 @@ def _around(folder: Path, hidden: list[Path]) -> list[str]:
         return []
     entries = [entry for entry in sorted(folder.iterdir()) if not entry.is_symlink()]
     return [path for entry in entries for path in _around(entry, inside)]
+
+
+def open_to_all(paths: Iterable[str], *, below: bool) -> bool:
+    """Whether somebody who owns nothing can read them; without `below` every folder on the way counts."""
+    found = [Path(path) for path in paths if Path(path).exists()]
+    parts = found if below else [part for place in found for part in (place, *place.parents)]
+    return all(map(_open_to_all, parts))
 
 
 def _open_to_all(path: Path) -> bool:

@@ -2,6 +2,7 @@
 
     judge/schema/<command>.json    an object as the command writes it; its own $defs are in it
     judge/schema/shared.json       $defs that several commands use, as {"$ref": "shared.json#/$defs/verdict"}
+    judge/schema/files/<name>.json files that a setter writes, as TOML
 
 A command that gets `--json` gets a file here. `schema_of` puts a command's file and what it refers to into
 one document that needs no other.
@@ -34,6 +35,18 @@ def schema_of(command: str) -> Schema:
     schema: Schema = _bundled(f"{command}.json", _read(f"{command}.json"), definitions)
     schema.pop("$defs", None)
     return schema | ({"$defs": dict(sorted(definitions.items()))} if definitions else {})
+
+
+def files() -> list[str]:
+    """The names of the files' schemas, in order of name."""
+    return sorted(path.stem for path in (_FOLDER / "files").glob("*.json"))
+
+
+def schema_of_file(name: str) -> Schema:
+    """The schema of a file that a setter writes. Raises KeyError if there is none of that name."""
+    if name not in files():
+        raise KeyError(name)
+    return _read(f"files/{name}.json")
 
 
 def whole() -> Schema:

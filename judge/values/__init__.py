@@ -8,7 +8,7 @@ from judge.values.grammar import TypeFault, parse
 from judge.values.likeness import Outline, Usual
 from judge.values.outcome import Accepted, Outcome, Rejection, Words
 from judge.values.tolerance import Tolerance
-from judge.values.tree import AnyOf, Enclosure, Exact, Real, Run, vector
+from judge.values.tree import AnyOf, Enclosure, Exact, Judged, Real, Run, vector
 from judge.values.type import ExactOf, Number, Raw, Target, Type
 
 __all__ = [
@@ -17,6 +17,7 @@ __all__ = [
     "Enclosure",
     "Exact",
     "ExactOf",
+    "Judged",
     "Number",
     "Outcome",
     "Outline",

@@ -34,6 +34,7 @@ SETS = {"set", "frozenset"}
 _SHOWN = 60
 
 _DECIMAL = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+_COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 
 
@@ -94,6 +95,8 @@ def decimal(text: str) -> Written | Fault:
 
 def _why_no_decimal(text: str) -> str:
     lower = text.lower().lstrip("+-")
+    if _COMMA.fullmatch(text):
+        return "it has a decimal comma; write a point"
     if not text.isascii():
         return "it has a character that is not ASCII"
     if "_" in text:

@@ -66,6 +66,8 @@ class ListValues(ParameterValues):
 
     def argument(self, value: Any) -> Any:
         """A list of the items' arguments."""
+        if self.item.is_plain:
+            return list(value)
         return [self.item.argument(each) for each in value]
 
     def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:

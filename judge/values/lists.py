@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import collecting, fault, items
 from judge.values.elements import Wanted, elements, hot_pairs
+from judge.values.judged import first_of
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
 from judge.values.list_values import ListValues
 from judge.values.outcome import Mismatch, Place, Unfit, Unreadable, Words
+from judge.values.rightness import accepts
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact, Run
 from judge.values.type import (
@@ -23,7 +25,6 @@ from judge.values.type import (
     Raw,
     Target,
     Type,
-    first_of,
 )
 
 if TYPE_CHECKING:
@@ -170,6 +171,22 @@ class ListType(ListValues, Type):
                 raise
         return worst
 
+    def fits(self, value: Any, target: Target, question: Question, place: Place) -> bool:
+        """Whether every item does, those of a run in any order."""
+        wanted = elements(target)
+        if len(value) != len(wanted):
+            return False
+        used: set[int] = set()
+        for at, each in enumerate(value):
+            for index in wanted[at].run:
+                spot = self._at(place, wanted, index, at)
+                if index not in used and accepts(self.item, each, wanted[index].target, question, spot):
+                    used.add(index)
+                    break
+            else:
+                return False
+        return True
+
     def _held(
         self,
         each: Any,
@@ -209,26 +226,32 @@ class ListType(ListValues, Type):
         message = f"{count} wanted, {len(value) or 'none'} given"
         if len(wanted) == 1 and len(value) == 2:
             at = self._at(place, wanted, 0, 0)
-            if all(self.item.accepts(each, wanted[0].target, question, at) for each in value):
+            if all(accepts(self.item, each, wanted[0].target, question, at) for each in value):
                 message += f": the same {self.one} twice"
         return message
 
     def _is_reordered(
         self, value: Sequence[Any], wanted: Sequence[Wanted], question: Question, place: Place
     ) -> bool:
-        """Whether every item given is one of those wanted, each of them once."""
+        """Whether every item given is one of those wanted, each of them once.
+
+        Where an item fits in two places, as in a list of noughts and ones, order is not what is wrong.
+        """
         if not 2 <= len(value) <= _REORDERED:
             return False
-        left = list(range(len(wanted)))
+        taken: set[int] = set()
         for at, each in enumerate(value):
-            for index in left:
-                spot = self._at(place, wanted, index, at)
-                if self.item.accepts(each, wanted[index].target, question, spot):
-                    left.remove(index)
-                    break
-            else:
+            fitting = [
+                index
+                for index in range(len(wanted))
+                if accepts(
+                    self.item, each, wanted[index].target, question, self._at(place, wanted, index, at)
+                )
+            ]
+            if len(fitting) != 1:
                 return False
-        return True
+            taken.update(fitting)
+        return len(taken) == len(value)
 
     # -- lines of text -------------------------------------------------------------------------------
 

@@ -61,10 +61,16 @@ def ulps_off(given: Given, bounds: Bounds) -> float:
     return abs((double(given) - nearest) / unit - residual) if nearest else 0.0
 
 
+def exactly(bounds: Bounds) -> Fraction:
+    """The exact number, to the last bits of `residual`."""
+    _, _, nearest, residual, unit = map(Fraction, bounds)
+    return nearest + residual * unit
+
+
 def errors(given: Given, bounds: Bounds) -> Errors:
     """The absolute, relative and ulp error of any number, as doubles; the last two None for x = 0."""
-    _, _, nearest, residual, unit = map(Fraction, bounds)
-    x = nearest + residual * unit
+    _, _, nearest, _, unit = map(Fraction, bounds)
+    x = exactly(bounds)
     away = abs((given.exact() if isinstance(given, Written) else Fraction(given)) - x)
     if nearest == 0:
         return near(away), None, None

@@ -12,6 +12,7 @@ from judge.values.decode import shown
 from judge.values.likeness import Outline, Usual
 from judge.values.lines import Tokens
 from judge.values.outcome import UNMEASURED, Mismatch, Outcome, Place, Unreadable, Words
+from judge.values.rightness import accepts
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
 from judge.values.type import (
@@ -88,6 +89,12 @@ class OptionalType(Type):
         if raw is None:
             return None
         return self.inner.read(raw, question, place)
+
+    def fits(self, value: Any, target: Target, question: Question, place: Place) -> bool:
+        """Whether both are None, or the inner type says so."""
+        if value is None or target is None:
+            return value is target
+        return accepts(self.inner, value, target, question, place)
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:
         """Both None, or as the inner type has it."""

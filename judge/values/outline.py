@@ -14,9 +14,9 @@ Other types make forms of their own in the same manner. A run that ended without
 
 from __future__ import annotations
 
-import hashlib
 from typing import Any
 
+from judge.digest import digest_of
 from judge.values import decode
 from judge.values.decode import Fault, number
 from judge.values.likeness import Outline
@@ -43,6 +43,11 @@ def outline(type_: Type, raw: Any) -> Outline:
         value = type_.read(raw, _UNASKED, ROOT)
     except Unreadable:
         return _misread(type_, raw)
+    return of_value(type_, value)
+
+
+def of_value(type_: Type, value: Any) -> Outline:
+    """The outline of an answer that was read and is not None."""
     return short(type_.form(value)), tuple(_first(type_.flat(value)))
 
 
@@ -55,7 +60,7 @@ def short(form: str) -> str:
     """A form, cut where it is long, but so that different ones stay different."""
     if len(form) <= 2 * _LONGEST:
         return form
-    return f"{form[:_LONGEST]}… {hashlib.sha256(form.encode(errors='replace')).hexdigest()[:8]}"
+    return f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
 
 
 def _first(numbers: Any) -> list[float]:

@@ -23,6 +23,8 @@ class Draws(Protocol):
 class ParameterValues:
     """The half of `judge.values.type.Type` that deals with the values of parameters."""
 
+    is_plain = True  # whether a submission receives a parameter's value as it is kept here
+
     def fault(self, name: str, value: Any) -> str | None:
         """What is wrong with the shape of a parameter's value, for a person, or None."""
         raise NotImplementedError

@@ -7,11 +7,12 @@ wrappers:
     Enclosure(x, width)   the number that an interval must hold, and how wide that may be
     Run(items)            neighbouring elements of a list, in any order
     AnyOf(answers)        any of these
+    Judged(why_not)       whatever a function of the problem accepts
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -54,6 +55,27 @@ class AnyOf(Struct, frozen=True):
     """Any of these answers is right; the first of them is the one that is shown."""
 
     answers: Sequence[Exact]
+
+
+class Judged(Struct, frozen=True):
+    """Any answer of the type that the problem itself accepts, such as one of very many good ones.
+
+    `why_not(value, group)` says in a sentence why it does not accept a value, or None; it raises nothing for
+    one. The value is plain: ints, floats, words, tuples for fixed parts and lists. `group` is the name of the
+    test group that the case is in, empty where it is in none. `sample` is an exact answer that is accepted,
+    and `group` here is filled in by who judges.
+    """
+
+    why_not: Callable[[Any, str], str | None]
+    sample: Exact
+    group: str = ""
+
+
+def within(exact: Exact, group: str) -> Exact:
+    """The exact answer to a case of that test group."""
+    from msgspec.structs import replace
+
+    return replace(exact, group=group) if isinstance(exact, Judged) else exact
 
 
 def vector(coordinates: Sequence[Surd | Fraction | int], unit: Surd | Fraction | int = 0) -> tuple[Real, ...]:

@@ -8,11 +8,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import fault, items
+from judge.values.judged import first_of
 from judge.values.lines import Tokens
 from judge.values.outcome import COORDINATES, Place, Unfit, Unreadable, Words
+from judge.values.rightness import accepts
 from judge.values.tolerance import Tolerance
 from judge.values.tree import Exact
-from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type, first_of
+from judge.values.type import NOTHING_MEASURED, Draws, Number, Question, Quick, Raw, Target, Type
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -83,14 +85,14 @@ class TupleType(Type):
     def read(self, raw: Raw, question: Question, place: Place) -> Any:
         """A tuple of the parts' values."""
         found = items(raw)
-        name = place.name()
         if found is None:
-            wrong = fault(raw)
+            name, wrong = place.name(), fault(raw)
             is_point = self.is_vector and wrong.type.startswith("complex")
             remedy = f"return a point as {self.noun}" if is_point else ""
             meant = f"{name} is meant to be {self.noun}" if name else f"{self.noun} is meant"
             raise Unreadable(wrong.where(meant, remedy))
         if len(found) != len(self.parts):
+            name = place.name()
             what = (
                 f"{len(found)} {'coordinate' if self.is_vector else 'part'}{'' if len(found) == 1 else 's'}"
             )
@@ -109,6 +111,13 @@ class TupleType(Type):
         """The worst of the parts."""
         return max(
             part.held(given, wanted, question, self._place(place, at))
+            for at, (part, given, wanted) in enumerate(zip(self.parts, value, target, strict=True))
+        )
+
+    def fits(self, value: Any, target: Target, question: Question, place: Place) -> bool:
+        """Whether every part does."""
+        return all(
+            accepts(part, given, wanted, question, self._place(place, at))
             for at, (part, given, wanted) in enumerate(zip(self.parts, value, target, strict=True))
         )
 
@@ -217,6 +226,8 @@ class TupleType(Type):
 
     def argument(self, value: Any) -> Any:
         """A tuple of the parts' arguments."""
+        if self.is_plain:
+            return value
         return tuple([part.argument(each) for part, each in zip(self.parts, value, strict=True)])
 
     def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:

@@ -2,8 +2,8 @@
 
 An answer is handled in four forms: the exact tree (`judge.values.tree`), the target made of it once, JSON of
 any shape as a submission sent it (`raw`), and the value that was read from that. A target is plain JSON: five
-doubles for a real (`judge.values.numbers`), ints and words themselves, None, lists and tuples; {"run": […]}
-and {"any": […]} stand for the wrappers of the exact tree.
+doubles for a real (`judge.values.numbers`), ints and words themselves, None, lists and tuples; {"run": […]},
+{"any": […]} and {"such as": …} stand for the wrappers of the exact tree.
 
 An atom defines the methods of `Type` that have no body here, or derives from `judge.values.plain.PlainType`.
 """
@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from judge.errors import ProblemError
 from judge.values import decode
+from judge.values.judged import decide, first_of
 from judge.values.likeness import Outline, Usual, only_digits
 from judge.values.lines import Tokens, tokens_of
 from judge.values.outcome import (
@@ -37,7 +38,7 @@ from judge.values.parameters import Draws as Draws
 from judge.values.parameters import Number as Number
 from judge.values.parameters import ParameterValues
 from judge.values.tolerance import Tolerance
-from judge.values.tree import AnyOf, Exact
+from judge.values.tree import AnyOf, Exact, Judged
 
 if TYPE_CHECKING:
     from judge.values.interval import Roots
@@ -52,13 +53,6 @@ NOTHING_MEASURED = -1.0
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
 MANY_LENGTHS = 1000  # of a list without a bound, and of an array
 _ANSWERS = 3  # of several that are right, which are shown
-
-
-def first_of(target: Target) -> Target:
-    """The target, or of several the first."""
-    while type(target) is dict and "any" in target:
-        target = target["any"][0]
-    return target
 
 
 class Question:
@@ -90,7 +84,6 @@ class Type(ParameterValues):
 
     is_parameter = True  # whether a parameter may be of this type
     is_buffer = False  # whether a submission receives a parameter's value as bytes
-    is_plain = True  # whether a submission receives a parameter's value as it is kept here
     settled = True  # whether an example shows the right answer, and not one of many that differ widely
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether None is one of its values
@@ -105,6 +98,7 @@ class Type(ParameterValues):
     annotation = "object"  # in a stub
     variable = "answer"  # what a function's parameter of this type is called
     rounded = ""  # the expression that rounds `{}` for a doctest; empty where nothing is rounded
+    rounded_as = ""  # the annotation of what that gives, where it is another one
 
     def __str__(self) -> str:
         return self.text
@@ -151,6 +145,8 @@ class Type(ParameterValues):
             if not exact.answers:
                 raise Unfit("AnyOf without answers")
             return {"any": [self.targeted(each, tolerance, roots) for each in exact.answers]}
+        if isinstance(exact, Judged):
+            return {"such as": self.targeted(exact.sample, tolerance, roots)}
         return self.aimed(exact, tolerance, roots)
 
     def aimed(self, exact: Exact, tolerance: Tolerance, roots: Roots) -> Target:
@@ -202,7 +198,10 @@ class Type(ParameterValues):
         raise NotImplementedError
 
     def held(self, value: Any, target: Target, question: Question, place: Place) -> float:
-        """`matched`, where any of several targets may do."""
+        """`matched`, where any of several targets may do, or the problem itself decides."""
+        if type(target) is dict and "such as" in target:
+            decide(value, question, place)
+            return NOTHING_MEASURED
         if type(target) is not dict or "any" not in target:
             return self.matched(value, target, question, place)
         misses = []
@@ -221,10 +220,10 @@ class Type(ParameterValues):
         """How many ulps the value is off at most, NOTHING_MEASURED if there is nothing; raises Mismatch."""
         raise NotImplementedError
 
-    def accepts(self, value: Any, target: Target, question: Question, place: Place) -> bool:
-        """Whether `held` raises nothing."""
+    def fits(self, value: Any, target: Target, question: Question, place: Place) -> bool:
+        """Whether `matched` raises nothing."""
         try:
-            self.held(value, target, question, place)
+            self.matched(value, target, question, place)
         except Mismatch:
             return False
         return True
@@ -304,6 +303,8 @@ class Type(ParameterValues):
             answers = target["any"]
             shown = [self.wanted(each) for each in answers[:_ANSWERS]]
             return " or ".join(shown + ["…"] * (len(answers) > _ANSWERS))
+        if type(target) is dict and "such as" in target:
+            return f"such as {self.wanted(target['such as'])}"
         return self.wanted_one(target)
 
     def wanted_one(self, target: Target) -> str:
@@ -318,6 +319,8 @@ class Type(ParameterValues):
         """An exact answer as JSON: numbers that are not ints as decimal text of up to 40 digits."""
         if isinstance(exact, AnyOf):
             return {"any": [self.exact_text(each) for each in exact.answers]}
+        if isinstance(exact, Judged):
+            return {"such as": self.exact_text(exact.sample)}
         return self.exact_text_one(exact)
 
     def exact_text_one(self, exact: Exact) -> Any:
@@ -326,9 +329,11 @@ class Type(ParameterValues):
 
     def accepted(self, target: Target) -> Any:
         """What is accepted, as JSON: for each real number the least and the greatest double."""
-        if type(target) is dict and "any" in target:
-            return {"any": [self.accepted(each) for each in target["any"]]}
-        return self.accepted_one(target)
+        if type(target) is not dict or "run" in target:
+            return self.accepted_one(target)
+        if "such as" in target:
+            return {"such as": self.accepted(target["such as"])}
+        return {"any": [self.accepted(each) for each in target["any"]]}
 
     def accepted_one(self, target: Target) -> Any:
         """`accepted` of a single answer."""
@@ -336,11 +341,11 @@ class Type(ParameterValues):
 
     def asserts(self, what: str, target: Target) -> Iterator[str]:
         """Python conditions on the expression `what`, all of which hold exactly for a right answer."""
-        if type(target) is not dict or "any" not in target:
+        if type(target) is not dict or "run" in target:
             yield from self.asserts_one(what, target)
-            return
-        ways = [" and ".join(self.asserts(what, each)) for each in target["any"]]
-        yield " or ".join(f"({way})" for way in ways)
+        elif "any" in target:  # of what the problem itself accepts, only the judge can say
+            ways = [" and ".join(self.asserts(what, each)) for each in target["any"]]
+            yield " or ".join(f"({way})" for way in ways)
 
     def asserts_one(self, what: str, target: Target) -> Iterator[str]:
         """`asserts` for a single answer."""

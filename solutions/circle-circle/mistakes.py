@@ -58,6 +58,9 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # + zero-radius: if r1 == 0 or r2 == 0: return []
     # + zero-radius: if r1 == 0 or r2 == 0: return None
     # : Where a radius is 0 None is returned, as if there were no circle. The circle is a point then.
+    # + zero-radius: if d <= near and r1 == 0: return [(cx1, cy1)]
+    # + zero-radius: if d <= near and r2 == 0: return [(cx1, cy1)]
+    # : A point at the centre of the other circle is taken for a point on it. It is inside: [].
     if d <= near:
         return None if abs(r1 - r2) <= near else []
         # ? same-is-empty: return []

@@ -48,9 +48,7 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
         # ? sqrt-of-negative: pass
         if gap <= near:
             c = 1 if q > 0 else -1
-            # ? inner-missed: c = 1
-            # : Where one circle touches the other from inside, the point is always taken towards C2. If the second
-            # : circle is the greater one, q is negative, and the point is on the other side of C1.
+            # ? inner-side: c = 1
             found.append((ox + length * c * ux, oy + length * c * uy))
             # ? tangent-twice: found += [(ox + length * c * ux, oy + length * c * uy)] * 2
             # ? touch-missed: pass

@@ -32,6 +32,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     # : Two units of Δ's own last place are taken for its error. Those before it were larger.
     # ? absolute-bound: bound = {1e-15..1e-6/3}
     # ? relative-to-result: bound = {1e-14..1e-8/3} * abs(delta)
+    # ? relative-to-result: bound = 32 * U * abs(delta)
     # ? relative-to-result: bound = 100 * U * abs(delta)
     # ? ignores-cancellation: bound = U * (12 * reach + 16 * k * k)
     # ? too-wide: bound = {1e-13..1e-6/2} * (reach + m * abs(k)) + {1e-13..1e-6/2} * m * m

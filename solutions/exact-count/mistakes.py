@@ -22,6 +22,14 @@ def decimal(fx, fy, dx, dy, r, digits, textbook):
         return r * r * (dx * dx + dy * dy) - (dx * fy - dy * fx) ** 2
 
 
+def newton(n, steps):
+    # the root of a whole number, but for the steps that are missing
+    x = 1 << (n.bit_length() + 1) // 2
+    for _ in range(steps if n else 0):
+        x = (x + n // x) // 2
+    return x - 1 if n and (x - 1) ** 2 >= n else x
+
+
 def sign_of(x):
     return 0 if x < 0 else 2 if x > 0 else 1
 
@@ -164,6 +172,8 @@ def exact(cx, cy, r, A, B):
     # : |k| is compared with the whole part of √(r²·a): a line that misses by less than one of its units is
     # : a tangent, and a hit is lost. Compare the squares: k² with r²·a.
     # ? rounded-root: disc = r - abs(k) // isqrt(a)
+    # ? few-steps: disc = (lambda n: newton(n, 8) - abs(k) or n - k * k)(r * r * a)
+    # ? few-steps: disc = (lambda n: newton(n, 6) - abs(k) or n - k * k)(r * r * a)
     # ? loose-epsilon: disc = (lambda d: 0 if abs(d) <= {1e-12..1e-3/3} * r * r * a else d)(r * r * a - k * k)
     # ? loose-epsilon: disc = (lambda d: 0 if abs(d) <= 1 else d)(r * r * a - k * k)
     # : r²·a and k² may differ by 1 and pass for equal. Here there is no tolerance at all, and just that 1

@@ -70,6 +70,9 @@ def signs(cx, cy, r, A, B):
     # + zero-radius: if r == 0: return 0
     # + zero-radius: if r == 0: raise ValueError
     # : A radius of 0 raises an error. The statement allows it: the circle is the point C.
+    # + zero-radius: if r == 0: return int(dx * fy == dy * fx and 0 <= -b <= a)
+    # : A radius of 0 is looked at before A == B, and there every point is on the line through itself. Look at
+    # : A == B first.
     if a == 0:
         return int(start == 0)
         # ? no-degenerate: return 0

@@ -8,6 +8,10 @@ def projection(A, B, C):
     # + swapped-coordinates: A, B = (A[0], B[0]), (A[1], B[1])
     # : The points are taken as (ax, bx) and (ay, by), as if they came in columns. A is (ax, ay).
     # + from-B: A, B = B, A
+    # + from-B: A, B = min(A, B), max(A, B)
+    # : A and B are put in order, so t counts from B where B comes first. Leave them as they are given.
+    # + from-B: A, B = (B, A) if A[0] == B[0] and A[1] > B[1] else (A, B)
+    # : A line that goes straight down is turned round, and t then counts from B. Leave A and B as they are given.
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     fx, fy = C[0] - A[0], C[1] - A[1]
@@ -55,6 +59,8 @@ def projection(A, B, C):
     # ? from-B: x, y = B[0] + t * dx, B[1] + t * dy
     # : t counts from A, and the foot is drawn from B. It is A + t·D.
     # ? mirror-image: x, y = 2 * (A[0] + t * dx) - C[0], 2 * (A[1] + t * dy) - C[1]
+    # + t-from-foot: t = (x - A[0]) / dx if abs(dx) >= abs(dy) else (y - A[1]) / dy
+    # + t-from-foot: t = ((x - A[0]) * dx + (y - A[1]) * dy) / square
     # + t-in-length: t = t * hypot(dx, dy)
     # + t-in-length: t = abs(t) * hypot(dx, dy)
     # : t is given as a distance from A, without its direction. It counts in lengths of B − A, and is negative

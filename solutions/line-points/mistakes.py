@@ -1,6 +1,12 @@
 """How the points of a line on a circle go wrong."""
 
+from fractions import Fraction
 from math import atan2, copysign, hypot, sqrt
+
+
+def shortest(p, c):
+    # the difference of what the two doubles are shown as
+    return float(Fraction(str(p)) - Fraction(str(c)))
 
 
 def foot(cx, cy, r, A, B):
@@ -13,10 +19,12 @@ def foot(cx, cy, r, A, B):
     # + reversed-order: A, B = B, A
     # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
     ax, ay = A[0] - cx, A[1] - cy
+    # ? shortest-decimal@s: ax, ay = shortest(A[0], cx), shortest(A[1], cy)
     # ? forgotten-centre@unused: ax, ay = A
     # ? forgotten-centre: ax, ay = A[0] - cx, A[1]
     # : Only one coordinate of the centre is subtracted. Subtract both.
     bx, by = B[0] - cx, B[1] - cy
+    # ? shortest-decimal@s: bx, by = shortest(B[0], cx), shortest(B[1], cy)
     # ? forgotten-centre@unused: bx, by = B
     ox, oy = cx, cy
     # ? forgotten-centre@unused: ox, oy = 0, 0
@@ -37,6 +45,7 @@ def foot(cx, cy, r, A, B):
     # ? tight-epsilon: near = {1e-16..1e-13} * extent
     # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
     dx, dy = B[0] - A[0], B[1] - A[1]
+    # ? shortest-decimal@s: dx, dy = shortest(B[0], A[0]), shortest(B[1], A[1])
     # ? point-for-direction: dx, dy = B
     length = hypot(dx, dy)
     # ? unit-forgotten: length = 1 if dx or dy else 0
@@ -68,6 +77,9 @@ def foot(cx, cy, r, A, B):
     m = -(ux * ax + uy * ay)
     # ? foot-sign: m = ux * ax + uy * ay
     where = 1 if d > r + near else 0 if d >= r - near else -1
+    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *A, *B)): where = (lambda p, q: (p > q) - (p < q))((dx * ay - dy * ax) ** 2, r * r * (dx * dx + dy * dy))
+    # + snapped-to-centre: if where == -1 and d <= 1e-6 * extent and r > 1e-3 * extent: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
+    # + snapped-to-centre: if where == -1 and d <= 1e-7 * extent and r > 1e-3 * extent: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
     # ? equality: where = 1 if d > r else 0 if d == r else -1
     # ? equality: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
     # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1

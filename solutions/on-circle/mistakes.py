@@ -16,6 +16,7 @@ def lengths(cx, cy, r, P):
     # ? forgotten-centre: fx, fy = P
     # ? forgotten-centre: fx, fy = P[0] - cx, P[1]
     # : Only one coordinate of the centre is subtracted. Subtract both.
+    # ? shortest-decimal: fx, fy = (float(Fraction(str(p)) - Fraction(str(c))) for p, c in zip(P, (cx, cy)))
     # ? forgotten-centre: fx, fy = P[0] + cx, P[1] + cy
     # : The centre is added to P. Seen from the centre, P is P − C.
     extent = max(r, abs(fx), abs(fy))
@@ -28,7 +29,7 @@ def lengths(cx, cy, r, P):
     # = near = 1e-9 * extent
     # = near = 1e-10 * r
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
+    # ? tight-epsilon: near = {1e-15..1e-13} * extent
     # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
     d = hypot(fx, fy)
     # = d = sqrt(fx * fx + fy * fy)
@@ -44,6 +45,7 @@ def lengths(cx, cy, r, P):
     # : For a radius of 0 the answer is 0, wherever P is. The circle is the point C then.
     # + zero-radius: if r == 0: return None
     # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
+    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *P)): return (lambda k: (k > 0) - (k < 0))(fx * fx + fy * fy - r * r)
     if abs(d - r) <= near:
         return 0
         # ? boolean: return True

@@ -152,6 +152,10 @@ def quadratic(cx, cy, r, O, D):
     # ? cancellation: d = sqrt(max(0.0, (fx * fx + fy * fy) * a - b * b)) / length
     gap = d - r
     where = 1 if gap > touch else 0 if gap >= -touch else -1
+    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *O, *D)): where = (disc < 0) - (disc > 0)
+    # + no-snap: if b > 0 and hypot(fx, fy) > r: return None
+    # : A ray from outside that looks away is a miss at once, though rounding alone may have put its origin
+    # : outside. Let the origin have the same slack as the tangency: 1e-10 of the extent.
     # ? direction-not-normalised@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency: where = 1 if disc < 0 else 0 if disc == 0 else -1

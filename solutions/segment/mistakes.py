@@ -123,6 +123,13 @@ def geometric(cx, cy, r, A, B):
         # ? inside-ends@both: return [A] if hypot(ax, ay) <= r + point else []
     # ? no-degenerate: pass
     # + short-is-a-point: if length < {1e-9..1e-4/2}: return [A] if abs(hypot(ax, ay) - r) <= point else []
+    # + short-is-a-point: if length <= 1e-9 * extent: return [A] if abs(hypot(ax, ay) - r) <= point else []
+    # : A segment shorter than 1e-9 of the extent is taken for the point A, with the slack of a point. On a tangent
+    # : A is on the circle by that slack long before the line touches. Only A == B is a point.
+    # + box-without-band: if max(ax, bx) < -r or min(ax, bx) > r or max(ay, by) < -r or min(ay, by) > r: return []
+    # + box-without-band: if max(ax, bx) < -r: return []
+    # : What ends to the left of the circle is dropped at once, by comparing with -r as it is: rounding pushes an end
+    # : or a touch there outside. Let that have a slack too, 1e-10 of the extent.
     ux, uy = dx / length, dy / length
     side = ux * ay - uy * ax
     # ? swapped-coordinates: side = ux * ax - uy * ay

@@ -38,9 +38,9 @@ def broken_pack(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def cache(tmp_path_factory):
+def cache(shared):
     """A cache like that of somebody who has run `judge doctor`: no command has a note on isolation then."""
-    folder = tmp_path_factory.mktemp("cache")
+    folder = shared / "cache"
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("JUDGE_CACHE", str(folder))
         keep_level(next(level.name for level in levels() if level.available))

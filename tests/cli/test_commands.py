@@ -10,7 +10,7 @@ def test_list(judge):
     ended = judge("list")
     assert (ended.status, ended.err) == (0, "")
     rows = {line.split()[0]: line for line in ended.lines[1:]}
-    assert rows["middle"].split() == ["middle", "junior", "middle", "3", "52", "The", "middle"]
+    assert rows["middle"].split() == ["middle", "junior", "52", "The", "middle"]
     assert {"count", "segment", "ray-nearest", "exact-count"} <= set(rows)
     tiers = [line.split()[1] for line in ended.lines[1:]]
     order = ["junior", "middle", "senior", "professional"]

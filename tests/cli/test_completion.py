@@ -47,7 +47,21 @@ def test_options():
 
 @pytest.mark.parametrize(
     "command",
-    ["run", "watch", "init", "hint", "solution", "stress", "history", "show", "why", "data", "verify"],
+    [
+        "run",
+        "watch",
+        "init",
+        "hint",
+        "solution",
+        "hack",
+        "stress",
+        "bench",
+        "history",
+        "show",
+        "why",
+        "data",
+        "verify",
+    ],
 )
 def test_problems(command):
     files = ["<py>"] if command in ("run", "watch", "hint", "stress", "why") else []
@@ -79,6 +93,16 @@ def test_problems_of_ones_own(pack, monkeypatch):
 def test_groups_of_the_problem_before(words):
     assert offered(*words, "") == ["examples", "whole", "half"]
     assert offered(*words, "h") == ["half"]
+
+
+def test_what_a_quiz_may_be_about():
+    assert offered("quiz", "sen") == ["senior"]
+    assert offered("quiz", "--form", "t") == ["tags"]
+    assert offered("quiz", "--row", "x1") == ["X1"]
+    assert offered("quiz", "--card", "halves/") == ["halves/half-of-seven", "halves/rounding"]
+    assert offered("quiz", "--interview", "--kata", "mid") == ["middle"]
+    assert "J13" in offered("progress", "--row", "J")
+    assert offered("schema", "car") == ["cards"]
 
 
 def test_without_a_problem_or_with_a_broken_one_there_are_no_groups(monkeypatch, broken_pack):
@@ -150,7 +174,7 @@ def test_the_three_answers():
 @pytest.mark.parametrize(
     ("instruction", "settings", "status"),
     [
-        ("bash_complete", {"COMP_WORDS": "judge\nshow\n", "JUDGE_PROBLEMS": "/nowhere"}, 0),
+        ("bash_complete", {"COMP_WORDS": "judge\nshow\n", "JUDGE_PROBLEMS": "/dev/null/nowhere"}, 0),
         ("zsh_complete", {"COMP_WORDS": "judge show", "COMP_CWORD": "x"}, 1),
         ("fish_complete", {}, 1),
         ("ksh_complete", {}, 1),

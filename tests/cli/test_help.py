@@ -44,7 +44,7 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
 
 
 def test_a_short_page_is_shown_at_once():
-    assert "A limit is a multiple" in on_a_terminal("help", "time", PAGER="false")[1]
+    assert "The report loads and runs nothing" in on_a_terminal("help", "privacy", PAGER="false")[1]
 
 
 def test_words_are_found_wherever_they_stand_headings_first(judge):

@@ -47,7 +47,8 @@ CASES = {
         (
             "RTE  mine.py  middle, its function called\n"
             "  line 3  EOFError: EOF when reading a line (line 3) ends the import; put what\n"
-            "          only you need below if __name__ == '__main__':\n"
+            "          only you need below if __name__ == '__main__':, or use 'judge run\n"
+            "          --mode program'\n"
             "RTE  run-time error"
         ),
     ),
@@ -103,6 +104,19 @@ def test_at_most_five_lines(kind, judge, submit, narrow):
     result = json.loads(judge("run", "middle", "mine.py", "--json").out)
     assert (result["counterexample"], result["pitfall"]) == (None, None)
     assert result["failure"]["group"] == "examples"
+
+
+@pytest.mark.parametrize("kind", CASES, ids=lambda kind: kind.name)
+def test_stress_and_replay_tell_it_in_the_same_words(kind, judge, submit, narrow):
+    file, wrong = submit(CASES[kind][0]), submit("def middle(a, b):\n    return 7\n", "wrong.py")
+    wanted = CASES[kind][1].splitlines()[1:-1]
+    stressed = judge("stress", "middle", file, "--for", "20s", "--seed", "1")
+    found = judge("run", "middle", wrong, "--json")
+    replayed = judge("replay", json.loads(found.out)["counterexample"]["replay"], file)
+    for ended in (stressed, replayed):
+        assert (ended.status, ended.lines[1 : 1 + len(wanted)]) == (1, wanted), ended.out
+        assert len(ended.lines) <= 6
+        assert "smallest" not in ended.out
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def objects(ended):
 
 def rows(ended):
     """The rows of the table of levels, by kata, as words."""
-    table = ended.out[ended.out.index("  kata ") :].splitlines()
+    table = ended.out[ended.out.index("  kata ") :].partition("\n\n")[0].splitlines()
     assert table[0].split() == ["kata", "interview", "level", "production", "level"]
     return {name: rest for name, *rest in map(str.split, table[1:])}
 
@@ -109,7 +109,7 @@ def test_a_kata_without_levels_has_none_to_choose(judge, submit):
     assert judge("watch", "--level", "interview", "middle", file).err == ended.err
     for words in (("show", "middle"), ("why", "middle"), ("run", "middle", file)):
         assert not re.search(r"(interview|production) level|levels", judge(*words).out)
-    assert "middle" not in rows(judge("progress"))
+    assert "middle" not in rows(judge("progress", "--all"))
 
 
 @pytest.mark.parametrize("command", ["run", "stress"])
@@ -183,9 +183,9 @@ def test_why_says_what_production_adds(judge, kata, tmp_path):
 
 
 def test_progress_shows_both_levels(judge, kata):
-    assert rows(judge("progress"))["kata"] == []
+    assert rows(judge("progress", "--all"))["kata"] == []
     judge("run", "-q", kata, "textbook.py")
-    ticked, _date = rows(judge("progress"))["kata"]
+    ticked, _date = rows(judge("progress", "--all"))["kata"]
     assert ticked == "✓"
     (value,) = objects(judge("progress", "--json"))
     interview, production = [each for each in value["levels"] if each["problem"] == "kata"]
@@ -194,7 +194,7 @@ def test_progress_shows_both_levels(judge, kata):
     assert (production["level"], production["groups"], production["best"]) == ("production", 1, 0)
     assert production["since"] is None
     judge("run", "-q", kata, "right.py")
-    assert rows(judge("progress"))["kata"][::2] == ["✓", "✓"]
+    assert rows(judge("progress", "--all"))["kata"][::2] == ["✓", "✓"]
 
 
 def test_a_program_that_passes_neither(judge, kata):

@@ -7,6 +7,7 @@ import re
 import pytest
 from cli_support import FLOOR, ROOT
 from mistaken import mistaken
+from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -102,6 +103,22 @@ def test_whatever_is_long_is_cut(digits, advice, width):
     for part in ("group-0", "more rejected", "smallest case found", "wanted", "got", "again"):
         assert part in text
     assert ("some-mistake" in text) == bool(advice)
+
+
+def test_what_a_function_printed_is_cut_too():
+    result = big(60, "Do it otherwise. " * 4)
+    found = {**(result.counterexample or {}), "printed": "\n".join(["x" * 160] * 6), "cut_short": True}
+    lines = glance_lines(replace(result, counterexample=found), 80, 23)
+    text = "\n".join("".join(span.text for span in laid) for laid in lines)
+    assert taken(lines, 80) <= 23
+    assert "smallest case found, the search was cut short\n" in text
+    assert re.search(r"^    printed +xxx", text, re.MULTILINE)
+
+
+def test_a_program_that_cannot_read_its_input_is_told_its_form(judge, submit):
+    ended = judge("run", "middle", submit("n, a, b = map(int, input().split())\n", "program.py"))
+    form = "its input is a line with the number of cases, then one line each: a b, here "
+    assert form in " ".join(ended.out.split())
 
 
 def test_the_first_case_is_shown_where_there_is_no_smaller_one(judge, submit):

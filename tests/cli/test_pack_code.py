@@ -19,8 +19,25 @@ from judge.testing import judge_problem
 
 pytestmark = pytest.mark.slow
 
-RUN_IT = {"run", "watch", "stress", "try", "replay", "solution", "data", "verify", "report"}
-WORDS = {  # each command in the ways that could make a difference; `watch` never ends and has its own test
+RUN_IT = {
+    "run",
+    "watch",
+    "stress",
+    "try",
+    "hack",
+    "explore",
+    "bench",
+    "class",
+    "replay",
+    "solution",
+    "data",
+    "export",
+    "verify",
+    "report",
+    "quiz",
+    "worker",
+}
+WORDS = {  # each command in the ways that could make a difference; watch and worker have their own tests
     "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
     "list": ["list", "list --json"],
     "show": ["show middle", "show middle --json"],
@@ -30,15 +47,21 @@ WORDS = {  # each command in the ways that could make a difference; `watch` neve
     "next": ["next", "next --init"],
     "solution": ["solution middle --give-up"],
     "stress": ["stress middle mine.py --for 0.1s"],
+    "bench": ["bench middle --rounds 1"],
+    "class": ["class homework"],
     "try": ["try middle 1 2", "try middle 1,2 mine.py"],
+    "hack": ["hack middle 1,2", "hack middle --give-up"],
+    "explore": ["explore"],
     "replay": ["replay {id} mine.py"],
     "history": ["history", "history middle", "history --json"],
     "diff": ["diff 1 2"],
     "practice": ["practice", "practice junior"],
-    "progress": ["progress", "progress junior"],
+    "progress": ["progress", "progress junior", "progress --rows"],
+    "quiz": ["quiz --interview --cards 0 --kata middle --file mine.py"],
     "due": ["due"],
     "report": ["report --no-matrix"],
     "data": ["data middle --out made"],
+    "export": ["export middle --out packages --no-submissions"],
     "new": ["new problems/fresh-kata"],
     "verify": ["verify middle"],
     "doctor": ["doctor"],
@@ -75,6 +98,7 @@ def marking_pack(mark, submit, tmp_path, monkeypatch):
     monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
     submit(MEAN)
     submit(FLOOR, "floor.py")
+    submit(FLOOR, "homework/ada/middle.py")
     return module
 
 
@@ -90,7 +114,7 @@ def practised(marking_pack, judge, mark, tmp_path):
 
 
 def test_every_command_is_looked_at():
-    assert {*WORDS, "watch"} == set(COMMANDS)
+    assert {*WORDS, "watch", "worker"} == set(COMMANDS)
 
 
 @pytest.mark.parametrize(("command", "words"), [(name, words) for name in WORDS for words in WORDS[name]])
@@ -105,6 +129,12 @@ def test_a_solution_without_times_runs_nothing(judge, practised, mark):
     assert not mark.exists()
 
 
+def test_a_wrong_program_is_shown_without_running_anything(judge, practised, mark):
+    assert judge("hack", "middle").status == judge("hack", "middle", "--list").status == 0
+    assert judge("progress").status == 0
+    assert not mark.exists()
+
+
 def test_watch_runs_it(practised, mark):
     words = [sys.executable, "-m", "judge", "watch", "middle", "mine.py", "--json"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -113,6 +143,17 @@ def test_watch_runs_it(practised, mark):
         assert '"verdict": "AC"' in running.stdout.readline()
         running.terminate()
     assert mark.exists()
+
+
+def test_a_worker_runs_it(marking_pack, mark):
+    pytest.importorskip("distributed")
+    from clusters import HERE, served
+
+    with served(HERE, "--scheduler", "-j", "1") as (told, _):
+        assert told["problems"]
+        assert not mark.exists()
+    with served(HERE, "--scheduler", "-j", "1", "--problem", "middle"):
+        assert mark.exists()
 
 
 @pytest.mark.parametrize(

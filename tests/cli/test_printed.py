@@ -41,6 +41,8 @@ def test_what_is_printed_beside_an_answer_or_before_an_exception(source, first, 
         assert part["printed"].startswith(first)
         assert "printed" not in part["message"]
     assert only(judge("run", "middle", "mine.py", "--json", "--no-shrink"))["failure"]["printed"]
+    shown = [line.split(None, 1) for line in judge("run", "middle", "mine.py").lines]
+    assert ["printed", result["counterexample"]["printed"]] in shown
 
 
 def test_nothing_is_said_of_a_function_that_prints_nothing_or_only_at_import(judge, submit):

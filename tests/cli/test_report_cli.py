@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
+import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -31,9 +34,46 @@ def test_it_writes_the_page_and_says_where(judge, judged):
     assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
 
 
+def tiles(page):
+    """The figures at the head of the page, by their label."""
+    return dict(re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd></div>", page))
+
+
+def test_cards_alone_are_reported(judge, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("0\n"))
+    assert judge("quiz", "--card", "middle/complex-roots").status == 0
+    monkeypatch.setattr(sys, "stdin", io.StringIO("?\n"))
+    assert judge("quiz", "--card", "senior/cull-ratio").status == 0
+    ended = judge("report", "--json")
+    assert (ended.status, ended.err) == (0, "")
+    assert (json.loads(ended.out)["runs"], json.loads(ended.out)["problems"]) == (0, [])
+    page = USUAL.read_text(encoding="utf-8")
+    assert tiles(page)["answers to cards known"] == "1 of 2"
+    assert not any("run" in label for label in tiles(page))
+    assert 'id="ready"' in page
+
+
+def test_a_broken_program_alone_is_reported(judge):
+    assert judge("hack", "count", "2", "0, 0, 1, (-1, -1), (1, -1)").status == 0
+    assert judge("report").status == 0
+    page = USUAL.read_text(encoding="utf-8")
+    assert "by a wrong program that was broken" in page
+    assert not any("cards" in label for label in tiles(page))
+
+
 def test_without_the_matrix(judge, judged):
     assert judge("report", "--no-matrix").status == 0
     assert "yours, 1 ×" not in USUAL.read_text(encoding="utf-8")
+
+
+def test_a_problem_whose_own_solution_was_judged_alone_has_no_matrix(judge, pack, submit):
+    own = pack / "solutions" / "middle"
+    assert judge("run", "middle", str(own / "accepted" / "mean.py")).status == 0
+    assert judge("report").status == 0
+    assert "Kill matrix" not in USUAL.read_text(encoding="utf-8")
+    assert judge("run", "middle", submit(FLOOR), "--no-shrink").status == 1
+    assert judge("report").status == 0
+    assert "Kill matrix" in USUAL.read_text(encoding="utf-8")
 
 
 def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):
@@ -86,7 +126,7 @@ def test_what_is_no_report_is_not_overwritten(judge, judged):
         (["--out", "."], "it is a folder; name a file with --out"),
         (["--out", "/dev/null", "--force"], "it is no ordinary file"),
         (["--out", "x" * 300], "cannot be written (file name too long)"),
-        (["--db", "empty.sqlite3"], "empty.sqlite3: there are no runs to report; judge something first"),
+        (["--db", "empty.sqlite3"], "empty.sqlite3: there is nothing to report; judge something first"),
     ],
 )
 def test_what_cannot_be_done(judge, judged, words, wanted):

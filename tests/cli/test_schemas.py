@@ -6,6 +6,7 @@ A command with --json that has no schema, or no sample here, is a failed test.
 from __future__ import annotations
 
 import copy
+import io
 import json
 import os
 import signal
@@ -42,6 +43,9 @@ FILES = {  # what the samples below name
     "broken.py": "def middle(a, b)\n",
     "strange.py": "def middle(a, b):\n    return '\\ud800' if a else 10 ** 400\n",
     "program.py": PROGRAM,
+    "homework/ada/middle.py": MEAN,
+    "homework/bob/middle.py": "def middle(a, b):\n    return '\\ud800' if a else 10 ** 400\n",
+    "homework/bob/misspelt-key.py": "x = 1\n",
     "one.py": "def line_count(cx, cy, r, A, B):\n    return 1\n",
     "none.py": "def ray_nearest(cx, cy, r, O, D):\n    return None\n",
     **{f"right/{problem}.py": source for problem, source in RIGHT.items()},
@@ -65,11 +69,32 @@ SAMPLES: dict[str, list[str]] = {
         "try segment 0,0,5,(-6,3),(6,3)",
         "try ray-nearest 0,0,1,(3,0),(1,0) none.py",
     ],
+    "hack": [
+        "hack middle",
+        "hack middle 1,1",
+        "hack middle 1 2000",
+        "hack middle 1,2",
+        "hack middle --give-up",
+        "hack middle --list",
+        "hack segment 3 --give-up",
+    ],
+    "explore": ["explore count", "explore segment 0 0 5 -6 3 6 3 --out page.html"],
     "replay": ["replay {replay} floor.py", "replay {replay} mean.py"],
     "list": ["list"],
-    "show": ["show middle", "show count", "show segment", "show ray-nearest", "show exact-count"],
-    "why": ["why middle", "why segment", "why count grid"],
+    "show": [
+        "show middle",
+        "show count",
+        "show segment",
+        "show ray-nearest",
+        "show exact-count",
+        "show nearest",
+    ],
+    "why": ["why middle", "why segment", "why count grid", "why nearest", "why nearest n-500"],
     "data": ["data middle --out data"],
+    "export": [
+        "export middle --out packages --zip",
+        "! export middle --out packages --zip --no-submissions",
+    ],
     "new": ["new pack", "new pack another"],
     "verify": [
         f"verify root-count --matrix --problems {FIXTURES}",
@@ -82,6 +107,8 @@ SAMPLES: dict[str, list[str]] = {
     "hint": ["hint count", "hint count --all"],
     "next": ["next", "next --init", *PATH, "next"],
     "solution": ["solution count --give-up", PATH[0], "solution count"],
+    "class": ["class homework", f"class homework --problems {BROKEN}"],
+    "bench": ["bench middle mean.py broken.py floor.py --rounds 1", "bench middle --rounds 2 --languages py"],
     "stress": [
         "stress middle mean.py --for 0.2s",
         "stress middle floor.py --for 1s",
@@ -107,6 +134,7 @@ SAMPLES: dict[str, list[str]] = {
     ],
     "practice": ["! run count one.py -q", "practice", "practice junior", PATH[0], "practice junior"],
     "progress": [
+        "! hack count 1 0,0,1,(-1,1),(1,1)",
         "! run count one.py --no-shrink",
         "progress",
         "progress senior",
@@ -114,14 +142,37 @@ SAMPLES: dict[str, list[str]] = {
         "progress junior",
         "! run count one.py -q",
         "progress junior",
+        "progress --row J1",
+        "progress professional --rows",
     ],
-    "due": ["due", "! run count one.py -q", "! run middle mean.py", "due"],
+    "due": ["due", "! run count one.py -q", "! run middle mean.py", "! quiz halves", "due"],
+    "quiz": [
+        "quiz halves --seed 1",
+        "quiz --card middle/half-b --seed 1",
+        "quiz --card junior/dot-product",
+        "quiz --card junior/points-drawn --cards 2",
+        "quiz --card senior/tags-drawn --cards 1",
+        "quiz --card middle/spot-segment --cards 1",
+        "quiz --interview --cards 0 --kata middle --file floor.py",
+        "quiz --interview --cards 3 --kata middle --file mean.py",
+        "quiz halves --list",
+        "quiz halves --check",
+    ],
     "report": ["! run middle floor.py", "report --no-matrix"],
+    "worker": ["worker --new-keys keys"],
     "schema": ["schema", "schema run"],
     "completion": ["completion bash", "completion zsh", "completion fish"],
 }
-OPTIONAL = {"matrix", "unreliable", "level", "levels"}  # keys that may be missing
-FREE = {"input", "bands", "rejected", "cases", "mistakes"}  # objects whose keys are names of the problem
+OPTIONAL = {"matrix", "unreliable", "busy", "level", "levels", "growth", "size"}  # keys that may be missing
+TYPED = "x\n3.5\na\n1\n2\n?\n2\nnone\n\nq\n"  # what a person types; a command that asks nothing leaves it
+FREE = {
+    "input",
+    "bands",
+    "rejected",
+    "cases",
+    "mistakes",
+    "broken",
+}  # objects whose keys are names of the problem
 
 
 def with_json() -> list[str]:
@@ -135,7 +186,7 @@ def with_json() -> list[str]:
 
 
 @pytest.fixture
-def objects(judge, submit):
+def objects(judge, submit, monkeypatch):
     """The objects that a command's samples write."""
     for name, source in FILES.items():
         submit(source, name)
@@ -143,6 +194,7 @@ def objects(judge, submit):
     def write(command: str) -> list[Any]:
         written = []
         for words in SAMPLES[command]:
+            monkeypatch.setattr(sys, "stdin", io.StringIO(TYPED))
             if words.startswith("! "):
                 assert judge(*words.split()[1:]).status < 2, words
                 continue
@@ -243,7 +295,7 @@ def test_no_shared_definition_is_called_like_a_command():
     assert not set(shared) & set(COMMANDS)
 
 
-RATIO = Ratio(1.2, 1.1, 1.4, 9, unreliable="too short")
+RATIO = Ratio(1.2, 1.1, 1.4, 9, unreliable="too short", busy="busy machine, 50% waiting")
 ACCEPTED = Result(
     "count",
     "a.py",

@@ -136,6 +136,11 @@ def test_json(judge, submit):
     ("words", "told"),
     [
         (("count",), "this is no case of count: it is empty; write cx, cy, r, A, B as Python arguments"),
+        (
+            ("test-writer", ""),
+            "cases() of test-writer takes nothing, so there is no case; 'judge run test-writer FILE'",
+        ),
+        (("test-writer", "[1]"), "takes nothing, so there is no case"),
         (("count", "0 0 1 0 0"), "this is no case of count: the line ends before B is whole"),
         (
             ("count", "0 0 -1 0 0 1 1"),

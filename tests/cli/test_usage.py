@@ -124,3 +124,14 @@ def test_a_link_that_leads_nowhere_is_called_one(judge, tmp_path, monkeypatch):
     ended = judge("run", "middle", "link.py")
     assert ended.status == 2
     assert ended.err == "judge: link.py: no such file; it is a link to a file that is not there\n"
+
+
+def test_a_file_in_place_of_a_command_is_one_to_run(judge, submit):
+    ended = judge(submit("x = 1\n", "mine.py"))
+    assert (ended.status, ended.out) == (2, "")
+    assert (
+        ended.err
+        == "judge: no such command 'mine.py'; to judge that file: judge run mine.py; see 'judge --help'\n"
+    )
+    spaced = judge(submit("x = 1\n", "my own.py"))
+    assert spaced.err.endswith("to judge that file: judge run 'my own.py'; see 'judge --help'\n")

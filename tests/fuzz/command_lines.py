@@ -31,7 +31,7 @@ _UNSET = "<unset>"
 _MEAN = b"def middle(a, b):\n    return (a + b) / 2\n"
 _FLOOR = b"def middle(a, b):\n    return (a + b) // 2\n"
 _FILES = {
-    **dict.fromkeys(("mean.py", "team/mean.py"), _MEAN),
+    **dict.fromkeys(("mean.py", "team/mean.py", "homework/ada/middle.py"), _MEAN),
     **dict.fromkeys(("floor.py", "team/floor.py", "-dash.py", "no\udcffutf8.py", "spaced name.py"), _FLOOR),
     **dict.fromkeys(
         ("bad\nname.py", "\x1b[31mred.py", "\u202egnp.py", "::notice::x.py", "x" * 240 + ".py"), _FLOOR
@@ -92,7 +92,7 @@ def _lay_out(folder: Path) -> None:
     work = folder / "work"
     for name, source in _FILES.items():
         path = work / name
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(source)
     (work / "folder" / "inner").mkdir(parents=True)
     os.mkfifo(work / "pipe")
@@ -125,7 +125,8 @@ def _odd(chance: random.Random) -> Run:
         checked = "_JUDGE_COMPLETE" not in settings and not {"--help", "-h"} & set(words)
     if words[:1] == ("verify",):  # the shipped problems take long, and have tests of their own
         words = (*(word for word in words if word not in _SHIPPED), "middle")
-    if words[:1] == ("watch",):
+    waits = words[:1] in (("watch",), ("worker",)) or (words[:1] == ("quiz",) and streams[0] == TERMINAL)
+    if waits:
         extra["interrupt"] = 1.0
     return Run(words, {"JUDGE_PROBLEMS": "../problems"} | settings, streams, checked=checked, **extra)
 

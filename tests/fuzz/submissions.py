@@ -79,7 +79,7 @@ def _shortened(text: str) -> bytes:
     text = re.sub(r"(?m)^count = \d+", f"count = {_CASES}", text)
     text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.1", text)
     text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 30", text)
-    return re.sub(r"(?m)^\[time\].*\n([^\[\n].*\n|\n)*", "", text).encode()
+    return re.sub(r"(?m)^\[time(\.\w+)?\].*\n([^\[\n].*\n|\n)*", "", text).encode()
 
 
 def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:

@@ -22,6 +22,7 @@ from msgspec.structs import replace
 from mutants import Mutant, mutants
 
 from judge.data import ProblemData, load_data
+from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run.execute import run_submission
@@ -89,6 +90,8 @@ def mutants_of(problem: str, solution: str | None = None) -> list[tuple[Key, Mut
     """The mutants of a problem's accepted solutions, or of one of them."""
     found = []
     for path in sorted((ROOT / "solutions" / problem / "accepted").glob(f"{solution or '*'}.py")):
+        if language_of(path):  # PyPy's
+            continue
         file = path.relative_to(ROOT / "solutions").as_posix()
         for mutant in mutants(path.read_text(encoding="utf-8")):
             found.append((Key(file, mutant.was, mutant.becomes, mutant.number), mutant))
@@ -105,9 +108,10 @@ def hurried(name: str) -> ProblemData:
 
 def judged(data: ProblemData, source: str) -> Verdict:
     """The verdict on a mutant; most are rejected by the first groups, and then nothing more is run."""
-    names = [group.group.name for group in data.groups]
+    small = [each.group.name for each in data.groups if each.group.size is None]
+    large = [each.group.name for each in data.groups if each.group.size is not None]
     verdict = Verdict.AC
-    for part in (names[:FIRST], names[FIRST:]):
+    for part in (small[:FIRST], small[FIRST:], large):
         if verdict is Verdict.AC and part:
             settings = Settings(measured=False)
             verdict = run_submission(

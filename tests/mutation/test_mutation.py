@@ -13,10 +13,10 @@ SAMPLE = {"listed": 3, "others": 6}  # of each problem; the command judges all o
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _own_cache(tmp_path_factory):
+def _own_cache(built):
     """The person's own cache stays out of it."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("JUDGE_CACHE", str(built))
         yield
 
 

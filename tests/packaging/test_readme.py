@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from gallery import FOLDER, gallery, levels, path_of
 from mistaken import mistaken
 from pages import ROOT, claims_hold, prose
 from screenshot import PICTURE, real_run, text_of
@@ -35,12 +36,12 @@ def test_the_two_commands_are_one_line_each_and_set_themselves_up(name):
     ((command,),) = [re.findall(rf"<!-- {name} -->\n```sh\n(.*)\n```", README)]
     assert command.startswith("python3 -m venv .venv && .venv/bin/pip install ")
     if name == "judge":
-        assert "in solutions/*/accepted; do .venv/bin/judge run -q $(basename ${s%/*}) $s ||" in command
+        assert "in solutions/*/accepted; do .venv/bin/judge run -q $(basename ${s%/*}) $s/*.py ||" in command
         shipped = {each.id for each in all_problems() if each.folder.parent == ROOT / "problems"}
         assert {place.parent.name for place in ROOT.glob("solutions/*/accepted")} == shipped
     else:
         assert "[test]" in command
-        assert command.endswith(".venv/bin/pytest")
+        assert command.endswith(".venv/bin/pytest -n auto --dist loadfile")
 
 
 def test_every_kata_is_in_readme_and_with_its_signature_in_the_manual(monkeypatch):
@@ -50,6 +51,22 @@ def test_every_kata_is_in_readme_and_with_its_signature_in_the_manual(monkeypatc
         signature = f"{problem.entry}({', '.join(parameter.name for parameter in problem.parameters)})"
         assert f"| `{problem.id}` | {problem.tier.value} | `{signature}` |" in told
         assert re.search(rf"^\| .*`{problem.id}`", README, re.MULTILINE)
+
+
+@pytest.mark.parametrize("level", levels())
+def test_the_pictures_of_the_katas_are_as_they_are_drawn_now(level):
+    if not FOLDER.exists():
+        pytest.skip("not part of a source distribution")
+    assert f"![{level}]({path_of(level).relative_to(ROOT).as_posix()})" in README
+    kept = path_of(level).read_text(encoding="utf-8")
+    assert kept == gallery(level, levels()[level]), "python tests/packaging/gallery.py draws them anew"
+
+
+def test_every_kata_has_its_picture():
+    shown = [kata for katas in levels().values() for kata in katas]
+    assert sorted(shown) == sorted(
+        each.id for each in all_problems() if each.folder.parent == ROOT / "problems"
+    )
 
 
 def test_exit_codes_and_verdicts():

@@ -46,7 +46,7 @@ def test_it_holds_the_package_and_every_file_of_problems_and_solutions(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/run.json"}
     wanted |= {f"judge/report/page/templates/{path.name}" for path in TEMPLATES.iterdir()}
-    wanted |= {f"judge/manual/{path.name}" for path in (ROOT / "judge" / "manual").iterdir()}
+    wanted |= {f"judge/manual/{path.name}" for path in (ROOT / "judge" / "manual").glob("*.*")}
     for folder in ("problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
             if path.is_file() and "__pycache__" not in path.parts:
@@ -96,6 +96,12 @@ def test_it_accepts_its_own_solution(judge, installed):
     (solution, *_) = sorted((installed / "judge" / "solutions" / "count" / "accepted").glob("*.py"))
     ended, (result,) = judge("run", "count", str(solution), "--json")
     assert (ended, result["verdict"], result["score"]) == (0, "AC", 100)
+
+
+def test_its_wrong_programs_can_be_broken(judge):
+    """The solutions are hidden from what runs in the box, and the one to break is read outside of it."""
+    status, (found,) = judge("hack", "count", "forgotten-abs", "0 0 1 -1 -1 1 -1", "--json")
+    assert (status, found["outcome"], found["case"]["got"]) == (0, "won", "2")
 
 
 def test_a_source_distribution_has_the_five_top_level_names(tmp_path):

@@ -29,6 +29,7 @@ WALKS = (
     ("README.md", "A tour of five minutes"),
     (".github/CONTRIBUTING.md", "Add a kata in 15 minutes"),
     ("judge/manual/answers.md", "A program"),
+    (".github/CONTRIBUTING.md", "Add a language in 15 minutes"),
 )
 
 _BLOCK = re.compile(

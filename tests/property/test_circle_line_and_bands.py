@@ -251,11 +251,13 @@ def test_ends_band_is_closed_and_ends_exactly():
         assert (bands.broken_segment(line) is not None) == broken, beyond
         # … and so for a ray, where a root at the origin is exactly t = 0.
         near = abs(beyond) <= snap
+        assert bands.end(line, 1) == (0 if near else None)
         assert bands.ray(line) == (Surd(0) if near else line.root(1) if on else None)
         assert (bands.broken_ray(line) is not None) == broken
         # The root x = −radius lies `beyond` after the end.
         line = on_axis(-radius - beyond - 2**51, 2**51)
         assert (-1 in bands.segment(line)) == on, beyond
+        assert bands.end(line, -1) == (1 if near else None)
         assert (bands.broken_segment(line) is not None) == broken, beyond
 
 

@@ -16,6 +16,7 @@ from judge.exact import Surd
 from judge.mistakes.agreement import WrongAnswer
 from judge.sandbox.encode import encode
 from judge.values import Accepted, Enclosure, Real, Rejection, Tolerance, Usual, parse
+from judge.values.rightness import is_right
 
 pytestmark = pytest.mark.slow
 
@@ -116,7 +117,11 @@ def journey(value: Any) -> Any:
 
 def judged(text: str, exact: Any, raw: Any) -> Any:
     type_ = parse(text)
-    return type_.check(raw, type_.target(exact, TOLERANCE), lambda: (exact, TOLERANCE))
+    target = type_.target(exact, TOLERANCE)
+    outcome = type_.check(raw, target, lambda: (exact, TOLERANCE))
+    said = is_right(type_, raw, target, lambda: (exact, TOLERANCE))
+    assert said == isinstance(outcome, Accepted)  # without words it is the same
+    return outcome
 
 
 @SLOW

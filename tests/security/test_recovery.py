@@ -17,7 +17,7 @@ DEEDS = {
     "leaves_with_a_status": ("os._exit(7)", {Stop.EXITED}),
     "kills_itself": ("os.kill(os.getpid(), 9)", {Stop.EXITED}),
     "crashes": ("import ctypes; ctypes.string_at(0)", {Stop.EXITED}),
-    "works_on": ("while True: pass", {Stop.CPU}),
+    "works_on": ("while True: pass", {Stop.CPU, Stop.WALL}),
     "sleeps": ("time.sleep(60)", {Stop.WALL}),
     "stops": ("os.kill(os.getpid(), signal.SIGSTOP)", {Stop.EXITED}),
     "hogs": ("rows = []\nwhile True: rows.append(bytearray(b'x') * (8 << 20))", {Stop.MEMORY, Stop.CPU}),

@@ -151,6 +151,20 @@ def test_big_cases_are_kept_as_seeds_and_built_again(cache, seed):
     ]
 
 
+def test_each_big_case_is_built_once_even_to_keep_how(cache, monkeypatch):
+    problem = problem_of("inversions")
+    module = load_module(problem)
+    big = [group for group in problem.groups if group.size is not None]
+    (name,) = {group.builder for group in big}
+    builder, sizes = module.builders[name], []
+    counted = lambda draw, n, high: sizes.append(n) or builder(draw, n=n, high=high)  # noqa: E731
+    monkeypatch.setitem(module.builders, name, counted)
+    monkeypatch.setattr("judge.data.module.load_module", lambda _: module)
+    load_data(problem)
+    assert [n for n in sizes if n >= 2000] == [group.size for group in big for _ in range(group.count)]
+    assert len(list(cache.iterdir())) == 1
+
+
 @pytest.mark.parametrize(
     "spoilt",
     [

@@ -71,6 +71,19 @@ def test_a_thin_triangle_is_one_whose_product_doubles_hold():
         assert line.shift == 0
 
 
+def test_remote_feet_are_hardly_ever_doubles():
+    between, far = 0, 10**9
+    for figure in drawn(feet.remote, size=3, far=far, finest=8):
+        a, b, c = (tuple(map(Fraction, point)) for point in (*figure.points, figure.centre))
+        assert a != b
+        assert all(far // 2 - 3 <= abs(x) <= far + 3 for point in (a, b, c) for x in point)
+        assert max(abs(x - y) for one in (a, b) for x, y in zip(one, c, strict=True)) <= 6
+        root = line_in(figure).root(0)
+        foot = [x + Fraction(root.p, root.s) * (y - x) for x, y in zip(a, b, strict=True)]
+        between += any(Fraction(float(x)) != x for x in foot)
+    assert between > 20
+
+
 def test_corners_leave_64_bits():
     figures = drawn(feet.uniform, size=1 << 30)
     assert sum(line_in(figure).a >= 1 << 63 for figure in figures) > 5
@@ -107,6 +120,16 @@ def test_whole_points_are_on_the_circle_or_nearly():
     assert {CircleAt(figure).side for figure in figures} == {-1, 0, 1}
     off = [CircleAt(figure).square - int(figure.radius) ** 2 for figure in figures]
     assert {1, -1, 0} <= set(off)
+
+
+def test_hardly_beside_the_centre_is_no_diameter():
+    figures = drawn(chords.diameter, size=60, poses=("axis",), beside=(4000, 25000))
+    beside = [figure for figure in figures if line_in(figure).k != 0]
+    assert len(figures) > len(beside) > 10
+    for figure in beside:
+        line = line_in(figure)
+        assert line.k**2 == line.a * 2 ** (2 * line.shift)
+        assert 4000 <= figure.radius <= 25000
 
 
 def test_a_diameter_goes_through_the_centre():

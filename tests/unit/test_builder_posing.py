@@ -56,6 +56,14 @@ def test_an_axis_pose_is_level_or_upright():
     assert {(a[0] == b[0], a[1] == b[1]) for *_, a, b in cases} == {(True, False), (False, True)}
 
 
+def test_every_second_steep_turn_leans_as_asked_for():
+    def leans(leaning):
+        turns = [posing.slight_turn(draw, leaning) for draw in draws(80)]
+        return sum(2**-31 <= abs(Fraction(turn.sine, turn.norm)) <= 2**-26 for turn in turns)
+
+    assert leans((27, 31)) > 40 > leans(())
+
+
 def test_far_figures_are_moved_exactly():
     for draw in draws():
         case = flat(posing.posed(draw, FIGURE, poses=["exact"], numbers="float", scale=-6, far=27))

@@ -19,10 +19,10 @@ PROBLEMS = sorted({problem for problem, *_ in NAMED})
 
 
 @pytest.fixture(scope="module")
-def named(tmp_path_factory):
+def named(built):
     """What a program of a problem is called."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("JUDGE_CACHE", str(built))
         sessions = {name: Session(find_problem(name), TERMS) for name in PROBLEMS}
 
         def names(problem, source):

@@ -136,3 +136,8 @@ def test_a_broken_pack_is_named(broken, monkeypatch):
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [Point(broken)])
     with pytest.raises(ProblemError, match=r"^entry point more.problems: the pack 'more' .*uninstall it$"):
         find_problem("roots")
+
+
+def test_who_names_a_problem_unlike_any_hears_where_the_many_are_listed():
+    with pytest.raises(UsageError, match=r"called 'zzz'; 'judge list' shows all \d\d$"):
+        find_problem("zzz")

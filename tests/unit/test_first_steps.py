@@ -152,6 +152,7 @@ def test_figures_are_what_their_recipes_say_and_within_reach(reach):
         "angle": figures(steps.right_angle, reach=reach, off=[0]),
         "level": figures(steps.level, reach=reach),
         "beyond": figures(steps.level_beyond, reach=reach),
+        "level circle": figures(steps.right_angle, reach=reach, off=[0], level=True),
     }
     for figure in [each for every in drawn.values() for each in every]:
         numbers = (*figure.centre, figure.radius, *(x for point in figure.points for x in point))
@@ -163,7 +164,7 @@ def test_figures_are_what_their_recipes_say_and_within_reach(reach):
         away = square(figure.centre, figure.points[0])
         assert away != figure.radius**2
         assert (figure.radius - 1) ** 2 <= away <= (figure.radius + 1) ** 2
-    for figure in drawn["angle"]:
+    for figure in (*drawn["angle"], *drawn["level circle"]):
         a, b, p = figure.points
         assert in_circle(middle(a, b), Fraction(square(a, b), 4), p) == 0
     for figure in (*drawn["level"], *drawn["beyond"]):
@@ -197,3 +198,38 @@ def gap_of_case(cx, cy, r, a, b):
     """(d² - r²)/r."""
     k = (b[0] - a[0]) * (cy - a[1]) - (b[1] - a[1]) * (cx - a[0])
     return (Fraction(k * k, square(a, b)) - r * r) / r
+
+
+def test_broad_figures_have_products_that_doubles_just_fail_to_hold():
+    size, least = 10**8, 95 * 10**6
+    assert least**2 > 2**53
+    lines = figures(steps.beside_line, reach=9, off=[1, -1], broad=size)
+    angles = figures(steps.right_angle, reach=9, off=[1, -1], broad=size)
+    apart = [figure.points for figure in figures(steps.apart, reach=size)]
+    seen = [(a, b, p) for a, b, p in (figure.points for figure in lines) if square(a, b) > 10**6]
+    assert {side(*points) for points in seen} == {1, -1}
+    pairs = [(a, other) for a, *others in seen for other in others]
+    seen = [(a, b, p) for a, b, p in (figure.points for figure in angles) if square(a, b) > 10**6]
+    assert {square(a, p) + square(b, p) - square(a, b) for a, b, p in seen} == {
+        2,
+        -2,
+    }  # twice the scalar product
+    pairs += [(p, other) for *others, p in seen for other in others]
+    pairs += [(p, q) for p, q in apart if square(p, q) > 2 * least**2]
+    assert len(pairs) > 300
+    assert sum(all(least <= abs(x - y) <= size for x, y in zip(*pair, strict=True)) for pair in pairs) > 300
+
+
+def test_a_circle_ends_just_below_its_point():
+    broad = [each for each in figures(steps.beside_circle, reach=9, on=False, broad=10**8) if each.radius > 9]
+    assert len(broad) > 20
+    for figure in broad:
+        assert square(figure.centre, figure.points[0]) - figure.radius**2 in (1, 4, 9)
+        assert 98 * 10**6 <= figure.radius <= 10**8
+
+
+def test_corners_take_doubled_differences_beyond_64_bits():
+    found = [each.points for each in figures(steps.scattered, reach=10**9, points=3, corners=True)]
+    doubled = [square((a[0] + b[0], a[1] + b[1]), (2 * p[0], 2 * p[1])) for a, b, p in found]
+    assert sum(each >= 2**63 for each in doubled) > 40
+    assert all(abs(x) <= 10**9 for points in found for point in points for x in point)

@@ -61,6 +61,26 @@ def test_the_problem_that_fits(source, name, wanted, monkeypatch):
     assert sorted(problem.id for problem in fitting) == wanted
 
 
+@pytest.mark.parametrize(
+    ("source", "name", "wanted"),
+    [
+        ("int line_count(double cx, double cy, double r, Pt A, Pt B) {\n", "x.cpp", ["count"]),
+        ("// line_count(\nint f() { return line_count(1); }\n", "x.cpp", []),
+        ("package main\nfunc circleSegment(cx, cy, r float64, A, B Pt) []Pt {\n", "count.go", ["segment"]),
+        ("class A { static int lineCount(double cx) { return 1; } }", "Main.java", ["count"]),
+        ("def line_count(a): pass\n", "x.pypy.py", ["count"]),
+        ("// segment: Circle and segment.\nfn main() {}\n", "x.rs", ["segment"]),
+        ("int main() {}\n", "ray_nearest.c", ["ray-nearest"]),
+        ("print(1)\n", "count.pypy.py", ["count"]),
+        ("int main() {}\n", "x.c", []),
+    ],
+)
+def test_the_problem_that_a_file_in_another_language_fits(source, name, wanted, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+    fitting = fitting_problems(signs(source.encode(), name))
+    assert sorted(problem.id for problem in fitting) == wanted
+
+
 def test_the_nearest_entry_is_meant():
     assert meant_problem(signs(b"def linecount(a): pass\n", "x.py")) == ("linecount", "line_count", "count")
     assert meant_problem(signs(b"def quite_different(a): pass\n", "x.py")) is None

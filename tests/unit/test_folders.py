@@ -7,7 +7,7 @@ import sys
 import platformdirs
 import pytest
 
-from judge.folders import user_cache, user_data
+from judge.folders import cache_folder, user_data
 
 SETTINGS = [
     {},
@@ -24,7 +24,7 @@ SETTINGS = [
 
 @pytest.fixture(params=SETTINGS, ids=str)
 def _settings(request, monkeypatch):
-    for name in ("HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
+    for name in ("JUDGE_CACHE", "HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
         monkeypatch.delenv(name, raising=False)
     for name, value in request.param.items():
         monkeypatch.setenv(name, value)
@@ -34,5 +34,5 @@ def _settings(request, monkeypatch):
 @pytest.mark.parametrize("system", [sys.platform, "darwin"])
 def test_they_are_as_platformdirs_has_them(system, monkeypatch):
     monkeypatch.setattr("judge.folders.sys.platform", system)
-    assert user_cache() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
+    assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
     assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

@@ -99,6 +99,23 @@ def test_time_that_was_used_up_counts():
     assert sorted(grown.decisions) == ["n-2000"]  # what ran out of time has no ratio
 
 
+def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
+    """It was stopped at 4 s, whatever it would have taken; the two that ended tell what it grows like."""
+    courses = [course(500, 0.02, 0.02), course(2_000, 0.02 * 4**2, 0.02 * 4)]
+    cut = Course("n-8000", 8_000, lambda: 0.4, lambda: 0.02 * 16, None, 1, ended=False)
+    grown = grow([*courses, cut], SLOPE)
+    assert (grown.too_steep, grown.growth.groups) == (True, ("n-500", "n-2000"))
+    assert str(grown.growth) == "it grows like n^2.0, the reference like n^1.0"
+    assert [(point.group, point.ended) for point in grown.growth.points] == [
+        ("n-500", True),
+        ("n-2000", True),
+        ("n-8000", False),
+    ]
+    late = Course("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
+    assert grow([*courses, late], SLOPE).growth.groups == ("n-500", "n-2000", "n-8000")
+    assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
+
+
 def test_times_are_those_of_one_case():
     courses = [course(2_000, 0.16, 0.16, cases=8), course(8_000, 0.08, 0.08, cases=1)]
     growth = grow(courses, SLOPE).growth
@@ -151,4 +168,14 @@ def test_the_published_form():
         "groups": ["n-2000", "n-8000", "n-32000"],
         "pairs": 2,
         "borderline": False,
+        "points": [
+            {
+                "group": f"n-{size}",
+                "size": size,
+                "cpu_seconds": pytest.approx(0.02 * (size / 2000) ** 1.9),
+                "reference_seconds": pytest.approx(0.02 * (size / 2000) ** 1.2),
+                "ended": True,
+            }
+            for size in SIZES
+        ],
     }

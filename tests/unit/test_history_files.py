@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 from histories import HERE, PRELUDE, ROOT, filled, refusal, started
+from msgspec.structs import replace
 from past_runs import past_result
 
 from judge.errors import HistoryError
@@ -263,8 +264,7 @@ def test_a_log_left_in_a_read_only_folder_is_not_passed_over(read_only):
 
 def test_an_older_judges_file_is_brought_up_to_date(own_history, monkeypatch):
     with monkeypatch.context() as older:
-        older.setattr(migrations, "MIGRATIONS", migrations.MIGRATIONS[:1])
-        older.setattr(database, "MIGRATIONS", migrations.MIGRATIONS[:1])
+        older.setattr(database, "HISTORY", replace(database.HISTORY, steps=migrations.MIGRATIONS[:1]))
         filled(own_history)
     with History.open() as history:
         assert [history.source(run.id) for run in history.runs()] == [b"0", b"1", b"2"]
@@ -281,8 +281,7 @@ def test_a_migration_that_fails_changes_nothing(own_history, monkeypatch):
     before = filled(own_history)
     steps = (*migrations.MIGRATIONS, ("CREATE TABLE fine (id INTEGER)", "CREATE TABLE runs (id INTEGER)"))
     with monkeypatch.context() as newer:
-        newer.setattr(migrations, "MIGRATIONS", steps)
-        newer.setattr(database, "MIGRATIONS", steps)
+        newer.setattr(database, "HISTORY", replace(database.HISTORY, steps=steps))
         assert "already exists" in refusal(own_history)
     assert own_history.read_bytes() == before
     with History.open() as history:

@@ -11,8 +11,8 @@ import pytest
 from histories import ended, filled, refusal, started
 from past_runs import past_result
 
+from judge import database
 from judge.errors import HistoryError
-from judge.kata import database
 from judge.kata.history import History
 
 ADD = """
@@ -42,9 +42,10 @@ def test_several_judges_write_at_once_into_a_file_that_was_not_there():
 
 
 HOLD = """
-from judge.kata.database import writing
+from judge.database import writing
+from judge.kata.database import HISTORY
 history = History.open()
-with writing(history._connection, history.path) as connection:
+with writing(HISTORY, history._connection, history.path) as connection:
     connection.execute("INSERT INTO sources VALUES ('half', 'written')")
     connection.execute("INSERT INTO current (id, problem, path) VALUES (1, 'half', 'written')")
     print("written", flush=True)

@@ -7,7 +7,6 @@ import pickle
 import shutil
 import subprocess
 import sys
-import threading
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -17,7 +16,7 @@ import judge
 from judge.errors import JudgeError, ProblemError, UsageError
 from judge.judging import Job, Session, Terms, containment, run
 from judge.judging import session as session_module
-from judge.judging.executors import ATTEMPTS, Here, Threads, WorkerDied, executor
+from judge.judging.executors import Here, Threads, executor, results
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import judge_fault
@@ -205,76 +204,18 @@ def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
     assert results[1].failure.message.startswith(told)
 
 
-EXECUTORS = [Here(), Threads(1), Threads(3)]
-
-
 def lost(item, why):
     return judge_fault("p", str(item), why)
 
 
-def done(item):
-    return judge_fault("p", str(item), "done")
-
-
-@pytest.mark.parametrize("executor", EXECUTORS, ids=str)
-class TestExecutors:
-    """What every executor holds to."""
-
-    def test_the_results_come_in_the_order_of_the_items(self, executor):
-        gate = threading.Event()
-
-        def work(item):
-            if item == 0 and executor == Threads(3):
-                gate.wait(30)  # until a later item is done
-            gate.set()
-            return done(item)
-
-        results = executor.results(work, range(9), lost)
-        assert [result.submission for result in results] == [str(item) for item in range(9)]
-
-    @pytest.mark.parametrize("death", [WorkerDied("killed"), SystemExit(3), MemoryError()])
-    def test_a_worker_that_dies_loses_nothing(self, executor, death):
-        died = set()
-
-        def work(item):
-            if item not in died:
-                died.add(item)
-                raise death
-            return done(item)
-
-        results = list(executor.results(work, range(5), lost))
-        assert [result.failure.message for result in results] == ["done"] * 5
-
-    def test_what_kills_every_worker_costs_that_item_alone(self, executor):
-        def work(item):
-            if item == 1:
-                raise WorkerDied("killed by SIGKILL")
-            return done(item)
-
-        results = list(executor.results(work, range(3), lost))
-        assert [result.submission for result in results] == ["0", "1", "2"]
-        assert results[1].verdict is Verdict.JE
-        assert f"lost {ATTEMPTS} times" in results[1].failure.message
-        assert "killed by SIGKILL" in results[1].failure.message
-
-    def test_what_the_caller_has_done_wrong_is_raised_in_its_place(self, executor):
-        def work(item):
-            if item == 2:
-                raise UsageError("isolation full cannot be had here")
-            return done(item)
-
-        results = executor.results(work, range(4), lost)
-        assert [next(results).submission, next(results).submission] == ["0", "1"]
-        with pytest.raises(UsageError):
-            next(results)
-
-    def test_submissions_are_judged(self, executor, problem):
-        with Session(problem, Terms(timed=False, named=False), jobs=3, expected=4) as session:
-            sources = [GOOD, FLOOR, GOOD, "def middle(a, b):\n    import os\n    os._exit(0)\n"]
-            jobs = [Job.of(problem, source.encode(), f"{at}.py") for at, source in enumerate(sources)]
-            results = list(executor.results(session.run, jobs, lambda job, why: lost(job.name, why)))
-        assert [result.submission for result in results] == ["0.py", "1.py", "2.py", "3.py"]
-        assert [result.verdict.value for result in results] == ["AC", "WA", "AC", "RTE"]
+@pytest.mark.parametrize("executor", [Here(), Threads(3)], ids=str)
+def test_executors_judge_submissions(executor, problem):
+    with Session(problem, Terms(timed=False, named=False), jobs=3, expected=4) as session:
+        sources = [GOOD, FLOOR, GOOD, "def middle(a, b):\n    import os\n    os._exit(0)\n"]
+        jobs = [Job.of(problem, source.encode(), f"{at}.py") for at, source in enumerate(sources)]
+        judged = list(results(executor, session.run, jobs, lambda job, why: lost(job.name, why)))
+    assert [result.submission for result in judged] == ["0.py", "1.py", "2.py", "3.py"]
+    assert [result.verdict.value for result in judged] == ["AC", "WA", "AC", "RTE"]
 
 
 def test_so_many_jobs_are_done_at_once():

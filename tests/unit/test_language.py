@@ -8,12 +8,22 @@ from pathlib import Path
 import pytest
 
 import judge
-from judge import language
+from judge import languages as language
 
 PACKAGE = Path(judge.__file__).parent
+EXAMPLES = "cli/table.py"  # of commands, each with a file as a person has it
 OWN = {  # the judge's own code and the problems' are Python whatever submissions are
+    "cli/commands/hack.py": {"its solutions/ folder, with mistakes.py or wrong/, is not here"},
+    "cli/classroom.py": {"it holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py; see 'judge help class'"},
     "data/cache.py": {"*.py", ".py"},
+    "languages/draft.py": {".py"},
+    "languages/drivers/pypy.py": {"judge_driver.pypy"},
+    "mistakes/contained.py": {"mistakes.py"},
     "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
+    "packs/export/package.py": {
+        *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py"),
+    },
+    "packs/foreign/programs.py": {"main.py", ".py2", ".py3"},
     "problem/solutions.py": {"mistakes.py"},
     "report/verified.py": {" of mistakes.py judged"},
     "sandbox/bundle.py": {".py"},
@@ -40,7 +50,8 @@ def texts(path: Path) -> set[str]:
 
 def test_no_other_file_knows_the_suffix():
     found = {path.relative_to(PACKAGE).as_posix(): texts(path) for path in PACKAGE.rglob("*.py")}
-    assert found.pop("language.py") == {".py"}
+    assert found.pop("languages/__init__.py") == {".py"}
+    assert found.pop(EXAMPLES)
     assert {name: words for name, words in found.items() if words} == OWN
 
 

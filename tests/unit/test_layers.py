@@ -11,8 +11,21 @@ import judge
 
 PACKAGE = Path(judge.__file__).parent
 ROOMS = [
-    *("cli", "judging", "report", "kata", "topics", "mistakes", "diagnose", "run", "data"),
-    *("problem", "drawing", "manual", "values", "exact", "language", "reading", "folders", "errors"),
+    *(
+        "cli",
+        "cluster",
+        "batch",
+        "judging",
+        "report",
+        "kata",
+        "topics",
+        "packs",
+        "mistakes",
+        "diagnose",
+        "run",
+    ),
+    *("data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept", "atomic"),
+    *("digest", "reading", "folders", "errors"),
 ]
 
 

@@ -28,6 +28,7 @@ TABLES = {
     "Limits of a group": schema.GroupLimitsTable,
     "Sets and skills": schema.SkillTable,
     "Words": schema.WordsTable,
+    "Source": schema.SourceTable,
 }
 BASE = """\
 title = "T"

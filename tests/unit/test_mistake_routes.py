@@ -6,12 +6,13 @@ import pytest
 
 from judge.data.load import load_data
 from judge.errors import ProblemError
+from judge.languages.sources import stripped
 from judge.mistakes.catalogue import read_catalogue, with_kills
+from judge.mistakes.computed import Program, computed
 from judge.mistakes.family import Choice, Family, Line
 from judge.mistakes.features import features
-from judge.mistakes.known import Program, computed
 from judge.mistakes.routes import read_routes
-from judge.problem.find import find_problem
+from judge.problem.find import all_problems, find_problem
 
 TEXT = '''"""How the middle goes wrong."""
 
@@ -104,6 +105,9 @@ def test_two_changes_of_one_line_exclude_each_other():
     ("text", "line", "what"),
     [
         ("def f(:\n", 1, "no Python"),
+        ("", None, "there is no code in it"),
+        ("# later\n", None, "there is no code in it"),
+        ('"""How it goes wrong."""\n', None, "no right way"),
         ('def f(a):\n    """wrong-way"""\n    return a\n', None, "no right way"),
         ('def f(a):\n    "right"\n    # : alone\n    return a\n', 3, "belongs to no change"),
         ('def f(a):\n    "right"\n    return a\n    # ? return -a\n', 4, "without its name"),
@@ -195,6 +199,17 @@ def catalogue(tmp_path):
     return read
 
 
+def test_no_advice_says_again_what_the_mistake_said(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+    read = 0
+    for problem in all_problems():
+        for name, words in read_catalogue(problem).items():
+            _, _, said = words.advice.rstrip(".").partition(" ")
+            assert len(said.split()) < 3 or said not in words.why, (problem.id, name, words.told)
+            read += 1
+    assert read > 100
+
+
 def test_words_of_one_problem_come_before_those_of_all(catalogue):
     text = '[a]\nwhy = "W."\nadvice = "A."\nrounding = true\n[a.in.middle]\nwhy = "M."\nkills = ["half"]\n'
     problem, words = catalogue(text)
@@ -240,5 +255,27 @@ def test_a_fault_of_the_words_is_told(catalogue, text, what):
 )
 def test_features_of_a_program(source, has, lacks):
     found = features(source)
+    assert has <= found
+    assert not lacks & found
+
+
+@pytest.mark.parametrize(
+    ("source", "has", "lacks"),
+    [
+        (
+            "double f(double a) { return a - 2; }",
+            {"state", "float"},
+            {"//", "/", "whole", "root", "round", "float32", "decimal", "print", "comparison"},
+        ),
+        ("double f(double a) { return a / 2; } // std::sqrt, float", {"/", "//"}, {"root", "float32"}),
+        ("double f(double a) { return std::sqrt(a); }", {"root"}, {"/", "decimal"}),
+        ("func f(a float64) int { return int(a) }", {"whole", "round"}, {"float32", "decimal"}),
+        ("float f(float a) { return fabsf(a); }", {"float32", "root"}, {"/"}),
+        ("static BigDecimal f(double a) { return null; }", {"decimal"}, {"root", "/"}),
+        ("function f(a) { console.log(a); }", {"print"}, {"/"}),
+    ],
+)
+def test_features_of_a_text_in_another_language(source, has, lacks):
+    found = features(source, stripped(source.encode()))
     assert has <= found
     assert not lacks & found

@@ -270,10 +270,10 @@ TWICE = [
 
 
 @pytest.fixture(scope="module")
-def named(tmp_path_factory):
+def named(built):
     """The names that a program of a problem is given."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("JUDGE_CACHE", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("JUDGE_CACHE", str(built))
         sessions = {name: Session(find_problem(name), TERMS) for name in SOURCES}
 
         def names(problem, source):

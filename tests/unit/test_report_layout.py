@@ -120,14 +120,29 @@ def test_at_last_a_row_is_a_paragraph():
     assert texts(Table(COLUMNS, ROWS).lines(16)) == [
         "  tangent-",
         "  turned",
-        "    cases 60,",
+        "    cases 60",
         "    rounding has",
         "    moved every",
         "    number a",
         "    little",
         "  grid",
-        "    cases 343,",
+        "    cases 343",
         "    small",
+    ]
+
+
+def test_a_mark_without_a_title_is_no_gap_in_a_paragraph():
+    columns = (Column("row"), Column(""), Column("drill with"), Column("question", flexible=True))
+    rows = [["Q1", "", "judge init exact-count", "How many?"], ["Q2", "✓", "judge init foot", "Where is it?"]]
+    assert texts(Table(columns, rows).lines(26)) == [
+        "  Q1",
+        "    drill with judge init",
+        "    exact-count",
+        "    How many?",
+        "  Q2",
+        "    ✓, drill with judge",
+        "    init foot",
+        "    Where is it?",
     ]
 
 

@@ -20,7 +20,7 @@ from judge.report.page.kills import kill_table
 from judge.report.page.plot import MOST, ratio_plot
 from judge.report.page.render import _TEMPLATES, is_report
 from judge.run.matrix import Kill, Matrix, Row
-from judge.run.result import Failure, Mode, Result
+from judge.run.result import Against, Failure, Mode, Result
 
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
@@ -62,6 +62,7 @@ def test_it_tells_the_way_to_a_solved_problem(path):
     assert part.cases[0].overcome is not None
     assert part.cases[0].explained[0].advice.startswith("The circle is treated as if its centre")
     assert [line.part is not None for line in page.overview] == [True, False]
+    assert page.untried == (("middle", ("segment",)),)
     assert [(tile.value, tile.label) for tile in page.tiles] == [
         ("1 of 2", "problems solved"),
         ("4", "runs on 1 day"),
@@ -82,7 +83,7 @@ def test_the_problems_own_solutions_are_listed_but_count_for_nothing(path):
     (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)])
     page = page_of([replace(run, path="/judge/solutions/count/accepted/exact.py")])
     (part,) = page.problems
-    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, 0, 0, None, 1)
+    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, "0", 0, None, 1)
     assert "no runs of your own" in html_of([replace(run, path="/judge/solutions/count/wrong/blind.py")])
 
 
@@ -127,6 +128,25 @@ def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
     assert "\\x00\\u202e" in outline.text
     assert not set("\x00\u202e") & set(html)
     assert Counter(tag for tag, _ in outline.tags)["style"] == Counter(tag for tag, _ in plain.tags)["style"]
+
+
+def test_what_was_not_tried_is_named_in_the_paths_order_and_has_no_row(path):
+    html = html_of(kept(path, [outcome()]), known("count", "segment", "tangents", "csg", "line-points"))
+    table, _, after = html[html.index('<table class="overview">') :].partition('<dl class="untried">')
+    assert "segment" not in table
+    assert re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd>", after.partition("</dl>")[0]) == [
+        ("Middle", "segment, tangents, line-points"),
+        ("Professional", "csg"),
+    ]
+    assert "Not tried yet" not in html_of(kept(path.with_name("one"), [outcome()]), known("count"))
+
+
+@pytest.mark.parametrize(("name", "limit"), [("count", True), ("nearest", False)])
+def test_a_limit_is_drawn_only_where_it_holds_for_every_group(path, name, limit):
+    runs = kept(path, [replace(outcome(verdict=Verdict.AC, ratio=1.5), problem=name)])
+    (part,) = page_of(runs, known(name)).problems
+    assert part.plot is not None
+    assert (part.plot.limit is not None, "limit" in part.plot.description) == (limit, limit)
 
 
 def test_a_problem_may_be_called_anything(path):
@@ -232,6 +252,22 @@ def test_the_plot_holds_every_ratio_and_the_limit(path):
     )
     assert "The limit is 100 times." in plot.description
     assert 2 <= len(plot.levels) <= 6
+
+
+def test_runs_that_were_held_to_another_language_say_so(path):
+    why = "no reference in Go: held to Python's"
+    abroad = [Against("Python", why), Against("C++"), Against("Python", why)]
+    results = [outcome(verdict=Verdict.AC, ratio=2.0) for _ in abroad]
+    results = [
+        replace(each, time=replace(each.time, against=against))
+        for each, against in zip(results, abroad, strict=True)
+    ]
+    runs = kept(path, results)
+    (part,) = page_of(runs).problems
+    assert part.plot.held == f"runs 1, 3: {why}"
+    assert "In other languages, runs 1, 3: no reference in Go" in html_of(runs)
+    (other,) = page_of(runs[1:2]).problems
+    assert (other.plot.held, "In other languages" in html_of(runs[1:2])) == ("", False)
 
 
 def test_one_ratio_without_a_limit_is_a_plot_too(path):

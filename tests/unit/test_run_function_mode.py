@@ -124,6 +124,21 @@ def test_what_is_given_up_says_why_and_never_decides():
     assert [run.verdict for run in runs[:2]] == [Verdict.RTE, Verdict.WA]
 
 
+@pytest.mark.parametrize(
+    ("stops", "verdict"),
+    [
+        ([Stop.MEMORY] * MOST_LOSSES, Verdict.MLE),
+        ([Stop.OUTPUT] * MOST_LOSSES, Verdict.OLE),
+        ([Stop.MEMORY] * (MOST_LOSSES - 1) + [Stop.EXITED], Verdict.RTE),
+    ],
+)
+def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, verdict):
+    budget = Budget(make_data("a").problem)
+    for stop in stops:
+        budget.booked(ended(stop))
+    assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
+
+
 SLEEPER = "import time\ndef answer(n, P):\n    time.sleep(0.05)\n    return int(n + P[0] + P[1])\n"
 SLEEPING_PROGRAM = """
 import time

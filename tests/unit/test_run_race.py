@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
@@ -9,7 +11,11 @@ from msgspec.structs import replace
 from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
-from judge.run import budget
+from judge.report.results import summary_lines, verdict_lines
+from judge.run import Settings, budget
+from judge.run.alone import Admitted
+from judge.run.parallel import Turnstile
+from judge.run.timing import BESIDE
 
 pytestmark = pytest.mark.slow
 
@@ -41,7 +47,7 @@ REFERENCE = b"def answer(n, P):\n    for _ in range(20_000): pass\n    return in
 def timed(tmp_path):
     """Judge on two groups of four cases with a time limit that nothing here comes near."""
 
-    def judge(source, reference=REFERENCE):
+    def judge(source, reference=REFERENCE, **options):
         folder = tmp_path / "accepted"
         folder.mkdir()
         (folder / "calls.py").write_bytes(reference)
@@ -49,7 +55,7 @@ def timed(tmp_path):
         data = make_data("one", "two", step=1)
         rule = TimeRule(1e6, "calls.py", "program.py")
         problem = replace(data.problem, solutions=tmp_path, time=rule)
-        return judged(source, ProblemData(problem, data.groups))
+        return judged(source, ProblemData(problem, data.groups), **options)
 
     return judge
 
@@ -143,3 +149,33 @@ def test_waiting_in_the_race_counts_too(timed, monkeypatch):
 def test_a_reference_that_fails_is_no_fault_of_the_submission(timed):
     with pytest.raises(JudgeError, match="the reference solution cannot be timed: exit status 0"):
         timed(GOOD, reference=b"import os\ndef answer(n, P): os._exit(0)\n")
+
+
+class Crowded:
+    """A machine on which another judge was waited for, in vain."""
+
+    @contextmanager
+    def judging(self):
+        yield Admitted(waited=1.0)
+
+    @contextmanager
+    def measuring(self):
+        yield Admitted(alone=False, waited=30.0)
+
+
+def test_a_race_beside_another_judge_says_so_and_is_decided_all_the_same(timed):
+    result = timed(GOOD, settings=Settings(turnstile=Turnstile(Crowded())))
+    assert result.verdict is Verdict.AC
+    assert result.time.ratio.busy.startswith(BESIDE)
+    assert result.notes == (
+        "waited 31 s for other judges of yours on this machine: times are measured alone",
+    )
+    shown = "".join(span.text for line in verdict_lines(result, None) for span in line)
+    assert BESIDE in shown
+    rows = ["".join(span.text for span in line) for line in summary_lines([result, result], None)]
+    assert [" busy " in row for row in rows[:3]] == [False, True, True]
+
+
+def test_a_reference_that_waits_for_its_processor_makes_a_busy_machine(timed):
+    waiting = REFERENCE.replace(b"    for _", b"    import time\n    time.sleep(0.002)\n    for _")
+    assert timed(GOOD, waiting).time.ratio.busy.startswith("busy machine, ")

@@ -6,7 +6,8 @@ import random
 
 import pytest
 
-from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pace, Pair, decide, race, summary
+from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pace, Pair, busy, decide, disturbed, race, summary
+from judge.sandbox import Usage
 
 LIMIT = 10.0
 
@@ -61,6 +62,19 @@ def test_there_may_be_only_one_pair():
         assert (decision.ratio.pairs, decision.too_slow) == (1, too_slow)
 
 
+def test_one_short_turn_does_not_settle_what_is_too_slow():
+    odd = race(runs(0.034, 0.0003), runs(0.0003), LIMIT)  # a moment of a busy machine, as it was seen
+    assert (odd.too_slow, odd.borderline, odd.ratio.pairs) == (False, False, MOST_PAIRS)
+    slow = race(runs(0.034), runs(0.0003), LIMIT)
+    assert (slow.too_slow, slow.borderline, slow.ratio.pairs) == (True, False, 3)
+    alone = race(runs(0.034), runs(0.0003), LIMIT, lambda: False)
+    assert (alone.too_slow, alone.borderline, alone.ratio.pairs) == (
+        True,
+        False,
+        1,
+    )
+
+
 def test_near_the_limit_both_the_least_times_and_the_median_must_exceed_it():
     slow_median = [Pair(0.099, 0.01), *[Pair(0.12, 0.01)] * 8]
     assert not decide(slow_median, LIMIT).too_slow  # one quick run shows that it can
@@ -102,6 +116,26 @@ def test_the_summary_is_the_median_with_quartiles():
     assert ratio.as_json() == {"median": ratio.median, "low": ratio.low, "high": ratio.high, "pairs": 5}
     short = summary([Pair(0.0001, 0.0001)])
     assert short.as_json()["unreliable"] == "too short"
+
+
+def test_a_machine_is_busy_where_the_reference_waits_for_a_processor():
+    assert busy([Usage(0.003, 0.0034)] * 3) == ""  # as on a quiet one
+    assert busy([Usage(0.0001, 0.0009)] * 3) == ""  # short turns are mostly the waking
+    assert busy([Usage(0.3, 0.38)] * 3) == ""
+    assert busy([Usage(0.3, 0.6)] * 3) == "busy machine, 50% waiting"
+    assert busy([Usage(0.002, 0.0024), Usage(0.002, 0.009)]).startswith("busy machine")
+    assert busy([Usage(0.8, 0.2)]) == ""  # with several threads
+    assert busy([]) == ""
+
+
+def test_what_disturbed_a_race_is_told_and_changes_no_verdict():
+    slow = decide([Pair(0.3, 0.01)] * 3, LIMIT)
+    told = disturbed(disturbed(slow, busy([Usage(0.1, 0.4)])), "beside another judge")
+    assert told.ratio.as_json()["busy"] == "beside another judge, busy machine, 75% waiting"
+    assert (told.too_slow, told.ratio.median) == (slow.too_slow, slow.ratio.median)
+    assert disturbed(slow, "") is slow
+    assert "busy" not in slow.ratio.as_json()
+    assert disturbed(decide([], LIMIT), "anything").ratio is None
 
 
 def test_noise_of_ten_per_cent_seldom_turns_a_verdict():

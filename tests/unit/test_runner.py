@@ -98,9 +98,16 @@ def test_only_the_two_runners_look_a_mode_up():
 
 
 def test_a_submission_s_answers_are_decided_in_one_place_for_each_mode():
-    assert places(r"\.problem\.answer\.check(_line)?\b") == ["run/function.py", "run/program.py"]
-    called = set(places(r"box\.(call_many|call_series|run_program)\("))
-    assert called - {"sandbox/probe.py"} == {
+    assert places(r"\.problem\.answer\.check(_line)?\b") == [
+        "packs/export/trial.py",  # the first failing file, as the package's own judge will find it
         "run/function.py",
         "run/program.py",
-    }  # that one only looks around
+    ]
+    called = set(places(r"box\.(call_many|call_series|run_program)\("))
+    assert called - {"sandbox/probe.py", "sandbox/native.py"} == {
+        "run/function.py",
+        "run/program.py",
+        "mistakes/contained.py",  # which compares trusted programs with themselves
+        "packs/export/trial.py",
+        "packs/foreign/judging.py",  # which has files and validators in place of cases and types
+    }  # those two only look around

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from judge.sandbox import Limits, Stop, open_box
+from judge.sandbox import Boxes, Limits, Stop, open_box
 
 LIMITS = Limits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 SERIES = [[(1,), (2,)], [(3,)], [(4,), (5,), (6,)]]
@@ -37,6 +37,18 @@ def test_each_series_is_measured_by_itself():
     assert second.usage.cpu_seconds > 0.49
     assert max(first.usage.cpu_seconds, third.usage.cpu_seconds) < 0.25  # a busy machine takes its share
     assert second.usage.wall_seconds > 0.4
+
+
+def test_what_a_first_series_uses_less_than_an_idle_child_is_not_taken_from_the_next():
+    boxes = Boxes()
+    body = b"from time import process_time as t\ndef f(n):\n    end = t() + n\n    while t() < end: pass"
+    limits = Limits(cpu_seconds=5, wall_seconds=30, memory_bytes=1 << 28, output_bytes=1 << 20)
+    with boxes(body, "my.py") as box:
+        box.call_series("f", [[], [], []], limits)
+    boxes._idle.update(dict.fromkeys(boxes._idle, 200_000_000))  # as a busy machine might have measured it
+    with boxes(body, "my.py") as box:
+        _, worked, _ = box.call_series("f", [[], [(0.1,)], []], limits)
+    assert worked.usage.cpu_seconds >= 0.1
 
 
 def test_the_time_limit_is_each_series_own():

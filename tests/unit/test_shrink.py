@@ -79,8 +79,11 @@ SAMPLE = {
         "shifted-direction": 17,
         "swapped-answers": USUAL,
         "wrong-sign": USUAL,
+        "both-on-circle": EPSILON,
+        "exact-for-ints": EPSILON,
     },
     "segment": {
+        "box-without-band": 21,
         "no-clamp": USUAL,
         "unsorted": USUAL,
         "inside-ends": USUAL,
@@ -146,6 +149,7 @@ SAMPLE = {
         "overflow-128": 20,
         "rounded-root": USUAL,
         "whole-root": USUAL,
+        "few-steps": USUAL,
     },
 }
 LINES = {

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.language import is_program
+from judge.languages import is_program
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import (
@@ -111,14 +111,15 @@ def test_what_is_hidden_is_passed_over(problem, add):
 
 
 def test_a_file_in_no_known_language_is_told(problem, add):
-    add("accepted/fast.cpp", "int main() {}")
+    add("accepted/fast.cob", "STOP RUN.")
     add("wrong/notes.md", "# Notes")
     (problem.solutions / "slow" / "deep").mkdir(parents=True)
     programs, faults = read_solutions(problem)
     assert programs == ()
     assert [str(fault) for fault in faults] == [
-        f"middle/{name}: this is no program; end its name in .py if it is one, or move it elsewhere"
-        for name in ("accepted/fast.cpp", "wrong/notes.md", "slow/deep")
+        f"middle/{name}: this is no program; end its name as a language does (.py) if it is one, "
+        "or move it elsewhere"
+        for name in ("accepted/fast.cob", "wrong/notes.md", "slow/deep")
     ]
 
 

@@ -43,6 +43,16 @@ def test_placeholders_stand_for_what_the_file_says(stating):
     assert wanted(problem) == [((9,), 2)]
 
 
+@pytest.mark.parametrize("text", ["1e-6", "2.5e-5", "1e-7", "0.001", "0.25", "1000"])
+def test_a_small_number_is_written_as_such(stating, tmp_path, text):
+    stating(">>> root_count(1)\n2\n")
+    folder = tmp_path / "problems" / "root-count"
+    table = (folder / "problem.toml").read_text(encoding="utf-8")
+    (folder / "problem.toml").write_text(f"{table}\n[bands]\nleast = {text}\n", encoding="utf-8")
+    (folder / "statement.md").write_text("It is {{least}}.\n\n>>> root_count(1)\n2\n", encoding="utf-8")
+    assert load_problem(folder).statement.startswith(f"It is {text}.")
+
+
 def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
     problem = stating(
         "```\n>>> root_count(1)\n2\n>>> root_count(2)\n(\n  1)\n```\n>>> root_count(0)\nNone\n\nMore text\n"

@@ -20,6 +20,7 @@ WORDS = re.compile(
 SHOWN_AT_WORK = {
     "answers.md",
     "failure.md",
+    "explore.md",
     "katas.md",
     "library.md",
     "scripts.md",

@@ -23,6 +23,7 @@ from judge.values import (
     parse,
     vector,
 )
+from judge.values.rightness import is_right
 
 TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 HITS = "[(real, int, word(enter|touch|exit))]"
@@ -41,7 +42,9 @@ def sent(code, items):
 def judged(text, exact, raw, words=None):
     type_ = parse(text, words=words or Words())
     target = type_.target(exact, TOLERANCE)
-    return type_.check(raw, target, lambda: (exact, TOLERANCE))
+    outcome = type_.check(raw, target, lambda: (exact, TOLERANCE))
+    assert is_right(type_, raw, target, lambda: (exact, TOLERANCE)) == isinstance(outcome, Accepted)
+    return outcome
 
 
 def printed(text, exact, line):
@@ -116,6 +119,7 @@ WRONG = [
     ("(int, real)", (1, Real(2)), [2, 2.0], "part 1: 1 wanted, 2 given"),
     ("[int]", [1, 2], [1], "2 items wanted, 1 given"),
     ("[int]", [1, 2], [2, 1], "the right items in the wrong order"),
+    ("[int]", [1, 0, 1, 0], [1, 1, 0, 0], "item 2: 0 wanted, 1 given"),
     ("[int]", [1, 2], [1, 3], "item 2: 2 wanted, 3 given"),
     ("[int]", [1, 2], None, "None where a list of ints is meant: no items are []"),
     ("[int; 2]", [1, 2], [1, 2, 3], "3 items given where 2 are meant"),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from judge.atomic import replace_file
 from judge.cli.options import (
     group_option,
     json_option,
@@ -13,7 +14,6 @@ from judge.cli.options import (
     seed_option,
     write_json,
 )
-from judge.data.atomic import replace_file
 from judge.data.load import load_data
 from judge.errors import ExitCode, UsageError, unwritable
 from judge.problem.choose import chosen_groups

@@ -11,10 +11,13 @@ import click
 
 from judge import __version__
 from judge.cli.options import json_option, write_json
-from judge.data.cache import cache_folder
 from judge.errors import ExitCode
+from judge.folders import cache_folder
 from judge.judging.containment import every_hidden_folder
 from judge.judging.isolation import keep_level
+from judge.languages.find import Found
+from judge.languages.find import found as found_of
+from judge.languages.model import languages
 from judge.report.doctor import doctor_lines
 from judge.report.screen import note, out
 from judge.sandbox import levels
@@ -26,18 +29,26 @@ SCHEMA = 1
 
 
 @click.command("doctor")
+@click.option(
+    "--languages", "tries", is_flag=True, help="Compile and run the empty program of each language."
+)
 @json_option
-def command(as_json: bool) -> ExitCode:
+def command(tries: bool, as_json: bool) -> ExitCode:
     """Say how well submissions are contained on this machine.
 
     Each isolation level is tried with a submission that looks for the judge, its problems and its solutions.
-    What is missing for a better level is named, with the command that would help. The best one is kept: from
-    then on the other commands refuse to judge below it, until `judge doctor` finds another or --isolation
-    asks for one.
+    What is missing for a better level, or for another language than Python, is named with the command that
+    would help. With --languages the empty program of each is compiled and run there, which takes seconds.
+    The best level is kept: from then on the other commands refuse to judge below it, until `judge doctor`
+    finds another or --isolation asks for one.
 
     Exit status: 0 always; the level that is used without --isolation is the first that works.
     """
     found = levels(every_hidden_folder())
+    best = next((level.name for level in found if level.available), None)
+    others = [found_of(language) for language in languages()]
+    if tries and best:
+        others = _tried(others, best)
     _keep(found)
     facts = {
         "judge": __version__,
@@ -47,10 +58,10 @@ def command(as_json: bool) -> ExitCode:
         "cache": str(cache_folder()),
     }
     if as_json:
-        write_json(_as_object(facts, found))
+        write_json(_as_object(facts, best, found, others))
     else:
         screen = out()
-        screen.show(doctor_lines(facts, found, screen.width))
+        screen.show(doctor_lines(facts, found, others, screen.width))
     return ExitCode.ACCEPTED
 
 
@@ -63,8 +74,18 @@ def _keep(found: tuple[Level, ...]) -> None:
             note(failed)
 
 
-def _as_object(facts: dict[str, str], found: tuple[Level, ...]) -> dict[str, Any]:
-    best = next((level.name for level in found if level.available), None)
+def _tried(others: list[Found], level: str) -> list[Found]:
+    """The same languages, with what came of their empty programs."""
+    from judge.languages.smoke import tried
+    from judge.sandbox import Boxes
+
+    boxes = Boxes(level, every_hidden_folder())
+    return [tried(language, each, boxes) for language, each in zip(languages(), others, strict=True)]
+
+
+def _as_object(
+    facts: dict[str, str], best: str | None, found: tuple[Level, ...], others: list[Found]
+) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "isolation": best,
@@ -79,6 +100,17 @@ def _as_object(facts: dict[str, str], found: tuple[Level, ...]) -> dict[str, Any
                 "visible": level.visible or None,
             }
             for level in found
+        ],
+        "languages": [
+            {
+                "name": each.name,
+                "version": each.version or None,
+                "missing": each.missing or None,
+                "works": each.works,
+                "why_not": each.why_not or None,
+                "remedy": each.remedy or None,
+            }
+            for each in others
         ],
         **facts,
     }

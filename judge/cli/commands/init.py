@@ -10,6 +10,8 @@ from judge.cli.kata import Kata, take_up, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
+from judge.languages import file_name as program_name
+from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.kata import begun_lines
 from judge.report.screen import out
@@ -20,21 +22,29 @@ SCHEMA = 1
 @click.command("init")
 @click.argument("name", metavar="PROBLEM")
 @click.argument("file", metavar="[FILE]", required=False)
+@click.option("--language", metavar="LANGUAGE", help="The language of the file; Python where none is named.")
 @click.option("--force", is_flag=True, help="Write over a file that is there.")
 @json_option
 @db_option
 @problems_option
 def command(
-    name: str, file: str | None, force: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]
+    name: str,
+    file: str | None,
+    language: str | None,
+    force: bool,
+    as_json: bool,
+    db: Path | None,
+    folders: tuple[Path, ...],
 ) -> ExitCode:
     """Begin a kata: write the file for your solution.
 
     It has the signature, the statement and its examples, and fails until you have written the function. FILE
-    is named after the problem where you name none. The kata is then in hand: judge run, judge watch and
+    is named after the problem where you name none; its ending says the language, or --language does: c, cpp,
+    go, java, javascript, rust, pypy. The kata is then in hand: judge run, judge watch and
     judge hint are about it until you begin another one.
     """
     problem = find_problem(name, folders)
-    path = Path(file_name(problem) if file is None else file)
+    path = Path(_usual(problem, language) if file is None else file)
     write_stub(problem, path, force=force)
     take_up(Kata(problem, path.absolute()), db)
     if as_json:
@@ -43,3 +53,15 @@ def command(
     screen = out()
     screen.show(begun_lines(problem, str(path), screen.width))
     return ExitCode.ACCEPTED
+
+
+def _usual(problem: Problem, language: str | None) -> str:
+    """The usual name of the problem's file in that language. Raises UsageError for one that nobody knows."""
+    if language is None:
+        return file_name(problem)
+    from judge.languages.model import named_language
+
+    found = named_language(language)
+    if found is None:
+        return file_name(problem)
+    return program_name(problem.id.replace("-", "_"), found)

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 import click
 
+from judge.cli.drilling import cards_due
 from judge.cli.kata import Kata, next_problem, take_up, tell_faults, the_path, with_folder_of, write_stub
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
 from judge.problem import Problem
+from judge.report.due import waiting_lines
 from judge.report.kata import begun_lines, finished_lines, next_lines, writing_lines
 from judge.report.screen import out
 
@@ -39,11 +41,13 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     tell_faults(path)
     problem = next_problem(current.problem if current else "", katas)
     screen = out()
+    waiting = cards_due(db, folders)
     if problem is None:
         if as_json:
-            write_json(_object(None, None))
+            write_json(_object(None, None, waiting))
         else:
             screen.show(finished_lines(screen.width))
+            screen.show(waiting_lines(waiting, screen.width))
         return ExitCode.ACCEPTED
     name = file_name(problem)
     kata = Kata(problem, Path(name).absolute())
@@ -53,11 +57,14 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
         write_stub(problem, Path(name))
     take_up(kata, db)
     if as_json:
-        write_json(_object(problem, kata))
-    elif kata.path.exists():
-        screen.show(begun_lines(problem, kata.name, screen.width))
-    else:
-        screen.show(next_lines(problem, screen.width))
+        write_json(_object(problem, kata, waiting))
+        return ExitCode.ACCEPTED
+    lines = (
+        begun_lines(problem, kata.name, screen.width)
+        if kata.path.exists()
+        else next_lines(problem, screen.width)
+    )
+    screen.show([*lines, *waiting_lines(waiting, screen.width)])
     return ExitCode.ACCEPTED
 
 
@@ -69,7 +76,7 @@ def _current(db: Path | None) -> Current | None:
         return history.current()
 
 
-def _object(problem: Problem | None, kata: Kata | None) -> dict[str, object]:
+def _object(problem: Problem | None, kata: Kata | None, waiting: int) -> dict[str, object]:
     """The published object; the problem is null where all are solved."""
     return {
         "schema": SCHEMA,
@@ -78,4 +85,5 @@ def _object(problem: Problem | None, kata: Kata | None) -> dict[str, object]:
         "tier": problem.tier.value if problem else None,
         "file": kata.name if kata else None,
         "exists": bool(kata and kata.path.exists()),
+        "cards_due": waiting,
     }

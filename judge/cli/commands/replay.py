@@ -16,6 +16,7 @@ from judge.judging.job import Terms
 from judge.judging.session import Session
 from judge.problem.find import find_problem
 from judge.report.glance import glance_lines, screen_rows
+from judge.report.hurdle import hurdle_lines
 from judge.report.results import verdict_lines
 from judge.report.screen import Notes, out
 
@@ -59,7 +60,8 @@ def command(
         write_json(result.as_json())
     else:
         screen = out()
+        hurdle = hurdle_lines(result, session.problem, screen.width)
         last = verdict_lines(result, screen.width)
         alone = replace(result, groups=())  # a table of one row
-        screen.show(glance_lines(alone, screen.width, screen_rows(screen), verdict=last))
+        screen.show(glance_lines(alone, screen.width, screen_rows(screen), hurdle=hurdle, verdict=last))
     return result.exit_code

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
-from datetime import UTC, datetime
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.target import OutFile
+from judge.cli.table import COMMANDS
+from judge.cli.target import OutFile, moment
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.history import History, Run
 from judge.problem import Problem
@@ -22,13 +21,13 @@ from judge.report.progress import progress
 from judge.report.screen import note, out
 
 if TYPE_CHECKING:
+    from judge.kata.checklist import RowProgress, Section
     from judge.kata.skills import SkillProgress
     from judge.report.page.known import KnownProblem
     from judge.run.matrix import Matrix
 
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
-_EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
 
 
 @click.command("report")
@@ -71,24 +70,40 @@ def command(
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with History.open(db, reading=True) as history:
         runs = history.runs()
-        if not runs:
+        answers, hacks = history.answers(), history.hacks()
+        if not (runs or answers or hacks):
             remedy = "judge something first: judge run PROBLEM FILE"
-            raise UsageError("there are no runs to report", where=str(history.path), remedy=remedy)
+            raise UsageError("there is nothing to report", where=str(history.path), remedy=remedy)
         last = {run.problem: run.id for run in runs}
         sources = {name: history.source(number) for name, number in last.items()}
     from judge.report.page.compose import compose_page
     from judge.report.page.render import render
 
-    known = _known(folders, last, matrix=matrix)
+    # What only accepted its own solutions, as README's first command does, has nothing to learn from.
+    told = {run.problem for run in runs if run.counts or not run.whole}
+    known = _known(folders, told, matrix=matrix)
     skills = _skills([each.problem for each in known], folders, runs)
-    page = render(compose_page(runs, known, sources, skills, generated=_now(), person=person))
+    ready = _ready([each.problem for each in known], folders, db)
+    page = render(
+        compose_page(
+            runs,
+            known,
+            sources,
+            skills,
+            ready=ready,
+            answers=answers,
+            hacks=hacks,
+            generated=moment(),
+            person=person,
+        )
+    )
     target.write(page)
     _tell(path, page, runs, last, as_json=as_json)
     return ExitCode.ACCEPTED
 
 
-def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> list[KnownProblem]:
-    """Every sound problem, with the mistakes of those that were tried."""
+def _known(folders: Sequence[Path], told: Collection[str], *, matrix: bool) -> list[KnownProblem]:
+    """Every sound problem, with the mistakes of those that are told of."""
     from judge.mistakes.told import told_mistakes
     from judge.report.page.known import KnownProblem
 
@@ -97,7 +112,7 @@ def _known(folders: Sequence[Path], tried: dict[str, int], *, matrix: bool) -> l
     for fault in faults:  # its runs are told of all the same
         note(f"a problem is left out: {fault}")
     for problem in problems:
-        if problem.id not in tried:
+        if problem.id not in told:
             found.append(KnownProblem(problem))
             continue
         advice = {name: told.advice for name, told in told_mistakes(problem).items()}
@@ -119,6 +134,24 @@ def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence
     return assess(skills, runs, problems)
 
 
+def _ready(
+    problems: Sequence[Problem], folders: Sequence[Path], db: Path | None
+) -> list[tuple[Section, list[RowProgress]]]:
+    """The questions of the checklist by section; one that is broken is left out."""
+    from judge.kata.assessed import assessed_rows
+    from judge.kata.checklist import by_section
+
+    try:
+        with History.open(db, reading=True) as history:
+            checklist, rows, faults = assessed_rows(history, problems, folders, COMMANDS)
+    except ProblemError as fault:
+        note(f"the questions are left out: {fault}")
+        return []
+    for each in faults:
+        note(str(each))
+    return by_section(checklist, rows)
+
+
 def _matrix(problem: Problem) -> Matrix | None:
     """The kill matrix, as it is kept or by judging the known-wrong programs now; a fault is but a note."""
     from judge.judging.session import Session
@@ -132,15 +165,6 @@ def _matrix(problem: Problem) -> Matrix | None:
     for text in (*session.data.notes, *notes):
         note(text)
     return matrix
-
-
-def _now() -> datetime:
-    given = os.environ.get(_EPOCH, "")
-    try:
-        return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
-    except (ValueError, OverflowError, OSError):
-        remedy = "set it to seconds since 1970, or unset it"
-        raise UsageError(f"{given!r} is no time", where=f"${_EPOCH}", remedy=remedy) from None
 
 
 def _is_report(start: bytes) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from judge.cli.allowed import growth_rule, limits_object, own_rules
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.problem import Group, Parameter, Problem, Tolerance
@@ -41,7 +42,6 @@ def command(name: str, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
 
 def as_object(problem: Problem) -> dict[str, Any]:
     """The published object of one problem. Bounds, bands and tolerances are exact: `n` or `n/d` as text."""
-    limits = problem.limits
     return {
         "schema": SCHEMA,
         "problem": problem.id,
@@ -52,17 +52,18 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "answer": str(problem.answer),
         "parameters": [_parameter(parameter) for parameter in problem.parameters],
         "bands": {name: str(width) for name, width in problem.bands.items()},
-        "limits": {
-            "cpu_seconds": limits.cpu_seconds,
-            "wall_seconds": limits.wall_seconds,
-            "memory_bytes": limits.memory_bytes,
-            "output_bytes": limits.output_bytes,
-        },
+        "limits": limits_object(problem.limits),
+        **growth_rule(problem.growth, problem.groups),
         "groups": [_group(group) for group in problem.groups],
         "examples": [
             {"input": _named(problem, example.case), "answer": example.wanted} for example in problem.examples
         ],
         "statement": problem.statement,
+        "source": {
+            "authors": list(problem.source.authors),
+            "license": problem.source.license or "unknown",
+            "origin": problem.source.origin or None,
+        },
     }
 
 
@@ -91,6 +92,7 @@ def _group(group: Group) -> dict[str, Any]:
         "seed": group.seed,
         "tolerance": _tolerance(group.tolerance),
         "kills": list(group.kills),
+        **own_rules(group),
     }
 
 

@@ -12,6 +12,7 @@ from judge.cli.kata import problem_in_hand
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.kata.model import Model, approaches, chosen_approach
+from judge.languages import language_of
 from judge.problem import Problem
 from judge.report.progress import progress
 from judge.report.screen import note, out
@@ -32,6 +33,9 @@ SCHEMA = 1
 @click.option(
     "--no-time", "untimed", is_flag=True, help="Do not measure how long the approaches and yours take."
 )
+@click.option(
+    "--language", metavar="NAME", help="Show the one in that language: go, cpp, java …; Python's without it."
+)
 @json_option
 @db_option
 @problems_option
@@ -40,6 +44,7 @@ def command(
     approach: str | None,
     giving_up: bool,
     untimed: bool,
+    language: str | None,
     as_json: bool,
     db: Path | None,
     folders: tuple[Path, ...],
@@ -49,12 +54,15 @@ def command(
     Of that problem or the kata in hand, once you have solved it; before that only with --give-up, and the
     problem then comes back for review sooner. Below it are the other approaches, which their names show, each
     with its time beside that of your own latest accepted run, measured now.
+
+    Approaches in other languages than Python are called by their files: judge solution distance reference.go,
+    or judge solution distance --language go. Their time is a multiple of the reference in their own language.
     """
     problem = problem_in_hand(name, folders, db)
     models = approaches(problem)
-    model = chosen_approach(problem, models, approach)
+    model = chosen_approach(problem, models, approach, language)
     yours = _admit(problem, db, giving_up=giving_up)
-    ratios = {} if untimed or problem.time is None else _ratios(problem, models, yours)
+    ratios = {} if untimed or problem.time is None else _ratios(problem, models, model, yours)
     run = yours[0] if yours else None
     if as_json:
         write_json(
@@ -62,6 +70,7 @@ def command(
                 "schema": SCHEMA,
                 "problem": problem.id,
                 "file": model.path.name,
+                "language": model.tongue,
                 "idea": model.idea,
                 "explanation": model.explanation,
                 "program": model.program,
@@ -81,19 +90,25 @@ def _approach(model: Model, ratios: Mapping[str, float | None]) -> dict[str, Any
     return {
         "name": model.name,
         "file": model.path.name,
+        "language": model.tongue,
         "about": model.about,
-        "ratio": ratios.get(model.name),
+        "ratio": ratios.get(model.path.name),
     }
 
 
 def _ratios(
-    problem: Problem, models: Sequence[Model], yours: tuple[Run, bytes] | None
+    problem: Problem, models: Sequence[Model], shown: Model, yours: tuple[Run, bytes] | None
 ) -> dict[str, float | None]:
-    """The times of the approaches and of one's own, by name; none where they cannot be measured."""
+    """The times of approaches by file, and of one's own; none where they cannot be measured.
+
+    Of other languages only those of the one shown, and of one's own, are compiled for it.
+    """
     from judge.judging.pace import paces  # only who has them measured waits for it
 
-    programs = [(model.path.name, model.source) for model in models]
-    names = [model.name for model in models]
+    wanted = [None, shown.language, *([language_of(yours[0].submission)] if yours else [])]
+    timed = [model for model in models if model.language in wanted]
+    programs = [(model.path.name, model.source) for model in timed]
+    names = [model.path.name for model in timed]
     if yours is not None:
         programs.append((yours[0].submission, yours[1]))
         names.append(YOURS)

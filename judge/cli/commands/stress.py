@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -32,6 +33,7 @@ from judge.judging.stressing import Stressing
 from judge.problem import Verdict
 from judge.problem.choose import chosen_groups
 from judge.report.glance import screen_rows
+from judge.report.layout import Line
 from judge.report.progress import progress, stages
 from judge.report.screen import Notes, out
 from judge.report.stress import stress_lines
@@ -133,12 +135,12 @@ def command(
         write_json(stressed.as_json())
     else:
         screen = out()
-        rows = screen_rows(screen)
-        screen.show(
-            drawing.beside(
-                lambda drawn: stress_lines(stressed, screen.width, rows, drawn), screen, wanted=pictured
-            )
-        )
+        rows, hurdle = screen_rows(screen), drawing.hurdle(screen.width)
+
+        def report(drawn: Sequence[Line]) -> list[Line]:
+            return stress_lines(stressed, screen.width, rows, hurdle=hurdle, drawing=drawn)
+
+        screen.show(drawing.beside(report, screen, wanted=pictured))
     drawing.save(svg)
     if stressed.interrupted and stressed.result.verdict is Verdict.AC:
         return ExitCode.INTERRUPTED

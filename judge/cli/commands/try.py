@@ -17,7 +17,7 @@ from judge.errors import ExitCode, UsageError, told
 from judge.judging.job import Terms
 from judge.judging.session import Session
 from judge.judging.trying import ask, try_case
-from judge.language import is_program
+from judge.languages import is_program
 from judge.problem import Verdict
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem

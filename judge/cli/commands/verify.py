@@ -10,9 +10,12 @@ import click
 from msgspec.structs import replace
 
 from judge.cli.options import json_option, problems_option, write_json
+from judge.data.model import ProblemData
 from judge.errors import ExitCode, ProblemError
 from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
@@ -22,7 +25,7 @@ from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
 from judge.run.audit import Audit
 from judge.run.matrix import Matrix
-from judge.run.verify import Fault, Progress, SolutionReport, VerifyReport, verify_problem
+from judge.run.verify import Fault, Progress, SolutionReport, VerifyReport, fresh_data, verify_problem
 from judge.sandbox import Boxes
 
 SCHEMA = 1
@@ -83,10 +86,12 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     boxes = Boxes(least=kept_level())
     with stages(name) as progress:
-        found = _choices(problem, boxes, progress)
+        data = _data(problem, progress)
+        found = verify_choices(problem, data, boxes, progress) if data else ChoicesReport()
         problem = found.problem or problem
+        any_boxes = AnyBoxes(boxes, signature_of(problem))
         report = verify_problem(
-            problem, update_pins=pin, progress=progress, box_factory=boxes, made=found.made
+            problem, update_pins=pin, progress=progress, box_factory=any_boxes, made=found.made, data=data
         )
     return replace(
         report,
@@ -96,15 +101,12 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
     )
 
 
-def _choices(problem: Problem, boxes: Boxes, progress: Progress | None) -> ChoicesReport:
-    """What came of mistakes.py; nothing where the data cannot be built, which verify_problem tells."""
-    from judge.data.load import load_data
-
+def _data(problem: Problem, progress: Progress | None) -> ProblemData | None:
+    """The data, built anew; None where they cannot be, which verify_problem tells."""
     try:
-        data = load_data(problem)
+        return fresh_data(problem, progress)
     except ProblemError:
-        return ChoicesReport()
-    return verify_choices(problem, data, boxes, progress)
+        return None
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:
@@ -176,7 +178,8 @@ def _solution(report: SolutionReport) -> dict[str, Any]:
     return {
         "file": report.file,
         "name": report.name,
-        "verdict": report.verdict.value,
+        "verdict": report.verdict.value if report.verdict else None,
         "ok": report.ok,
         "failed": list(report.failed),
+        **({"unjudged": report.unjudged} if report.unjudged else {}),
     }

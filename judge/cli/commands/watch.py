@@ -5,7 +5,7 @@ from __future__ import annotations
 import stat
 import sys
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 from queue import SimpleQueue
 from types import FrameType
@@ -92,7 +92,8 @@ def command(
         _take_up(kata, db)
     with handled(dict.fromkeys(_ENDINGS, _leave)):
         if as_json or not (draws(out()) and is_terminal(sys.stdin)):
-            _write_on(WatchedFile(kata, wish), as_json=as_json)
+            with closing(WatchedFile(kata, wish)) as watched:
+                _write_on(watched, as_json=as_json)
         from judge.cli.watch_screen import watch_on_screen  # what draws and reads keys, for who sits there
 
         return watch_on_screen(kata, wish, folders)

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from judge.cli.allowed import growth_rule, own_rules
 from judge.cli.fitting import problem_meant
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
@@ -37,7 +38,8 @@ def command(name: str, group: str | None, as_json: bool, folders: tuple[Path, ..
     if as_json:
         described = [_as_object(each, mistakes) for each in groups]
         levels = {"levels": [_level(level, groups) for level in problem.levels]} if problem.levels else {}
-        write_json({"schema": SCHEMA, "problem": problem.id, **levels, "groups": described})
+        head = {"schema": SCHEMA, "problem": problem.id, **levels, **growth_rule(problem.growth, groups)}
+        write_json({**head, "groups": described})
         return ExitCode.ACCEPTED
     screen = out()
     screen.show(why_lines(problem, groups, mistakes, screen.width))
@@ -52,7 +54,7 @@ def _as_object(group: Group, known: Mapping[str, Told]) -> dict[str, Any]:
         line = {"right": told.line.right, "wrong": told.line.wrong} if told and told.line else None
         mistakes.append({"name": name, "explanation": told.sentence if told else None, "line": line})
     level = {"level": group.level.value} if group.level else {}
-    return {"name": group.name, "about": group.about, **level, "mistakes": mistakes}
+    return {"name": group.name, "about": group.about, **level, **own_rules(group), "mistakes": mistakes}
 
 
 def _level(level: KataLevel, groups: Sequence[Group]) -> dict[str, Any]:

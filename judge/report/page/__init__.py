@@ -4,7 +4,8 @@
     record.py     a run's published result, read back
     compose.py    from runs and problems to a page
     checklist.py  the skills
-    cases.py      the failing cases worth showing, with their pictures
+    cases.py      the failing cases worth showing
+    told.py       one of them in words and pictures
     plot.py       the time ratio over the attempts
     thresholds.py the submission's own thresholds beside the band and the promise
     kills.py      the kill matrix as a table

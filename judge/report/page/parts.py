@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from itertools import pairwise
 
 from msgspec import Struct
 
@@ -37,13 +38,35 @@ class SkillLine(Struct, frozen=True):
         return self.state == "shown"
 
 
+class ReadyLine(Struct, frozen=True):
+    """A question of the checklist: `by` says what ticks it, or else what would."""
+
+    id: str
+    ask: str
+    state: str  # as of SkillLine
+    by: str
+    since: datetime | None
+
+
+class ReadyPart(Struct, frozen=True):
+    """A section of the checklist."""
+
+    title: str
+    lines: tuple[ReadyLine, ...]
+
+    @property
+    def ticked(self) -> int:
+        """How many of its questions are ticked."""
+        return sum(line.state == "shown" for line in self.lines)
+
+
 class RunLine(Struct, frozen=True):
     """One run: `case` is the anchor of the failing case shown for its mistake, empty where none is."""
 
     number: int
     when: datetime
     verdict: Verdict
-    score: int
+    score: str
     ratio: str
     mistake: str
     case: str
@@ -80,6 +103,7 @@ class Plot(Struct, frozen=True):
     limit: GridLine | None
     description: str
     left_out: int  # earlier runs that are not shown
+    held: str = ""  # which runs were held to the reference of another language, and why
 
 
 class ThresholdDot(Struct, frozen=True):
@@ -105,6 +129,44 @@ class ThresholdPlot(Struct, frozen=True):
     columns: tuple[tuple[str, str], ...]
     free: tuple[float, float] | None
     size: str
+    text: str
+
+
+class GrowthDot(Struct, frozen=True):
+    """What a case of some size took: `x` in percent, `y` in pixels; `open` where it is a bound."""
+
+    x: str
+    y: float
+    open: bool
+    title: str
+
+
+class GrowthLine(Struct, frozen=True):
+    """One program's dots, by size, with what it is called and the law they follow; `links` join them.
+
+    The `upper` line has its label above its end, the other one below its beginning, off both lines.
+    """
+
+    kind: str  # "ref" or "own"
+    label: str
+    dots: tuple[GrowthDot, ...]
+    upper: bool
+
+    @property
+    def links(self) -> tuple[tuple[GrowthDot, GrowthDot], ...]:
+        """Each dot and the next one."""
+        return tuple(pairwise(self.dots))
+
+
+class GrowthPlot(Struct, frozen=True):
+    """CPU time of a case against n, both on logarithmic scales, of a submission and the reference."""
+
+    name: str  # begins the ids
+    height: float
+    run: int
+    lines: tuple[GrowthLine, ...]
+    levels: tuple[GridLine, ...]
+    columns: tuple[tuple[str, str], ...]
     text: str
 
 
@@ -199,7 +261,7 @@ class ProblemPart(Struct, frozen=True):
     summary: str
     tier: str
     solved: datetime | None
-    best: int
+    best: str
     attempts: int
     levels: tuple[LevelMark, ...]
     groups: tuple[GroupMark, ...]
@@ -207,6 +269,7 @@ class ProblemPart(Struct, frozen=True):
     earlier: tuple[RunLine, ...]
     more: int
     plot: Plot | None
+    growth: GrowthPlot | None
     thresholds: ThresholdPlot | None
     cases: tuple[FailingCase, ...]
     cases_left_out: int
@@ -243,7 +306,9 @@ class Page(Struct, frozen=True):
     last: datetime
     tiles: tuple[Tile, ...]
     overview: tuple[OverviewLine, ...]
+    untried: tuple[tuple[str, tuple[str, ...]], ...]  # the problems of each tier that have no run
     skills: tuple[SkillLine, ...]
+    ready: tuple[ReadyPart, ...]  # the first one is what to be ready for
     problems: tuple[ProblemPart, ...]
     verdicts: tuple[Verdict, ...]  # those that occur, to be explained
 

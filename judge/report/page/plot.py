@@ -57,6 +57,7 @@ def ratio_plot(name: str, runs: Sequence[Run], limit: float | None) -> Plot | No
         limit=GridLine(scale(limit), f"limit {_plain(limit)} ×") if limit else None,
         description=_words(shown, limit),
         left_out=len(timed) - len(shown),
+        held=_held(shown),
     )
 
 
@@ -95,6 +96,17 @@ def _kind(run: Run, spread: RatioRecord) -> str:
     if run.verdict is not Verdict.AC:
         return "tle"
     return "doubt" if spread.unreliable else "ac"
+
+
+def _held(runs: Sequence[Run]) -> str:
+    """Which runs were held to the reference of another language: `Runs 3, 4: no reference in Go: …`."""
+    found: dict[str, list[str]] = {}
+    for run in runs:
+        reference = read_record(run).time.reference
+        if reference is not None and reference.why:
+            found.setdefault(reference.why, []).append(str(run.id))
+    told = (f"{'run' if len(ids) == 1 else 'runs'} {', '.join(ids)}: {why}" for why, ids in found.items())
+    return "; ".join(told)
 
 
 def _words(runs: Sequence[Run], limit: float | None) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -44,10 +45,38 @@ class RatioRecord(Struct, frozen=True):
     unreliable: str = ""
 
 
+class PointRecord(Struct, frozen=True):
+    """The CPU seconds of one case; the submission takes so many at least, where it has not `ended`."""
+
+    group: str
+    size: int
+    cpu_seconds: float
+    reference_seconds: float
+    ended: bool = True
+
+
+class GrowthRecord(Struct, frozen=True):
+    """How the time grew with n; runs of older judges have no `points`."""
+
+    exponent: float
+    reference: float
+    slope: float
+    points: tuple[PointRecord, ...] = ()
+
+
+class ReferenceRecord(Struct, frozen=True):
+    """Whose time a run in another language than Python was compared with, and why it is not its own."""
+
+    language: str
+    why: str = ""
+
+
 class TimeRecord(Struct, frozen=True):
     """What a run says of time."""
 
     ratio: RatioRecord | None = None
+    growth: GrowthRecord | None = None
+    reference: ReferenceRecord | None = None
 
 
 class Record(Struct, frozen=True):
@@ -63,6 +92,14 @@ class Record(Struct, frozen=True):
 def read_record(run: Run) -> Record:
     """What was kept of a run; of a result that is damaged or of another form, nothing."""
     try:
-        return msgspec.convert(run.result, Record)
-    except (HistoryError, msgspec.ValidationError):
+        return record_of(run.result)
+    except HistoryError:
+        return Record()
+
+
+def record_of(published: Mapping[str, Any]) -> Record:
+    """What the page shows of a published result; of one of another form, nothing."""
+    try:
+        return msgspec.convert(published, Record)
+    except msgspec.ValidationError:
         return Record()

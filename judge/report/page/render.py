@@ -27,14 +27,18 @@ _MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct",
 
 def render(page: Page) -> bytes:
     """The whole file. The same page always gives the same bytes."""
+    return filled("page.html.j2", page=page, mark=MARK)
+
+
+def filled(template: str, **values: Any) -> bytes:
+    """The file that one of the templates makes of these values, with the style sheet and its policy."""
     from markupsafe import Markup
 
     dark = "screen and (prefers-color-scheme:dark)"
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8") + style(".drawing", dark)
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
     policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
-    template = _environment().get_template("page.html.j2")
-    return template.render(page=page, style=Markup(sheet), policy=policy, mark=MARK).encode()
+    return _environment().get_template(template).render(style=Markup(sheet), policy=policy, **values).encode()
 
 
 def is_report(head: bytes) -> bool:

@@ -4,6 +4,8 @@
                              → landlock → big filter
     a child, each time       resource limits → small filter
 
+What is started from a file of its own, a compiler or what it made, has limits of its own too.
+
 A credential change clears the death signal, so that comes after it. Landlock and seccomp are inherited.
 """
 
@@ -34,16 +36,18 @@ class Confinement:
         self._threads: int = config["threads"]
         self._die_with_parent: Callable[[], None] = _nothing
         self._small: ChildFilter | None = None
-        _once_only_limits()
+        _once_only_limits(config.get("descriptors", wire.MOST_DESCRIPTORS))
         if LINUX:
             self._on_linux(config)
 
     def _on_linux(self, config: dict[str, Any]) -> None:
-        from judge.sandbox.linux import kernel, landlock, seccomp, syscalls
+        from judge.sandbox.linux import kernel, landlock, profiles, seccomp, syscalls
 
         machine = syscalls.machine()
         if config["uid"] is not None:
-            _become(config["uid"], config["reads_all"], kernel, syscalls.number("capset", machine))
+            passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
+            capset = syscalls.number("capset", machine)
+            _become(config["uid"], config["reads_all"], kernel, capset, passed_on=passed_on)
         self._die_with_parent = lambda: kernel.prctl(kernel.PR_SET_PDEATHSIG, _SIGKILL)
         self._die_with_parent()
         if config["parent"] not in (None, os.getppid()):
@@ -53,10 +57,12 @@ class Confinement:
         kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
         if config["level"] == "limits":
             return
+        profile = profiles.BY_NAME[config.get("profile", "python")]
         if landlock.abi():
-            landlock.restrict(config["readable"], config["writable"])
-        self._small = seccomp.ChildFilter()
-        seccomp.Filter(seccomp.server_filter(machine)).load()
+            runnable, filled = config.get("runnable"), config.get("filled", ())
+            landlock.restrict(config["readable"], config["writable"], runnable, filled)
+        self._small = seccomp.ChildFilter(profile)
+        seccomp.Filter(seccomp.server_filter(machine, profile)).load()
 
     def confine_child(self, memory: int, output: int, cpu_seconds: int) -> None:
         """Confine a fresh child before anything foreign runs in it. Raises OSError."""
@@ -72,14 +78,26 @@ class Confinement:
         else:
             self._small.load_for(os.getpid())
 
+    def confine_program(self, limits: dict[str, int]) -> None:
+        """Confine a fresh child that is about to become another program, in a group of its own.
+
+        `limits` are those of resources by name. Raises OSError.
+        """
+        os.setpgid(0, 0)
+        for name, value in limits.items():
+            _limit(getattr(resource, name), value)
+        self._die_with_parent()
+        if self._small is not None:
+            self._small.load_for(os.getpid())
+
 
 def _nothing() -> None:
     """What death with the parent is where the system has no such thing; the hang-up has to do."""
 
 
-def _once_only_limits() -> None:
+def _once_only_limits(descriptors: int) -> None:
     _limit(resource.RLIMIT_CORE, 0)
-    _limit(resource.RLIMIT_NOFILE, wire.MOST_DESCRIPTORS)
+    _limit(resource.RLIMIT_NOFILE, descriptors)
     if LINUX:
         for which in (
             resource.RLIMIT_MEMLOCK,
@@ -108,7 +126,7 @@ def _limit(which: int, value: int) -> None:
             raise
 
 
-def _become(uid: int, reads_all: bool, kernel: Any, capset: int | None) -> None:
+def _become(uid: int, reads_all: bool, kernel: Any, capset: int | None, *, passed_on: bool) -> None:
     """Become a user that owns nothing here; `reads_all` keeps the right to pass folders closed to others.
 
     That right is needed where the interpreter lies in a private home; landlock still says for which files.
@@ -117,4 +135,4 @@ def _become(uid: int, reads_all: bool, kernel: Any, capset: int | None) -> None:
     os.setresgid(uid, uid, uid)
     kernel.prctl(kernel.PR_SET_KEEPCAPS, int(reads_all))
     os.setresuid(uid, uid, uid)
-    kernel.keep_only(kernel.CAP_DAC_READ_SEARCH if reads_all else None, capset)
+    kernel.keep_only(kernel.CAP_DAC_READ_SEARCH if reads_all else None, capset, passed_on=passed_on)

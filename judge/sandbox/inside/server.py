@@ -50,8 +50,10 @@ class Lacking(Exception):  # noqa: N818 - it never reaches a person
         self.code = code
 
 
-def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
-    """Confine this process, say so, and serve until the judge hangs up."""
+def start(
+    channel: int, memory: int, config: dict[str, Any], source: bytes, kind: type[Server] | None = None
+) -> NoReturn:
+    """Confine this process, say so, and serve until the judge hangs up, as a server of that kind."""
     line = wire.Channel(_socket.socket(fileno=channel))
     region = wire.Region(memory)
     os.close(memory)
@@ -69,7 +71,7 @@ def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> N
         line.send(wire.FAILED)
         os._exit(1)
     line.send(wire.READY)
-    Server(line, region, confinement, config, source).serve()
+    (kind or Server)(line, region, confinement, config, source).serve()
 
 
 def _look_around(region: wire.Region, line: wire.Channel, config: dict[str, Any]) -> None:
@@ -337,12 +339,12 @@ class _Watch:
     def next_series(self, clock: int, peak: int, size: int, digest: bytes) -> bytes:
         """The frame that says what the series used and answered; the next one begins."""
         now = time.perf_counter_ns()
-        used = max(0, self._used(clock))
+        used = self._used(clock)  # a first one's may be below 0: less than an idle child's at a busy moment
         passed = now - self.began
         self.before += used
-        self.waited += max(0, passed - used)
+        self.waited += max(0, passed - max(0, used))
         self.began = now
-        return wire.MARK.pack(wire.MARKED, used, passed, peak, size, digest)
+        return wire.MARK.pack(wire.MARKED, max(0, used), passed, peak, size, digest)
 
     def _used(self, clock: int) -> int:
         """CPU time of the series so far."""

@@ -48,6 +48,7 @@ READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
+EXECUTE, COLLECT, EMPTY = b"X", b"C", b"E"  # of what is no Python: see exec.py
 
 MOST_DESCRIPTORS = 64
 CHILD_DESCRIPTORS = 4  # 0 to 2, and 3 until its clock starts

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 Instruction = tuple[int, int, int, int]  # code, jump if true, jump if false, constant
 
 _LOAD, _EQUAL, _GREATER, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x25, 0x35, 0x45, 0x06
+_AND = 0x54  # of the accumulator and a constant
 _NUMBER, _ARCHITECTURE, _ARGUMENTS = 0, 4, 16
 
 KILL = 0x80000000
@@ -84,6 +85,17 @@ def with_bits(number: int, argument: int, bits: int, refuse: int) -> list[Instru
 def without_bits(number: int, argument: int, bits: int, refuse: int) -> list[Instruction]:
     """Allow this call if the low word of its argument has none of `bits`, else refuse."""
     rest: list[Instruction] = [(_ANY_BIT, 0, 1, bits), (_RETURN, 0, 0, refuse), (_RETURN, 0, 0, ALLOW)]
+    return _guarded(number, argument, 0, rest)
+
+
+def without_both(number: int, argument: int, bits: int, refuse: int) -> list[Instruction]:
+    """Allow this call unless the low word of its argument has all of `bits`, else refuse."""
+    rest: list[Instruction] = [
+        (_AND, 0, 0, bits),
+        (_EQUAL, 0, 1, bits),
+        (_RETURN, 0, 0, refuse),
+        (_RETURN, 0, 0, ALLOW),
+    ]
     return _guarded(number, argument, 0, rest)
 
 

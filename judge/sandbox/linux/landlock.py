@@ -30,6 +30,7 @@ _READ = (
     _EXECUTE | _READ_FILE | _READ_DIR
 )  # EXECUTE: mapping a shared library needs none, the loader's own check does
 _OF_A_FILE = _EXECUTE | _WRITE_FILE | _READ_FILE
+_SPECIAL = 1 << 6 | 1 << 9 | 1 << 10 | 1 << 11  # making devices, sockets and named pipes
 
 
 def abi() -> int:
@@ -40,19 +41,30 @@ def abi() -> int:
         return 0
 
 
-def restrict(readable: Iterable[str], writable: Iterable[str] = ()) -> None:
+def restrict(
+    readable: Iterable[str],
+    writable: Iterable[str] = (),
+    runnable: Iterable[str] | None = None,
+    filled: Iterable[str] = (),
+) -> None:
     """Leave this process only the files under `readable`, and those in `writable` for reading and writing.
 
-    Paths that do not exist are passed over. Needs no_new_privs. Raises OSError.
+    Programs under `runnable` alone may be started; all that are readable where it is None. In the folders
+    `filled` ordinary files and folders may be made. Paths that do not exist are passed over. Needs
+    no_new_privs. Raises OSError.
     """
     version = abi()
     governed = _file_rights(version)
     ruleset = _create(version, governed)
     try:
         for path in readable:
+            _allow(ruleset, path, (_READ if runnable is None else _READ & ~_EXECUTE) & governed)
+        for path in runnable or ():
             _allow(ruleset, path, _READ & governed)
         for path in writable:
             _allow(ruleset, path, (_READ_FILE | _WRITE_FILE) & governed)
+        for path in filled:
+            _allow(ruleset, path, governed & ~_SPECIAL)
         kernel.syscall(_RESTRICT, Int(ruleset), UInt(0))
     finally:
         os.close(ruleset)

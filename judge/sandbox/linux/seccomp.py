@@ -1,8 +1,9 @@
-"""The two filters: what the fork server may still do, and what a child of it may.
+"""The two filters: what the server in a container may still do, and what a child of it may.
 
 The big one is an allow-list, loaded once by the fork server and inherited; every call it does not name
 fails with EPERM. The small one is added by each child before the submission runs and takes away what only
-the fork server needs: new processes, signals to others, descriptors over sockets, other processes' limits.
+the server needs: new processes, signals to others, descriptors over sockets, other processes' limits.
+What runs in the container (`judge.sandbox.linux.profiles`) needs more calls, or must not have some.
 """
 
 from __future__ import annotations
@@ -11,10 +12,13 @@ import errno
 
 from judge.sandbox.linux import bpf, kernel, syscalls
 from judge.sandbox.linux.foreign import Byte, Pointer, Structure, UInt, UShort, addressof, byref
+from judge.sandbox.linux.profiles import PYTHON
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from judge.sandbox.linux.profiles import Profile
 
 _REFUSED = bpf.errno_action(errno.EPERM)
 _UNKNOWN = bpf.errno_action(errno.ENOSYS)
@@ -37,7 +41,9 @@ _FREE = """
     uname sysinfo getrandom getrusage getrlimit setrlimit umask
 """
 _FORK_SERVER = "fork vfork kill tgkill sendmsg recvmsg seccomp prctl prlimit64"
-_NOT_IN_A_CHILD = "fork vfork sendmsg recvmsg seccomp"
+_NOT_IN_A_CHILD = "sendmsg recvmsg seccomp"
+_NEW_PROCESSES = "fork vfork"
+_SHARED_NOWHERE = 0x21  # MAP_SHARED and MAP_ANONYMOUS
 
 _IOCTL = (
     0x5401,
@@ -74,11 +80,11 @@ def available() -> bool:
     return True
 
 
-def server_filter(machine: str) -> list[bpf.Instruction]:
-    """The fork server's filter: an allow-list, everything else is EPERM."""
+def server_filter(machine: str, profile: Profile = PYTHON) -> list[bpf.Instruction]:
+    """The server's filter: an allow-list, everything else is EPERM."""
     x32 = syscalls.X32_BIT if machine == "x86_64" else None
     rows = bpf.check_architecture(syscalls.audit_architecture(machine), x32, _UNKNOWN)
-    for first, last in _runs(_numbers(_FREE + _FORK_SERVER, machine)):
+    for first, last in _runs(_numbers(f"{_FREE} {_FORK_SERVER} {profile.more}", machine)):
         rows += bpf.decide_range(first, last, bpf.ALLOW)
     rows += bpf.one_of(_number("ioctl", machine), 1, _IOCTL, bpf.errno_action(errno.ENOTTY))
     rows += bpf.one_of(_number("fcntl", machine), 1, _FCNTL, _REFUSED)
@@ -89,15 +95,19 @@ def server_filter(machine: str) -> list[bpf.Instruction]:
     return rows + bpf.otherwise(_REFUSED)
 
 
-def child_filter(machine: str, pid: int) -> list[bpf.Instruction]:
-    """What a child of the fork server gives up besides; `pid` is its own."""
+def child_filter(machine: str, pid: int, profile: Profile = PYTHON) -> list[bpf.Instruction]:
+    """What a child of the server gives up besides; `pid` is its own."""
     rows = bpf.load_number()
-    for call in ("kill", "tgkill"):
-        rows += bpf.one_of(_number(call, machine), 0, (pid,), _REFUSED)
-    rows += bpf.one_of(_number("prlimit64", machine), 0, (0, pid), _REFUSED)
-    rows += bpf.one_of(_number("prctl", machine), 0, _PRCTL, _REFUSED)
-    rows += bpf.with_bits(_number("clone", machine), 0, _CLONE_THREAD, _REFUSED)
-    for number in _numbers(_NOT_IN_A_CHILD, machine):
+    if profile.counted:
+        rows += bpf.without_both(_number("mmap", machine), 3, _SHARED_NOWHERE, _REFUSED)
+    if profile.alone:
+        for call in ("kill", "tgkill"):
+            rows += bpf.one_of(_number(call, machine), 0, (pid,), _REFUSED)
+        rows += bpf.one_of(_number("prctl", machine), 0, _PRCTL, _REFUSED)
+        rows += bpf.with_bits(_number("clone", machine), 0, _CLONE_THREAD, _REFUSED)
+    rows += bpf.one_of(_number("prlimit64", machine), 0, (0, pid) if profile.alone else (0,), _REFUSED)
+    refused = f"{_NOT_IN_A_CHILD} {_NEW_PROCESSES if profile.alone else ''} {profile.not_in_a_child}"
+    for number in _numbers(refused, machine):
         rows += bpf.decide(number, _REFUSED)
     return rows + bpf.otherwise(bpf.ALLOW)
 
@@ -121,8 +131,8 @@ class ChildFilter(Filter):
 
     _MARK = 0x7FFFFFFF  # no pid is ever this large
 
-    def __init__(self) -> None:
-        rows = child_filter(syscalls.machine(), self._MARK)
+    def __init__(self, profile: Profile = PYTHON) -> None:
+        rows = child_filter(syscalls.machine(), self._MARK, profile)
         self._places = [index for index, row in enumerate(rows) if row[3] == self._MARK]
         super().__init__(rows)
 

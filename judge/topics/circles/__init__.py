@@ -2,14 +2,18 @@
 
 LINE, SEGMENT, RAY    the topic of problems with the arguments (cx, cy, r, A, B) or (cx, cy, r, O, D)
 CHORD                 the same as LINE, where the answer is a length on it
+HIT, BOUNCE     the same as RAY, where the answer is the normal there, or the point and what is reflected
 POINT, FOOT, NORMAL   of those with the arguments (cx, cy, r, P), (A, B, P) or (A, B)
+HITS, SPANS, SHADOW   of those with many circles and a ray, (circles, O, D, …)
 TANGENTS              the same as POINT, where the answer is points of tangents through P
 
 PAIR, COMMON          of those with two circles, (cx1, cy1, r1, cx2, cy2, r2), for their points and tangents
+OUTLINE         of those with a circle and a polygon, (cx, cy, r, V)
 plane(Kind…)          the topic of first steps: points and perhaps a circle in whole numbers
 
 line.py        a circle and a directed line in scaled integers
 pair.py        two circles, and how they lie to one another
+outline.py     a circle and a closed polygon, edge by edge
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
 part.py        what a problem is about
 signature.py   from figures to cases and back
@@ -19,22 +23,33 @@ images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
 borders.py     figures in which a submission's own threshold can be measured
 plane.py       first steps, each of a kind
+frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
 pair_*.py, simpler_pair.py  the same for two circles
+crowd.py              many circles and a ray, and the places of its hits
+solids.py             what of the ray is inside a solid made of discs
+shadow.py             whether a light reaches the ray's first hit
+crowd_*.py, simpler_crowd.py  the same for those
 types/         types of parameters, found by their names as those of a pack are
 picture/       a failing case drawn
+puzzle.py      small figures for quiz cards
+explore/       the page of `judge explore`, whose arithmetic is exact in JavaScript
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from judge.problem.topic import Shown, Topic
+from judge.problem.topic import Chance, Puzzle, Shown, Topic
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.borders import borders
+from judge.topics.circles.crowd import Crowd, Hit
+from judge.topics.circles.crowd_borders import crowd_borders
 from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.outline import OUTLINE, CircleOutline
 from judge.topics.circles.pair import CirclePair, Lie
 from judge.topics.circles.pair_borders import pair_borders
 from judge.topics.circles.part import Part
@@ -42,12 +57,16 @@ from judge.topics.circles.plane import Kind, plane
 from judge.topics.circles.signature import (
     builders,
     circle_and_point,
+    circle_and_polygon,
+    circles_and_ray,
+    circles_ray_and_light,
     line_alone,
     line_and_point,
     points_only,
     two_circles,
 )
 from judge.topics.circles.simpler import simpler, special
+from judge.topics.circles.simpler_crowd import simpler_crowds, special_crowd
 from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
 
 if TYPE_CHECKING:
@@ -56,24 +75,36 @@ if TYPE_CHECKING:
     from judge.problem.topic import Decision
 
 __all__ = [
+    "BOUNCE",
     "CHORD",
     "COMMON",
     "FOOT",
+    "HIT",
+    "HITS",
     "LINE",
     "NORMAL",
+    "OUTLINE",
     "PAIR",
     "POINT",
     "RAY",
     "SEGMENT",
+    "SHADOW",
+    "SPANS",
     "TANGENTS",
     "Bands",
     "CircleLine",
+    "CircleOutline",
     "CirclePair",
+    "Crowd",
+    "Hit",
     "Kind",
     "Lie",
     "Part",
     "builders",
     "circle_and_point",
+    "circle_and_polygon",
+    "circles_and_ray",
+    "circles_ray_and_light",
     "line_alone",
     "line_and_point",
     "mirror_images",
@@ -95,8 +126,22 @@ def topic_of(part: Part) -> Topic:
         special=special,
         picture=partial(_picture, part),
         decisions=partial(_decisions, part),
+        explore=partial(_explored, part),
         borders=partial(borders, part),
+        puzzle=partial(_puzzle, part) if part in (Part.LINE, Part.RAY) else None,
     )
+
+
+def _puzzle(part: Part, form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
+    from judge.topics.circles.puzzle import line_puzzle, ray_puzzle  # late: only a quiz asks
+
+    return (ray_puzzle if part is Part.RAY else line_puzzle)(form, chance, solve)
+
+
+def _hits_puzzle(form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
+    from judge.topics.circles.puzzle import hits_puzzle  # late as well
+
+    return hits_puzzle(form, chance, solve)
 
 
 def _picture(part: Part, shown: Shown) -> Picture | None:
@@ -105,10 +150,22 @@ def _picture(part: Part, shown: Shown) -> Picture | None:
     return compose(part, shown)
 
 
+def _explored(part: Part, problem: Problem, values: Mapping[str, Any] | None) -> str | None:
+    from judge.topics.circles.explore import explored  # late: only who explores asks
+
+    return explored(part, problem, values)
+
+
 def _pair_decisions(problem: Problem) -> tuple[Decision, ...]:
     from judge.topics.circles.pair_decisions import pair_decisions  # late as well
 
     return pair_decisions(problem)
+
+
+def _crowd_decisions(problem: Problem) -> tuple[Decision, ...]:
+    from judge.topics.circles.crowd_decisions import crowd_decisions  # and so
+
+    return crowd_decisions(problem)
 
 
 def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
@@ -120,6 +177,8 @@ def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
 LINE = topic_of(Part.LINE)
 SEGMENT = topic_of(Part.SEGMENT)
 RAY = topic_of(Part.RAY)
+HIT = topic_of(Part.HIT)
+BOUNCE = topic_of(Part.BOUNCE)
 CHORD = topic_of(Part.CHORD)
 POINT = topic_of(Part.POINT)
 FOOT = topic_of(Part.FOOT)
@@ -135,4 +194,16 @@ PAIR, COMMON = (
         borders=pair_borders,
     )
     for part in (Part.PAIR, Part.COMMON)
+)
+HITS, SPANS, SHADOW = (
+    Topic(
+        images=mirror_images,
+        simpler=simpler_crowds,
+        special=special_crowd,
+        picture=partial(_picture, part),
+        decisions=None if part is Part.SHADOW else _crowd_decisions,
+        borders=None if part is Part.SHADOW else partial(crowd_borders, part),
+        puzzle=_hits_puzzle if part is Part.HITS else None,
+    )
+    for part in (Part.HITS, Part.SPANS, Part.SHADOW)
 )

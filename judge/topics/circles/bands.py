@@ -75,12 +75,26 @@ class Bands:
 
     def ray(self, line: CircleLine) -> Surd | None:
         """The least t >= 0 of a common point, exactly 0 at the origin; None for a miss or D = 0."""
+        which = self.hit(line)
+        if which is None:
+            return None
+        return make(0, 0, 0, 1) if self._snap.within(line, which, 0) else line.root(which)
+
+    def hit(self, line: CircleLine) -> int | None:
+        """The common point that the ray meets first, as `which` of `CircleLine.point`: -1 enters, 1 leaves.
+
+        None for a miss or D = 0.
+        """
         for which in self.meets(line):
-            if self._snap.within(line, which, 0):
-                return make(0, 0, 0, 1)
-            if beyond(line, which, 0) > 0:
-                return line.root(which)
+            if beyond(line, which, 0) > 0 or self._snap.within(line, which, 0):
+                return which
         return None
+
+    def end(self, line: CircleLine, which: int) -> int | None:
+        """The end of the segment that the common point is at, 0 or 1; None where it is at neither."""
+        if self._snap.clear_of_ends(line, which):
+            return None
+        return next((t for t in (0, 1) if self._snap.within(line, which, t)), None)
 
     def broken_count(self, line: CircleLine) -> str | None:
         """Why the case breaks the promise of a counting problem, for a person; None where it is kept."""
@@ -123,6 +137,10 @@ class Bands:
             square, radius, extent, strictly=True
         )
 
+    def nearly(self, square: int, radius: int, extent: int) -> bool:
+        """Whether |√square − radius| is less than clear·extent, or 0."""
+        return square == radius * radius or self._clear.close(square, radius, extent, strictly=True)
+
     def _on_segment(self, line: CircleLine, which: int) -> bool:
         before = beyond(line, which, 0) < 0
         after = not before and beyond(line, which, 1) > 0
@@ -138,6 +156,8 @@ class Bands:
 
     def _broken_root(self, line: CircleLine, ends: tuple[tuple[int, str], ...]) -> str | None:
         for which in self.meets(line):
+            if self._clear.clear_of_ends(line, which):
+                continue
             for t, name in ends:
                 if not self._snap.within(line, which, t) and self._clear.within(
                     line, which, t, strictly=True
@@ -235,6 +255,12 @@ class Width:
             return False
         inner = radius - width
         return inner < 0 or square - inner * inner >= least
+
+    def clear_of_ends(self, line: CircleLine, which: int) -> bool:
+        """Whether the root is plainly farther than w·e from both ends; where it is False, `within` says."""
+        reach = self.n * line.extent * (isqrt(line.a) + 1) // self.m + 2  # as there, and what isqrt leaves
+        low = (which * isqrt(line.delta) if which else 0) - line.b
+        return abs(low) > reach < abs(low - line.a)
 
     def within(self, line: CircleLine, which: int, t: int, *, strictly: bool = False) -> bool:
         """Whether the root's distance to the point of parameter `t`, along the line, is <= (or <) w·e.

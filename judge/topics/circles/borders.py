@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import hypot, sqrt
+from typing import TypeVar
 
 from msgspec.structs import replace
 
@@ -20,6 +21,7 @@ from judge.topics.circles.part import Part
 
 _Triple = tuple[int, int, int]
 _Pair = tuple[float, float]
+_Numbers = TypeVar("_Numbers", bound=tuple[object, ...])
 
 _WIDEST = 0.03  # of the extent: a wider gap is not a near miss
 _OBLIQUE, _STEEP, _AXIS, _BACK = (3, 4, 5), (-7, 24, 25), (1, 0, 1), (-1, 0, 1)
@@ -27,6 +29,8 @@ _OBLIQUE, _STEEP, _AXIS, _BACK = (3, 4, 5), (-7, 24, 25), (1, 0, 1), (-1, 0, 1)
 _SMALL, _LARGE, _MEDIUM = 2.0**-22, 2.0**20, 2.0**-7
 _FAR = 2.0**20  # the offset, in units of the figure
 _NARROW, _NARROWEST = 2.0**-6, 2.0**-22  # of the extent: a radius, a length
+
+_LEAST = 2.0**-12  # the same where the promise bounds the radius from below, and half of it still keeps that
 
 _NEAR = 2.0**-4  # an end on the other side of the place than the far one
 
@@ -121,9 +125,9 @@ def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
     if part is Part.TANGENTS:
         outside = Border("a point on the circle", snap, clear, _lone_points(-1))
         return (outside, Border("a point on the circle from inside", snap, clear, _lone_points(1)))
-    ray = part is Part.RAY
+    ray = part.of_ray
     found = [Border("a tangency", snap, clear, _touches(part, -1))]
-    if part is not Part.CHORD:  # where a touch is a chord too
+    if part is not Part.CHORD and not part.of_vectors:  # where a touch has an answer of the same form
         found.append(Border("a tangency from inside", snap, clear, _touches(part, 1)))
     if part is Part.SEGMENT:
         found += [
@@ -139,7 +143,12 @@ def borders(part: Part, problem: Problem) -> tuple[Border, ...]:
             Border("a point just ahead", 0, 0, tuple(_origin(each, 1) for each in _ORIGINS), mistaken="none"),
         ]
     found.append(
-        Border("no direction" if ray else "no line", 0, 0, tuple(_short(each, ray=ray) for each in _SHORT))
+        Border(
+            "no direction" if ray else "no line",
+            0,
+            0,
+            tuple(_short(_allowed(each, part), ray=ray) for each in _SHORT),
+        )
     )
     return tuple(found)
 
@@ -148,7 +157,14 @@ def _touches(part: Part, side: int) -> tuple[Probe, ...]:
     layouts = list(_LINES)
     if part is not Part.SEGMENT:
         layouts[_SHORT_AT] = _SHORT_AND_FAR
-    return tuple(_touch(each, side, part) for each in layouts)
+    return tuple(_touch(_allowed(each, part), side, part) for each in layouts)
+
+
+def _allowed(each: _Numbers, part: Part) -> _Numbers:
+    """A layout whose circle is not smaller than the part's promise has it."""
+    if not part.of_vectors:
+        return each
+    return tuple(_LEAST if number == _NARROWEST else number for number in each)  # type: ignore[return-value]
 
 
 def _touch(each: _Layout, side: int, part: Part) -> Probe:
@@ -160,8 +176,8 @@ def _touch(each: _Layout, side: int, part: Part) -> Probe:
     widest = radius / 2
     if side > 0 and part is Part.SEGMENT:  # half the chord, about √(2·r·gap), stays within the segment
         widest = min(widest, (h * min(before, after)) ** 2 / (4 * radius))
-    probe = _probe((start, end), radius, side, widest, scale, far, ray=part is Part.RAY)
-    if side < 0 or part is not Part.RAY:
+    probe = _probe((start, end), radius, side, widest, scale, far, ray=part.of_ray)
+    if side < 0 or not part.of_ray:
         return probe
     # The first point steps back by half the chord, which is √(2·r·gap).
     rest, length = before / (before + after), hypot(p, q) * abs(before + after)

@@ -57,24 +57,24 @@ def decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
         turns.append(("end", ("on", "beyond"), partial(ends, bands)))
     if part is Part.SEGMENT or part.of_point:
         turns.append(("point", ("inside", "outside"), points))
-    if part is Part.RAY:
+    if part.of_ray:
         turns.append(("origin", ("ahead", "behind"), partial(origins, bands)))
     found = []
     for name, sides, measure in turns:
         found.append(Decision(name, sides, _of(part, measure), least=_FINEST, within=snap, beyond=clear))
         for side in sides:
-            quantities = _QUANTITIES[: 3 if part is Part.RAY or name == "point" else 5]
+            quantities = _QUANTITIES[: 3 if part.of_ray or name == "point" else 5]
             if (name, side) == ("point", "inside"):  # the radius is longer than anything else
                 quantities = _QUANTITIES[:1]
             by_extent = _of(part, partial(extents, measure, side))
             title = f"{name}, {side}, by the extent"
             found.append(Decision(title, quantities, by_extent, within=snap, beyond=clear))
-    if part is Part.TANGENTS:
+    if part is Part.TANGENTS or part.of_vectors:
         least = float(problem.bands["least_radius"])
         found.append(Decision("radius", ("radius",), _of(part, radii), least=least))
     if part.of_point:
         return tuple(found)
-    least, most = (1e-6, 1e6) if part is Part.RAY else (_FINEST, 1.0)
+    least, most = (1e-6, 1e6) if part.of_ray else (_FINEST, 1.0)
     found.append(Decision("apart", ("apart",), _of(part, lengths), least=least, most=most))
     found.append(Decision("slope", ("vertical", "horizontal"), _of(part, slopes), least=_FLATTEST))
     return tuple(found)

@@ -7,6 +7,7 @@ parameters along A + t·D are (−b ± √Δ)/a.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import isqrt
 
 from msgspec import Struct
@@ -56,6 +57,18 @@ class CircleLine(Struct, frozen=True):
         (icx, icy, ir, ox, oy, dx, dy), shift = integers(cx, cy, r, *origin, *direction)
         reach = max(ir, abs(ox - icx), abs(oy - icy))
         return _build((icx, icy, ir), (ox, oy), (dx, dy), shift, reach)
+
+    @classmethod
+    def scaled(
+        cls,
+        circle: tuple[int, int, int],
+        start: tuple[int, int],
+        direction: tuple[int, int],
+        shift: int,
+        extent: int,
+    ) -> CircleLine:
+        """The line of numbers that are integers already: (cx, cy, r), A, D. ValueError for r < 0."""
+        return _build(circle, start, direction, shift, extent)
 
     @property
     def degenerate(self) -> bool:
@@ -109,6 +122,43 @@ class CircleLine(Struct, frozen=True):
             Surd(self.cy * square + inverse * fy, reach * fx, over, square * unit),
         )
 
+    def outward(self, which: int) -> tuple[Surd, Surd]:
+        """The unit vector from C to the point, (k·n + which·√Δ·D)/(a·r), or to a foot beside C, ±n/√a.
+
+        Raises as `root` does, and ZeroDivisionError for r = 0 or a degenerate line.
+        """
+        if which == 0:
+            x, y = self.left_normal()
+            return (x, y) if self.k >= 0 else (-x, -y)
+        p, q = self._fold(which)
+        bottom = self.a * self.r
+        return (
+            Surd(p * self.dx - self.k * self.dy, q * self.dx, self.delta, bottom),
+            Surd(p * self.dy + self.k * self.dx, q * self.dy, self.delta, bottom),
+        )
+
+    def facing(self, which: int) -> tuple[Surd, Surd]:
+        """The unit normal at the point on the side that the line comes from: inward where it leaves."""
+        x, y = self.outward(which)
+        return (-x, -y) if which > 0 else (x, y)
+
+    def reflected(self, which: int) -> tuple[Surd, Surd]:
+        """D − 2(D·N)N at the point, N being the normal there: D·(1 − 2Δ/(a·r²)) − 2·which·k·√Δ/(a·r²)·n.
+
+        At a foot that is D itself. In the caller's units; raises as `outward` does.
+        """
+        if which == 0:
+            return make(self.dx, 0, 0, 1 << self.shift), make(self.dy, 0, 0, 1 << self.shift)
+        p, q = self._fold(which)
+        whole = self.a * self.r * self.r
+        along, across = whole - 2 * self.delta, -2 * self.k
+        x, y = along * self.dx - across * p * self.dy, along * self.dy + across * p * self.dx
+        bottom = whole << self.shift
+        return (
+            Surd(x, -across * q * self.dy, self.delta, bottom),
+            Surd(y, across * q * self.dx, self.delta, bottom),
+        )
+
     def distance(self) -> Surd:
         """|k|/|D|, the distance of C from the line, in the caller's units; 0 for a degenerate line."""
         return Surd(0, abs(self.k), self.a, self.a << self.shift) if self.a else make(0, 0, 0, 1)
@@ -137,6 +187,20 @@ class CircleLine(Struct, frozen=True):
         """e/max(|dx|, |dy|): the extent in units of t, rational; 0 for a degenerate line."""
         step = max(abs(self.dx), abs(self.dy))
         return make(self.extent, 0, 0, step) if step else make(0, 0, 0, 1)
+
+    def extent_reflected(self) -> Surd:
+        """e/r·max(|dx|, |dy|) in the caller's units, of vectors as long as D. ZeroDivisionError for r = 0."""
+        return make(self.extent * max(abs(self.dx), abs(self.dy)), 0, 0, self.r << self.shift)
+
+    def extent_radii(self) -> Surd:
+        """e/r: the extent in units of the radius, for directions from C. ZeroDivisionError for r = 0."""
+        return make(self.extent, 0, 0, self.r)
+
+    def small(self, least: Fraction) -> str | None:
+        """What is wrong with a radius that is less than that part of the extent, and not 0; or None."""
+        if 0 < self.r < least * self.extent:
+            return "the radius is not 0, but too small a part of the extent"
+        return None
 
     def _fold(self, which: int) -> tuple[int, int]:
         """which·√Δ as (p, q) of p + q·√Δ, with q = 0 where Δ is a perfect square."""

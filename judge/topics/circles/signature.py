@@ -13,6 +13,7 @@ from itertools import pairwise
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.draw import Draw
 from judge.problem import Case, Parameter
@@ -37,6 +38,11 @@ def circle_and_point(figure: Figure) -> Case:
     return (*figure.centre, figure.radius, figure.points[0])
 
 
+def circle_and_polygon(figure: Figure) -> Case:
+    """The arguments cx, cy, r, V; V is all of the figure's points."""
+    return (*figure.centre, figure.radius, figure.points)
+
+
 def two_circles(figure: Figure) -> Case:
     """The arguments cx1, cy1, r1, cx2, cy2, r2; C2 is the figure's first point, and r2 its first length."""
     return (*figure.centre, figure.radius, *figure.points[0], figure.lengths[0])
@@ -50,6 +56,19 @@ def line_and_point(figure: Figure) -> Case:
 def line_alone(figure: Figure) -> Case:
     """The arguments A, B."""
     return figure.points
+
+
+def circles_and_ray(figure: Figure) -> Case:
+    """The arguments circles, O, D: the points are the circles' centres, and O is the figure's own."""
+    radii = (figure.radius, *figure.lengths)
+    circles = tuple((*place, r) for place, r in zip(figure.points, radii, strict=True))
+    return circles, figure.centre, figure.vectors[0]
+
+
+def circles_ray_and_light(figure: Figure) -> Case:
+    """The arguments circles, O, D, L: the last point is the light."""
+    *places, light = figure.points
+    return *circles_and_ray(replace(figure, points=tuple(places))), light
 
 
 def points_only(figure: Figure) -> Case:
@@ -120,7 +139,7 @@ def read(part: Part, case: Case) -> tuple[Point, Number, Point, Point] | None:
         return case[2], 0, case[0], case[1]
     if part is Part.NORMAL and len(case) == 2 and all(isinstance(each, tuple) for each in case):
         return (0, 0), 0, case[0], case[1]
-    if part.of_point or part.of_pair or part in (Part.FOOT, Part.NORMAL):
+    if part.of_point or part.of_pair or part.of_crowd or part in (Part.FOOT, Part.NORMAL):
         return None
     return circle_and_pairs(case)
 
@@ -134,5 +153,5 @@ def line_of(part: Part, case: Case) -> CircleLine | None:
     if found is None:
         return None
     centre, radius, first, second = found
-    build = CircleLine.ray if part is Part.RAY else CircleLine.through
+    build = CircleLine.ray if part.of_ray else CircleLine.through
     return build(*centre, radius, first, second)

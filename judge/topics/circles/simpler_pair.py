@@ -10,6 +10,7 @@ from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 
 from judge.problem import Case, Problem
+from judge.topics.circles.digits import few, plain
 
 _DIGITS = 60
 _FINEST = 16  # digits that are kept at most
@@ -26,25 +27,13 @@ def simpler_pairs(_problem: Problem, case: Case) -> Iterator[Case]:
         away = (x * x + y * y).sqrt()
         for kept in range(1, _FINEST + 1):
             for dx, dy in ((away, Decimal(0)), (Decimal(0), away), (-away, Decimal(0)), (x, y)):
-                yield (0, 0, *(_number(_few(each, kept), floats) for each in (one, dx, dy, two)))
+                yield (0, 0, *(plain(few(each, kept), floats=floats) for each in (one, dx, dy, two)))
 
 
 def special_pair(case: Case) -> int:
     """How many of these a pair has: a radius of 0, another one, one centre of both."""
     cx1, cy1, r1, cx2, cy2, r2 = case
     return sum((r1 == 0, r2 == 0, (cx1, cy1) == (cx2, cy2)))
-
-
-def _few(value: Decimal, digits: int) -> Decimal:
-    if not value:
-        return value
-    return value.quantize(Decimal((0, (1,), value.adjusted() + 1 - digits)))
-
-
-def _number(value: Decimal, floats: bool) -> int | float:
-    if value == 0 or (value == value.to_integral_value() and not floats):
-        return int(value)
-    return float(value)
 
 
 def _decimal(value: Fraction) -> Decimal:

@@ -18,6 +18,10 @@ Coefficients = tuple[Number, Number, Number]
 Bits = Sequence[int]
 
 _MANTISSA = 53
+_UNEVEN = 440  # binary orders: the root of b² − a·c is that of one of them, to the last digit
+_ROOTS = 960  # of a root: it is to stay within the doubles
+_FACTORS = 75_000_000, 94_900_000  # so that the product of two is about 2**53 and below it
+_FINEST = 3_200_000_000_000_000  # the least b whose square is more than 1e31
 _SIMILAR = 3  # roots of similar size: neither is more than so many times the other
 
 
@@ -67,6 +71,17 @@ def linear(draw: Draw, *, size: int, numbers: str = "any") -> Coefficients:
     return _typed(draw, (0, b, c), numbers, draw.choice((0, -3)))
 
 
+def zeros(draw: Draw, *, size: int, numbers: str = "any") -> Coefficients:
+    """One of the three is not 0, or none is; as a float, 0 may be −0.0."""
+    whole = [0, 0, 0]
+    place = draw.choice((0, 0, 0, 1, 1, 1, 2, 3))
+    if place < len(whole):
+        whole[place] = draw.integer(1, size) * draw.sign()
+    numbers_typed = _typed(draw, (whole[0], whole[1], whole[2]), numbers, draw.choice((0, -3)))
+    a, b, c = (-each if each == 0 and draw.boolean() else each for each in numbers_typed)
+    return a, b, c
+
+
 def double(draw: Draw, *, size: int, numbers: str = "any") -> Coefficients:
     """Δ = 0: k·(p·t + q)²."""
     p, q, k = draw.integer(1, size), draw.integer(0, size) * draw.sign(), draw.integer(1, 9) * draw.sign()
@@ -101,6 +116,24 @@ def near_double(
     return _typed(draw, (sign * a, b_sign * b, sign * c), numbers, draw.choice((0, -20)))
 
 
+def finest(draw: Draw, *, numbers: str = "any") -> Coefficients:
+    """Δ = 1 beside a b² of more than 1e31, up to 2**106: two roots that differ in their last digits only.
+
+    With z·w = x·y + 2, (x·y + 1)² − x·z·y·w = 1.
+    """
+    x, z = (draw.integer(*_FACTORS) for _ in range(2))
+    if gcd(x, z) != 1:
+        draw.reject()
+    y = -2 * pow(x, -1, z) % z
+    w = (x * y + 2) // z
+    a, b, c = x * z, x * y + 1, y * w
+    require(b * b - a * c == 1, "Δ = 1")
+    if b < _FINEST or max(a, b, c) >= 1 << _MANTISSA:
+        draw.reject()
+    sign = draw.sign()
+    return _typed(draw, (sign * a, draw.sign() * b, sign * c), numbers, draw.choice((0, -20)))
+
+
 def wide(draw: Draw, *, exponents: Sequence[int], kinds: Sequence[str], numbers: str = "any") -> Coefficients:
     """Numbers whose squares leave the doubles: any of the `kinds` times 2**e, or a times it and c divided."""
     kind = draw.choice(kinds)
@@ -110,6 +143,17 @@ def wide(draw: Draw, *, exponents: Sequence[int], kinds: Sequence[str], numbers:
     if draw.integer(0, 3):
         return _typed(draw, (a, b, c), numbers, exponent)
     return _scaled(a, exponent), b, _scaled(c, -exponent)  # the roots are divided by 2**e
+
+
+def uneven(draw: Draw, *, exponents: Bits, size: int) -> Coefficients:
+    """Each number times a power of two of its own: b² and a·c are hundreds of binary orders apart."""
+    low, high = exponents
+    ea, eb, ec = (draw.integer(low, high) for _ in range(3))
+    apart = abs(2 * eb - ea - ec)
+    if apart < _UNEVEN or max(abs(eb - ea), abs(ec - eb), abs(ec - ea) // 2) > _ROOTS:
+        draw.reject()
+    a, b, c = (draw.integer(1, size) * draw.sign() for _ in range(3))
+    return ldexp(a, ea), ldexp(b, eb), ldexp(c, ec)
 
 
 def _typed(draw: Draw, whole: Whole, numbers: str, exponent: int) -> Coefficients:
@@ -146,6 +190,8 @@ _WIDE: Mapping[str, Callable[[Draw], Coefficients]] = {
     "double": lambda draw: double(draw, size=99, numbers="int"),
     "near-double": lambda draw: near_double(draw, bits=(4, 17), numbers="int"),
     "linear": lambda draw: linear(draw, size=99, numbers="int"),
+    "finest": lambda draw: finest(draw, numbers="int"),
+    "long-double": lambda draw: near_double(draw, bits=(22, 25), numbers="int"),
 }
 BUILDERS: Mapping[str, Callable[..., Coefficients]] = {
     "plain": plain,
@@ -153,7 +199,10 @@ BUILDERS: Mapping[str, Callable[..., Coefficients]] = {
     "b_zero": b_zero,
     "c_zero": c_zero,
     "linear": linear,
+    "zeros": zeros,
     "double": double,
     "near_double": near_double,
+    "finest": finest,
     "wide": wide,
+    "uneven": uneven,
 }

@@ -66,11 +66,12 @@ class ArrayType(Type):
         self._real = RealType() if code == "f64" else None
         self.measured = self._real is not None
         self.annotation = "array[float]" if self._real else "array[int]"
+        self.rounded_as = "list[float]" if self._real else "list[int]"
         self.noun = "an array of numbers" if self._real else "an array of ints"
         if self._real:
             self.rounded = f"[{self._real.rounded.format('item')} for item in {{0}}]"
         else:
-            self.rounded = "list({0})"  # which has no type in its text
+            self.rounded = "[int(item) for item in {0}]"  # which has no type in its text
 
     # -- exact answers and targets -------------------------------------------------------------------
 
@@ -110,9 +111,14 @@ class ArrayType(Type):
         return self._quick_ints if self._real is None else self._quick_doubles
 
     def _quick_ints(self, raw: Raw, target: Target) -> float | None:
-        if type(raw) is dict and raw.get("array") == [self._code, target]:
+        if type(raw) is not dict:
+            return None
+        if raw.get("array") == [self._code, target]:
             return NOTHING_MEASURED
-        return None
+        given = decode.numbers(raw)  # ints come in as few bytes as they fit into
+        if given is None or given.typecode in "fd" or _read(self._code, target) != given:
+            return None
+        return NOTHING_MEASURED
 
     def _quick_doubles(self, raw: Raw, target: Target) -> float | None:
         given = decode.numbers(raw)
@@ -140,6 +146,8 @@ class ArrayType(Type):
             )
         if not isinstance(found, list | tuple):
             return self._typed(found, place)
+        if set(map(type, found)) == {int}:  # a million of them, from a language without arrays of its own
+            return list(found)
         return [self._item(each, place, at) for at, each in enumerate(found)]
 
     def _typed(self, found: Any, place: Place) -> Any:
@@ -153,11 +161,10 @@ class ArrayType(Type):
 
     def _item(self, raw: Raw, place: Place, at: int) -> Any:
         given = decode.number(raw)
-        spot = _item(place, at).name()
         if isinstance(given, decode.Fault):
-            raise Unreadable(given.where(f"{spot} is meant"))
+            raise Unreadable(given.where(f"{_item(place, at).name()} is meant"))
         if self._real is None and not isinstance(given, int):
-            raise Unreadable(f"{decode.show(raw)} where {spot} is meant as an int")
+            raise Unreadable(f"{decode.show(raw)} where {_item(place, at).name()} is meant as an int")
         return given
 
     def matched(self, value: Any, target: Target, question: Question, place: Place) -> float:

@@ -25,7 +25,7 @@ class IntType(PlainType):
 
     def __init__(self, *, least: int | None = None) -> None:
         self.text = "int"
-        self._least = least
+        self.least = least
 
     @cached_property
     def check(self) -> Check:
@@ -51,10 +51,10 @@ class IntType(PlainType):
     def read(self, raw: Raw, question: Question, place: Place) -> Any:
         """An int of any size."""
         given = number(raw)
-        meant = f"{place.name() or self.noun} is meant"
         if isinstance(given, Fault):
-            raise Unreadable(given.where(meant))
+            raise Unreadable(given.where(f"{place.name() or self.noun} is meant"))
         if not isinstance(given, int):
+            meant = f"{place.name() or self.noun} is meant"
             name = "float" if isinstance(given, float) else "number"
             more = " as an int" if place.name() else ""
             raise Unreadable(f"the {name} {show(raw)} where {meant}{more}")
@@ -98,8 +98,8 @@ class IntType(PlainType):
 
     def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
         """Its own bound counts too."""
-        if self._least is not None and low < self._least:
-            low = self._least
+        if self.least is not None and low < self.least:
+            low = self.least
         return None if low <= value <= high else (value, low, high)
 
     def value_from(self, token: str) -> Any:
@@ -111,7 +111,7 @@ class IntType(PlainType):
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """The next simple number."""
-        return int(number(positive or (self._least is not None and self._least >= 0)))
+        return int(number(positive or (self.least is not None and self.least >= 0)))
 
 
 TYPE = IntType

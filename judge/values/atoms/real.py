@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from judge.values import numbers
 from judge.values.decode import Fault, number, written_off
+from judge.values.digits import cut_short
 from judge.values.likeness import Outline, Usual, only_digits
 from judge.values.lines import Tokens
 from judge.values.outcome import COORDINATES, Mismatch, Place, Unfit, Unreadable
@@ -36,7 +37,7 @@ class RealType(Type):
 
     def __init__(self, *, least: int | None = None) -> None:
         self.text = "real"
-        self._least = least
+        self.least = least
 
     def aimed(self, exact: Exact, tolerance: Tolerance, roots: Roots) -> Target:
         """The five doubles."""
@@ -79,7 +80,13 @@ class RealType(Type):
             return numbers.ulps_off(value, target)
         errors = numbers.errors(value, target)
         where = place.name(short=True) or question.words.answer or "the answer"
-        raise Mismatch(numbers.off(place.told() or where, errors), where, errors)
+        how = cut_short(value, numbers.exactly(target))
+        message = numbers.off(place.told() or where, errors) + (how and f"; {how}")
+        raise Mismatch(message, where, errors)
+
+    def fits(self, value: Any, target: Target, question: Question, place: Place) -> bool:
+        """Whether it lies in the interval."""
+        return numbers.accepts(value, target, lambda: question.exact_at(place))
 
     def take(self, tokens: Tokens) -> Raw:
         """A decimal."""
@@ -143,8 +150,8 @@ class RealType(Type):
 
     def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
         """Its own bound counts too."""
-        if self._least is not None and low < self._least:
-            low = self._least
+        if self.least is not None and low < self.least:
+            low = self.least
         return None if low <= value <= high else (value, low, high)
 
     def reals(self, value: Any) -> Iterator[Number]:
@@ -167,7 +174,7 @@ class RealType(Type):
 
     def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
         """The next simple number."""
-        return number(positive or (self._least is not None and self._least >= 0))
+        return number(positive or (self.least is not None and self.least >= 0))
 
 
 def float_of(token: str) -> float:

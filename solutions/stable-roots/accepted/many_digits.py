@@ -5,10 +5,10 @@ Everything in decimals of so many digits that a cancellation is no matter: produ
 stable way: a·c may be 2**1200 times smaller.
 """
 
-from decimal import Context, Decimal, localcontext
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, localcontext
 
-PLENTY = Context(prec=400, Emin=-99999, Emax=99999)
-SIXTY = Context(prec=60, Emin=-99999, Emax=99999)
+PLENTY = Context(prec=400, Emin=MIN_EMIN, Emax=MAX_EMAX)
+SIXTY = Context(prec=60, Emin=MIN_EMIN, Emax=MAX_EMAX)
 
 
 def quadratic_roots(a, b, c):

@@ -23,6 +23,7 @@ from msgspec import Struct
 from judge.data.draw import Draw, require
 from judge.topics.circles.figures.figure import Figure, with_radius
 from judge.topics.circles.line import CircleLine
+from judge.topics.circles.outline import CircleOutline
 from judge.topics.circles.window import Window
 
 _BITS = 64  # of what is computed here below the unit of the figure
@@ -109,8 +110,10 @@ def point_off(draw: Draw, figure: Figure, edge: Edge, side: str) -> Figure:
 
 
 def seen(figure: Figure) -> CircleLine:
-    """The figure's circle and line, in integers."""
+    """The figure's circle and line, in integers; of more than two points their polygon's first edge."""
     (start, *rest) = figure.points
+    if len(rest) > 1:
+        return CircleOutline.of(*figure.centre, figure.radius, figure.points).edges[0]
     if rest:
         return CircleLine.through(*figure.centre, figure.radius, start, rest[0])
     return CircleLine.ray(*figure.centre, figure.radius, start, figure.vectors[0])

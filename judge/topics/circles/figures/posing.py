@@ -55,11 +55,13 @@ def posed(
     centre: int = 2,
     scale: int = 0,
     far: int = 0,
+    leaning: Sequence[int] = (),
 ) -> Figure:
     """A level integer figure in one of `poses`.
 
     `divisor` divides it (by more than 1 only in the pose "any"), `centre` moves it by up to that many times
     its extent, `scale` multiplies it by 2**scale, and `far` finally moves it by up to ±2**far (exactly).
+    `leaning` bounds the octave of every second steep turn, so that it comes up more often.
     """
     pose = draw.choice(poses)
     require(pose in POSES, f"a pose is one of {', '.join(POSES)}")
@@ -70,7 +72,7 @@ def posed(
     reach = centre * int(figure.extent)
     figure = moved(figure, draw.integer(-reach, reach), draw.integer(-reach, reach))
     if pose in _ROUNDED:
-        figure = turned(figure, draw_turn(draw) if pose == "any" else slight_turn(draw), divisor)
+        figure = turned(figure, draw_turn(draw) if pose == "any" else slight_turn(draw, leaning), divisor)
     figure = scaled(figure, scale)
     if far:
         half = 1 << (far - 1)
@@ -97,9 +99,13 @@ def spun(figure: Figure, turn: Turn) -> Figure:
     )
 
 
-def slight_turn(draw: Draw) -> Turn:
-    """A rotation by an angle of 1 to 1e-14, all octaves equally likely, those of 1e-9 to 1e-10 more so."""
-    octave = draw.integer(*draw.choice(((1, _STEEPEST), (1, _STEEPEST), _TELLING)))
+def slight_turn(draw: Draw, leaning: Sequence[int] = ()) -> Turn:
+    """A rotation by an angle of 1 to 1e-14, all octaves equally likely, those of 1e-9 to 1e-10 more so.
+
+    Every second one is within the octaves of `leaning`, if there are such bounds.
+    """
+    often = (tuple(leaning),) * 3 if leaning else ()
+    octave = draw.integer(*draw.choice(((1, _STEEPEST), (1, _STEEPEST), _TELLING, *often)))
     m = draw.integer(1 << octave, 2 << octave)
     return Turn(m * m - 1, 2 * m * draw.sign(), m * m + 1)
 

@@ -2,34 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from judge.drawing.frame import ExactNumber
 from judge.exact import Surd
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
 from judge.topics.circles.picture.given import Drawable
+from judge.topics.circles.picture.spots import Spot, root
 from judge.values import Exact, Real
 
-_DIGITS = 30  # of a length that a point is drawn from
 _ARROW = Fraction(1, 3)  # of the extent: how long a normal is drawn
-
-
-@dataclass(frozen=True, slots=True)
-class Spot:
-    """An exact point in units of the scene, and its label."""
-
-    x: ExactNumber
-    y: ExactNumber
-    text: str
 
 
 def wanted_spots(part: Part, line: CircleLine, exact: Exact) -> tuple[Spot, ...]:
     """The exact answer's points: common points, a foot, or the tip of a normal."""
     one = 1 << line.shift
-    if exact is None or part is Part.POINT:
+    if exact is None or part is Part.POINT or part.of_vectors:
         return ()
     if part is Part.FOOT:
         x, y = foot_of(line)
@@ -54,6 +43,8 @@ def given_spots(part: Part, line: CircleLine, given: Drawable) -> tuple[Spot, ..
     one = 1 << line.shift
     if part is Part.NORMAL:
         return _tip(line, given)
+    if part.of_vectors:
+        return ()
     if given.points:
         return _numbered([(x * one, y * one) for x, y in given.points], "got")
     if given.number is None or part is Part.POINT:
@@ -66,12 +57,12 @@ def given_spots(part: Part, line: CircleLine, given: Drawable) -> tuple[Spot, ..
     fx, fy = foot_of(line)
     length = given.number * one
     if part is Part.CHORD:
-        steps = length / (2 * _root(line.a))
+        steps = length / (2 * root(line.a))
         return _numbered(
             [(fx + step * line.dx, fy + step * line.dy) for step in sorted({-steps, steps})], "got"
         )
     if part is Part.FOOT and line.k:
-        share = length / _root(Fraction(line.k * line.k, line.a))
+        share = length / root(Fraction(line.k * line.k, line.a))
         return (Spot(line.cx + share * (fx - line.cx), line.cy + share * (fy - line.cy), "got"),)
     return ()
 
@@ -101,13 +92,6 @@ def _common(line: CircleLine, count: int) -> tuple[Spot, ...]:
     one = 1 << line.shift
     points = [line.point(which) for which in ((0,) if count == 1 else (-1, 1))]
     return tuple(Spot(x * one, y * one, "common point") for x, y in points)
-
-
-def _root(square: Fraction | int) -> Fraction:
-    """The root of a positive number, to many digits."""
-    square = Fraction(square)
-    top, bottom = square.numerator, square.denominator
-    return Fraction(Surd(0, 1, top * bottom, bottom).decimal(_DIGITS))
 
 
 def _numbered(points: list[tuple[Any, Any]], word: str) -> tuple[Spot, ...]:

@@ -26,12 +26,12 @@ def read_given(raw: Raw) -> Drawable:
     """What `raw` holds: every two numbers in a list of their own are a point."""
     if type(raw) in (list, tuple):
         return Drawable(tuple(islice(_points(raw, _DEPTH), _MOST)), triple=_triple(raw))
-    return Drawable(number=_number(raw))
+    return Drawable(number=read_number(raw))
 
 
 def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:
     if len(items) == 2:
-        x, y = map(_number, items)
+        x, y = map(read_number, items)
         if x is not None and y is not None:
             yield x, y
             return
@@ -44,11 +44,12 @@ def _points(items: Raw, depth: int) -> Iterator[tuple[Fraction, Fraction]]:
 def _triple(items: Raw) -> tuple[Fraction, Fraction, Fraction] | None:
     if len(items) != 3:
         return None
-    x, y, z = map(_number, items)
+    x, y, z = map(read_number, items)
     return None if x is None or y is None or z is None else (x, y, z)
 
 
-def _number(raw: Raw) -> Fraction | None:
+def read_number(raw: Raw) -> Fraction | None:
+    """A number as it was given, exactly; None for anything else."""
     read = number(raw)
     if isinstance(read, Fault):
         return None

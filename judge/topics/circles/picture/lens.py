@@ -18,10 +18,10 @@ from judge.drawing.shapes import Bar, Dot, Mark, Panel, Role, Stroke
 from judge.exact import Surd
 from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
-from judge.topics.circles.picture.answers import Spot
 from judge.topics.circles.picture.couple import nearest_touch, pair_words, touching_place
 from judge.topics.circles.picture.marks import at_edge, distance, every_spot, extent, marks_in, merged
 from judge.topics.circles.picture.scene import Scene
+from judge.topics.circles.picture.spots import Spot
 from judge.topics.circles.picture.strokes import circles, pieces, straight
 from judge.topics.circles.picture.whole import scale_bar, whole_frame
 
@@ -64,7 +64,7 @@ def _magnified(title: str, factor: Fraction) -> str:
 
 def _error(scene: Scene, window: Fraction) -> _Place | None:
     """The worst of the given points that are nearly, but not quite, the wanted ones, each in its turn."""
-    if not scene.given or len(scene.given) != len(scene.wanted):
+    if scene.arrows or not scene.given or len(scene.given) != len(scene.wanted):
         return None
     errors = [_apart(got, wanted) for got, wanted in zip(scene.given, scene.wanted, strict=True)]
     worst = max(errors)
@@ -107,7 +107,7 @@ def gap_words(scene: Scene) -> str:
     if scene.pair:
         return pair_words(scene.pair)
     line, gap = scene.line, scene.gap
-    what = "the line" if line.a else ("O" if scene.part is Part.RAY else "the point")
+    what = "the line" if line.a else ("O" if scene.part.of_ray else "the point")
     side = gap.sign()
     if scene.part in (Part.FOOT, Part.NORMAL):
         away = f"is {short(abs(gap) / extent(scene))} e from" if side else "runs through" if line.a else "is"
@@ -128,12 +128,11 @@ def _ends(scene: Scene) -> list[_Place]:
     line = scene.line
     if scene.pair:
         return [_touch(scene.pair)]
-    ends: tuple[tuple[tuple[int, int], str], ...] = {
-        Part.SEGMENT: ((scene.start, "A"), (scene.end, "B")),
-        Part.RAY: ((scene.start, "O"),),
-        Part.POINT: ((scene.start, "P"),),
-        Part.TANGENTS: ((scene.start, "P"),),
-    }.get(scene.part, ())
+    ends: tuple[tuple[tuple[int, int], str], ...] = ()
+    if scene.part is Part.SEGMENT:
+        ends = (scene.start, "A"), (scene.end, "B")
+    elif scene.part.of_ray or scene.part.of_point:
+        ends = ((scene.start, "O" if scene.part.of_ray else "P"),)
     places = []
     for (x, y), name in ends if line.a else ends[:1]:
         square = (x - line.cx) ** 2 + (y - line.cy) ** 2
@@ -252,7 +251,7 @@ def _stretched(scene: Scene, place: _Place, across: Fraction) -> Panel:
         at = lens.place(spot)
         if inside(at):
             found.append(Mark(at, role, spot.text))
-        elif role is Role.GOT:
+        elif role is Role.GOT and not scene.crowded:
             fx, fy = scene.foot
             size = hypot(*at)
             away = distance(scene, length(spot.x - fx, spot.y - fy), in_extents=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import hypot
@@ -12,8 +12,8 @@ from judge.drawing.frame import Frame, direction, length, rounded
 from judge.drawing.lengths import short
 from judge.drawing.shapes import Dot, Mark, Role, Stroke
 from judge.topics.circles.part import Part
-from judge.topics.circles.picture.answers import Spot
 from judge.topics.circles.picture.scene import Scene
+from judge.topics.circles.picture.spots import Spot
 from judge.topics.circles.picture.strokes import straight
 
 _TOGETHER = 0.035  # marks closer than this share a label
@@ -28,7 +28,7 @@ def marks_in(frame: Frame, scene: Scene, *, beyond: bool) -> tuple[Mark, ...]:
         at = frame.place(spot.x, spot.y)
         if inside(at):
             found.append(Mark(at, role, spot.text))
-        elif role is Role.GOT or (beyond and role is Role.CASE):
+        elif (role is Role.GOT and (beyond or not scene.crowded)) or (beyond and role is Role.CASE):
             away = length(spot.x - frame.x, spot.y - frame.y)
             way = direction(rounded(spot.x - frame.x), rounded(spot.y - frame.y))
             text = f"{spot.text}, {distance(scene, away, in_extents=not beyond)}"
@@ -69,7 +69,8 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
     line = scene.line
     is_circle = scene.part not in (Part.FOOT, Part.NORMAL)
     centre = "C (r = 0)" if is_circle and not line.r else scene.centre
-    yield Spot(Fraction(line.cx), Fraction(line.cy), centre), Role.CASE
+    for place in scene.names or (Spot(Fraction(line.cx), Fraction(line.cy), centre),):
+        yield place, Role.CASE
     for at, name in zip((scene.start, scene.end), _names(scene), strict=True):
         if name:
             yield Spot(Fraction(at[0]), Fraction(at[1]), name), Role.CASE
@@ -78,7 +79,7 @@ def every_spot(scene: Scene) -> Iterable[tuple[Spot, Role]]:
 
 
 def _names(scene: Scene) -> tuple[str, str]:
-    if scene.part is Part.RAY:
+    if scene.part.of_ray:
         return ("O", "O + D (t = 1)") if scene.line.a else ("O (D = 0)", "")
     if scene.part.of_point or scene.pair:
         return "C2" if scene.pair else "P", ""
@@ -110,3 +111,19 @@ def _joined(first: str, second: str) -> str:
     if second == "common point" and first.endswith("common point"):
         return first.removesuffix("common point") + "2 common points"
     return f"{first}, {second}"
+
+
+def points_in(
+    frame: Frame, spots: Sequence[tuple[tuple[Fraction, Fraction], Role, str]], *, beyond: bool = True
+) -> tuple[Mark, ...]:
+    """Every such point in the panel, and with `beyond` those outside at its edge; of those in one place the
+    first has the words of all.
+    """
+    found: list[Mark] = []
+    for (x, y), role, text in spots:
+        at = frame.place(x, y)
+        if inside(at):
+            found.append(Mark(at, role, text))
+        elif beyond:
+            found.append(at_edge(direction(x - frame.x, y - frame.y), role, text))
+    return merged(found)

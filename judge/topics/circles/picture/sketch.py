@@ -7,14 +7,14 @@ from fractions import Fraction
 from math import cos, pi, sin
 from typing import Any
 
-from judge.drawing.clip import inside, polygon, polyline
+from judge.drawing.clip import polygon, polyline
 from judge.drawing.frame import Frame, direction, near, root
 from judge.drawing.lengths import round_below, short
-from judge.drawing.shapes import Bar, Fact, Mark, Panel, Picture, Role, Stroke
+from judge.drawing.shapes import Bar, Fact, Panel, Picture, Role, Stroke
 from judge.exact import Surd
 from judge.problem.topic import Shown
 from judge.topics.circles.picture.given import read_given
-from judge.topics.circles.picture.marks import at_edge
+from judge.topics.circles.picture.marks import points_in
 from judge.topics.circles.plane import Kind, cross_product, scalar_product
 
 Point = tuple[Fraction, Fraction]
@@ -23,7 +23,6 @@ IntPoint = tuple[int, int]
 _MARGIN = Fraction(5, 4)
 _BAR = Fraction(1, 2)
 _REACH = 4.0  # how far a line is followed, in panels
-_TOGETHER = 0.035  # marks closer than this share a label
 
 
 def sketch(kind: Kind, shown: Shown) -> Picture:
@@ -43,7 +42,7 @@ def sketch(kind: Kind, shown: Shown) -> Picture:
     frame = _frame([at for at, role, _ in spots if role is not Role.GOT], circle)
     strokes = (*_ring(frame, circle), *_straight(frame, kind, pair))
     bar = round_below(frame.unit * _BAR)
-    panel = Panel("True scale", strokes, _marks(frame, spots), (Bar(float(bar / frame.unit), short(bar)),))
+    panel = Panel("True scale", strokes, points_in(frame, spots), (Bar(float(bar / frame.unit), short(bar)),))
     said = _WORDS[kind](values)
     facts = (
         Fact("input", ", ".join(f"{name}={value}" for name, value in values.items())),
@@ -109,29 +108,6 @@ def _straight(frame: Frame, kind: Kind, pair: Sequence[IntPoint]) -> tuple[Strok
     whole = Role.BEYOND if kind is Kind.SIDE else Role.LINE
     beyond = [part for at, to in zip((end, start), far, strict=True) for part in polyline((at, to))]
     return (*(Stroke(part, whole) for part in beyond), *between)
-
-
-def _marks(frame: Frame, spots: Sequence[tuple[Point, Role, str]]) -> tuple[Mark, ...]:
-    """Every point in the panel or at its edge; of those in one place the first has the words of all."""
-    found: list[Mark] = []
-    for (x, y), role, text in spots:
-        at = frame.place(x, y)
-        if not inside(at):
-            found.append(at_edge(direction(x - frame.x, y - frame.y), role, text))
-            continue
-        same = next((i for i, other in enumerate(found) if other.text and _together(other, at)), None)
-        if same is None:
-            found.append(Mark(at, role, text))
-            continue
-        first = found[same]
-        shared = first.shared or first.role is not role
-        found[same] = Mark(first.at, first.role, f"{first.text}, {text}", None, shared)
-        found.append(Mark(at, role, ""))
-    return tuple(found)
-
-
-def _together(mark: Mark, at: tuple[float, float]) -> bool:
-    return mark.towards is None and max(abs(mark.at[0] - at[0]), abs(mark.at[1] - at[1])) < _TOGETHER
 
 
 # -- the geometry in words ---------------------------------------------------------------------------------

@@ -2,19 +2,40 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import cos, pi, sin, sqrt
+from typing import Protocol
 
 from judge.drawing.clip import polygon, polyline
-from judge.drawing.frame import Frame, direction, near, over_root, rounded
+from judge.drawing.frame import ExactNumber, Frame, direction, near, over_root, rounded
 from judge.drawing.shapes import Dot, Role, Stroke
 from judge.exact import Surd
-from judge.topics.circles.line import CircleLine
 from judge.topics.circles.part import Part
 from judge.topics.circles.picture.scene import Scene
+from judge.topics.circles.picture.spots import Spot
 
 _FLAT = 30.0  # a circle of more panels than this is drawn as the arc that can be seen
 _SEEN = 1.5  # half the panel's diagonal, and a little more
 _REACH = 4.0  # how far a line is followed
+
+
+class Round(Protocol):
+    """Whatever has a centre and a radius."""
+
+    @property
+    def cx(self) -> Fraction | int:
+        """The centre's x."""
+        ...
+
+    @property
+    def cy(self) -> Fraction | int:
+        """The centre's y."""
+        ...
+
+    @property
+    def r(self) -> int:
+        """The radius."""
+        ...
 
 
 def circles(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
@@ -22,11 +43,11 @@ def circles(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     return tuple(stroke for each in scene.circles for stroke in circle(frame, each))
 
 
-def circle(frame: Frame, line: CircleLine) -> tuple[Stroke, ...]:
+def circle(frame: Frame, line: Round) -> tuple[Stroke, ...]:
     """The disc, faintly filled, and its circle."""
     if not line.r:
         return ()
-    size = near(line.r / frame.unit)
+    size = near(Fraction(line.r) / frame.unit)
     dots = _whole_ring(frame, line, size) if size < _FLAT else _arc(frame, line)
     closed = (*dots, dots[0]) if size < _FLAT else dots
     area = polygon(dots if size < _FLAT else (*dots, *_within(frame, line, dots)))
@@ -34,14 +55,14 @@ def circle(frame: Frame, line: CircleLine) -> tuple[Stroke, ...]:
     return (*fill, *(Stroke(part, Role.SHAPE) for part in polyline(closed)))
 
 
-def _whole_ring(frame: Frame, line: CircleLine, size: float) -> tuple[Dot, ...]:
+def _whole_ring(frame: Frame, line: Round, size: float) -> tuple[Dot, ...]:
     x, y = frame.place(line.cx, line.cy)
     steps = 120 if size < 2 else 720
     turns = (2 * pi * step / steps for step in range(steps))
     return tuple((x + size * cos(turn), y + size * sin(turn)) for turn in turns)
 
 
-def _arc(frame: Frame, line: CircleLine) -> tuple[Dot, ...]:
+def _arc(frame: Frame, line: Round) -> tuple[Dot, ...]:
     """A large circle as seen from here: h outside it, falling away by v²/(r + √(r² − v²)) at v beside."""
     fx, fy = frame.x - line.cx, frame.y - line.cy
     square = fx * fx + fy * fy
@@ -57,7 +78,7 @@ def _arc(frame: Frame, line: CircleLine) -> tuple[Dot, ...]:
     return tuple(dots)
 
 
-def _within(frame: Frame, line: CircleLine, dots: tuple[Dot, ...]) -> tuple[Dot, Dot]:
+def _within(frame: Frame, line: Round, dots: tuple[Dot, ...]) -> tuple[Dot, Dot]:
     """Two corners that close an arc on its inner side."""
     ux, uy = direction(frame.x - line.cx, frame.y - line.cy)
     depth = 2 * _REACH + max(abs(x) + abs(y) for x, y in dots)
@@ -66,7 +87,11 @@ def _within(frame: Frame, line: CircleLine, dots: tuple[Dot, ...]) -> tuple[Dot,
 
 
 def straight(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
-    """The line, segment or ray with its direction, and faintly the line that it is part of."""
+    """The line, segment or ray with its direction, and faintly the line that it is part of; further ways."""
+    return (*_line(frame, scene), *_ways(frame, scene))
+
+
+def _line(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     line = scene.line
     if scene.part is Part.TANGENTS:
         return _tangents(frame, scene)
@@ -99,6 +124,18 @@ def _piece(offset: Dot, u: Dot, first: float, last: float, role: Role = Role.BEY
     return [Stroke(part, role, arrow=role is Role.LINE) for part in polyline(dots)]
 
 
+def _ways(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
+    """The further ways of a scene, each to the left of itself as far as it says."""
+    strokes = []
+    for way in scene.ways:
+        (x1, y1), (x2, y2) = frame.place(*way.start), frame.place(*way.end)
+        u, v = direction(scene.line.dx, scene.line.dy)
+        x, y = -v * way.beside, u * way.beside
+        ends = (x1 + x, y1 + y), (x2 + x, y2 + y)
+        strokes += [Stroke(part, Role(way.role)) for part in polyline(ends)]
+    return tuple(strokes)
+
+
 def _tangents(frame: Frame, scene: Scene) -> tuple[Stroke, ...]:
     """Lines from P to the points where tangents touch, and faintly to those of the submission."""
     start = frame.place(*scene.start)
@@ -127,6 +164,19 @@ def _across(frame: Frame, scene: Scene) -> list[Stroke]:
         ends = (frame.place(scene.line.cx, scene.line.cy), foot)
         return [Stroke(part, Role.BEYOND) for part in polyline(ends)]
     if scene.part is not Part.NORMAL:
-        return []
+        return _arrows(frame, scene)
     tips = [frame.place(spot.x, spot.y) for spot in (*scene.wanted, *scene.given)]
     return [Stroke(part, Role.LINE, arrow=True) for tip in tips for part in polyline((foot, tip))]
+
+
+def _arrows(frame: Frame, scene: Scene) -> list[Stroke]:
+    """The answers' vectors, each at its place."""
+    return [
+        Stroke(part, arrow.role, arrow=True)
+        for arrow in scene.arrows
+        for part in polyline((frame.place(*_at(arrow.start)), frame.place(*_at(arrow.tip))))
+    ]
+
+
+def _at(spot: Spot) -> tuple[ExactNumber, ExactNumber]:
+    return spot.x, spot.y

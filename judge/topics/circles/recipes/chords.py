@@ -14,12 +14,30 @@ from judge.topics.circles.figures.figure import Figure, Recipe, line, typed
 from judge.topics.circles.figures.posing import posed
 from judge.topics.circles.recipes import edges, endpoints
 
+_PARTS = 10**9  # of a radius, in which a small distance is counted
 
-def diameter(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """A line through the centre; A and B anywhere on it."""
-    radius = draw.integer(1, size)
-    start = draw.integer(-2 * size, 2 * size - 1)
-    figure = line((0, 0), radius, (start, 0), (draw.integer(start + 1, 2 * size), 0))
+
+def diameter(
+    draw: Draw, *, size: int, poses: Sequence[str], beside: Sequence[int] = (), **pose: Any
+) -> Figure:
+    """A line through the centre; A and B anywhere on it.
+
+    With `beside` it passes the centre by 1 in every third figure, and the bounds of the radius are these.
+    """
+    height = 1 if beside and draw.integer(0, 2) == 0 else 0
+    radius = draw.integer(*beside) if height else draw.integer(1, size)
+    reach = 2 * (radius if height else size)
+    start = draw.integer(-reach, reach - 1)
+    figure = line((0, 0), radius, (start, height), (draw.integer(start + 1, reach), height))
+    return posed(draw, figure, poses=poses, **pose)
+
+
+def off_centre(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
+    """A line past the centre by 1e-8 to 1e-2 of the radius, all magnitudes alike; A and B on either side."""
+    radius = draw.integer(max(2, size // 2), size)
+    offset = draw.integer(1, 9) * radius * 10 ** draw.integer(1, 6) * draw.sign()
+    start, end = -draw.integer(radius, 2 * size), draw.integer(radius, 2 * size)
+    figure = line((0, 0), radius * _PARTS, (start * _PARTS, offset), (end * _PARTS, offset))
     return posed(draw, figure, poses=poses, **pose)
 
 
@@ -58,4 +76,9 @@ def touch_edge(draw: Draw, *, close: Sequence[int], ratio: Sequence[int], **para
     return edges.tangent(draw, close=close if kind else (), **parameters)
 
 
-RECIPES: Mapping[str, Recipe] = {"diameter": diameter, "spread": spread, "touch-edge": touch_edge}
+RECIPES: Mapping[str, Recipe] = {
+    "diameter": diameter,
+    "off-centre": off_centre,
+    "spread": spread,
+    "touch-edge": touch_edge,
+}

@@ -26,6 +26,7 @@ _STEPS = 6  # bounds a ray's level direction before it is stretched
 _FARTHEST = 4  # powers of ten, in radii, that an end may be away
 _SHORT = (17, 22)  # bits: a segment 2.4e-7 to 1.5e-5 of the extent long, which may hold a root
 _TINY = (24, 50)  # and one that is too short for that
+_FOOT = 100_000  # parts of 1e-5 of a radius
 _SPECK = (41, 80)  # bits: a radius of at most 4.6e-13 of the extent
 
 
@@ -58,6 +59,35 @@ def tangent(
     if close:
         figure = closed_up(draw, figure, close)
     return _finished(draw, tangent_off(draw, figure, _edge(draw, edges), _side(draw, sides, "hit", "miss")))
+
+
+def at_foot(
+    draw: Draw,
+    *,
+    apart: Sequence[str],
+    poses: Sequence[str],
+    size: int = 1000,
+    scales: Sequence[int] = (0,),
+    **pose: Any,
+) -> Figure:
+    """A tangent by points 1e-6 to 1e-5 of the radius from where it touches: within the band of the circle.
+
+    A and B are on either side of the foot ("across"), on the same one ("beside"), or 5e-10 of the radius
+    from each other ("short").
+    """
+    radius = _radius(draw, size)
+    start, end = (draw.integer(_FOOT // 10, _FOOT) * radius for _ in range(2))
+    kind = draw.choice(apart)
+    require(kind in ("across", "beside", "short"), f"{kind!r} says how far A and B are apart")
+    if kind == "across":
+        end = -end
+    elif kind == "short":
+        end = start + radius * _FOOT // 20_000
+    if start == end:
+        draw.reject()
+    radius *= _FOOT * 100_000
+    figure = line((0, 0), radius, (start, radius * draw.sign()), (end, radius * draw.sign()))
+    return _finished(draw, _posed(draw, figure, poses, scales, pose))
 
 
 def ray_tangent(
@@ -223,9 +253,14 @@ def _side(draw: Draw, sides: Sequence[str], *known: str) -> str:
     return side
 
 
-LINES: Mapping[str, Recipe] = {"tangent-edge": tangent, "speck": partial(speck, counting.zero_radius)}
+LINES: Mapping[str, Recipe] = {
+    "tangent-edge": tangent,
+    "at-foot": at_foot,
+    "speck": partial(speck, counting.zero_radius),
+}
 SEGMENTS: Mapping[str, Recipe] = {
     "tangent-edge": tangent,
+    "at-foot": at_foot,
     "end-edge": end,
     "point-edge": point,
     "speck": partial(speck, endpoints.point_circle),

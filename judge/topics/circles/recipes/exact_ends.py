@@ -26,6 +26,7 @@ from judge.topics.circles.figures.numbers import off_by_one, pythagorean
 
 Sizes = int | Fraction | Sequence[int | Fraction]
 _OTHERS = ("inward", "across", "outward", "both")  # where the other end is, one being on the circle
+_POINTS = ("on", "off", "anywhere", "centre", "point")  # where a segment of one point is
 _STEEPEST = 10**6  # of a primitive direction with Δ' = −1: two squares are searched for
 
 
@@ -107,10 +108,11 @@ def inside(draw: Draw, *, size: Sizes) -> Figure:
     return _finished(draw, line((0, 0), radius, *ends), radius)
 
 
-def one_point(draw: Draw, *, size: Sizes) -> Figure:
-    """A == B: on the circle, by 1 in the square beside it, anywhere, at C, or all of the circle."""
+def one_point(draw: Draw, *, size: Sizes, where: Sequence[str] = _POINTS) -> Figure:
+    """A == B: on the circle, by 1 in the square beside it, anywhere, at C; all of the circle, or off it."""
     bound = _drawn(draw, size)
-    place = draw.choice(("on", "off", "anywhere", "centre", "point"))
+    place = draw.choice(where)
+    require(place in (*_POINTS, "beside"), f"{place!r} is a place for a point")
     point, radius = draw_point(draw, bound), draw.integer(1, bound)
     if place == "on":
         p, q, h = pythagorean(draw, 60)
@@ -121,6 +123,10 @@ def one_point(draw: Draw, *, size: Sizes) -> Figure:
         point = x, y
     elif place in ("centre", "point"):
         point, radius = (0, 0), radius if place == "centre" else 0
+    elif place == "beside":
+        radius = 0
+        if point == (0, 0):
+            draw.reject()
     return _finished(draw, line((0, 0), radius, point, point), max(9, bound))
 
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import inf, ldexp, nextafter
+from math import inf, isqrt, ldexp, nextafter
 from math import ulp as unit
 
 from judge.data.draw import Draw, require
-from judge.problem.model import Number
+from judge.problem.model import Number, Point
 from judge.topics.circles.figures import lines
 from judge.topics.circles.figures.figure import (
     Figure,
@@ -34,6 +34,10 @@ from judge.topics.circles.figures.lines import HIT, KINDS, MISS, TANGENT
 Sizes = int | Fraction | Sequence[int | Fraction]
 Exponents = int | Sequence[int]
 
+_LOST = Fraction(9, 2)  # units of 2**-53 that roundings in one direction lose in all, of 7 that they may
+_UNITS_LOST = 5.0  # the same of r²·a − k², in which more roundings are
+_DISTANCES = 3000  # from A to B, which are tried for that
+_TRIES, _STRIDE = 400, 0x9E3779B97F  # of a walk through numbers without a pattern
 _PLAIN_BITS, _PLAIN_SCALE = 46, -39  # a plain number is below 2**7 in magnitude and has 46 bits
 
 
@@ -112,6 +116,91 @@ def far(draw: Draw, *, size: Sizes, distance: Sizes, along: Sizes) -> Figure:
     return _finished(draw, moved(figure, away * draw.sign(), away * draw.sign()), 0, "any")
 
 
+def spread(draw: Draw, *, large: Sequence[int], little: Sequence[int]) -> Figure:
+    """A line through a place of the circle or next to it, with numbers of about 2**large and 2**little.
+
+    Seen from C, A is (0, r) or off it by a little, and B − A = (dx, dy) with a little dy or none. At its
+    smallest Δ is r²·dy², beside r²·dx².
+    """
+    up, down = draw.integer(*large), draw.integer(*little)
+    r, dx = (draw.integer(1, 99) << up for _ in range(2))
+    dy, off = (draw.choice((0, 0, 1, -1)) * ldexp(draw.integer(1, 99), down) for _ in range(2))
+    sides = draw.sign(), draw.sign()
+    centre, a, b = (0, -r), (0, off), (dx, dy or off)
+    corners: list[Point] = [(sides[0] * x, sides[1] * y) for x, y in (centre, a, b)]
+    if draw.boolean():
+        corners = [(y, x) for x, y in corners]
+    figure = as_floats(line(corners[0], r, corners[1], corners[2]))
+    return typed(draw, swapped(figure) if draw.boolean() else figure, "any")
+
+
+def one_place(draw: Draw) -> Figure:
+    """A tangent through a place of one of three circles, its other end off by a unit or not."""
+    x, y, r = draw.choice(((3, 4, 5), (5, 12, 13), (7, 24, 25)))
+    times = draw.sign() * draw.integer(1, 99) * 2 ** draw.integer(0, 30)
+    b = [float(x - times * y), float(y + times * x)]
+    place = draw.integer(0, 1)
+    b[place] = draw.choice((b[place], nextafter(b[place], inf), nextafter(b[place], -inf)))
+    return typed(draw, as_floats(line((0, 0), r, (x, y), (b[0], b[1]))), "any")
+
+
+def one_way(draw: Draw) -> Figure:
+    """C = A, and doubles in which all roundings of r²·a go one way, each by nearly half a unit."""
+    up = draw.boolean()
+    bx = _rounded_square(draw, up)
+    ax = (1 if up else -1) * draw.integer(9900, 9999) / 10000 * 2.0**-53
+    dy = draw.integer(1, 1 << 20) * 2.0**-45 * draw.sign()
+    dx = bx - ax
+    a = dx * dx + dy * dy
+    r = 1 + draw.integer(1, 1 << 50) * 2.0**-52
+    exact = Fraction(r) ** 2 * ((Fraction(bx) - Fraction(ax)) ** 2 + Fraction(dy) ** 2)
+    lost = (Fraction(r * r * a) - exact) / exact * (1 << 53) * (1 if up else -1)
+    if lost < _LOST:
+        draw.reject()
+    start, end = (ax, 0.0), (bx, dy)
+    if draw.boolean():
+        start, end = start[::-1], end[::-1]
+    return line(start, r, start, end)
+
+
+def unlucky(draw: Draw, *, exponent: Exponents = 0) -> Figure:
+    """A tangent but for 2**-100 whose roundings of r²·a and of k² add up to five units and turn the sign.
+
+    With dx, r ≈ 1, dy = √(a few units) and fx = 0, k² is 1 + dy² as well: fy = r·√a / dx, of which C and A
+    hold 106 bits between them.
+    """
+    up = draw.boolean()
+    dx, r = _rounded_square(draw, up), _rounded_square(draw, up)
+    start = draw.integer(0, 1 << 20)
+    for third in range(start, start + _DISTANCES * 7919, 7919):
+        dy = (1 + third % (1 << 18) / (1 << 15)) * 2.0**-26
+        square = Fraction(dx) ** 2 + Fraction(dy) ** 2
+        wanted = Fraction(r) * Fraction(isqrt(int(square * (1 << 212))), 1 << 106) / Fraction(dx)
+        cy = -float(wanted)
+        ay = float(wanted + Fraction(cy)) or 2.0**-60
+        by = ay + dy
+        k = dx * (ay - cy)
+        found = r * r * (dx * dx + (by - ay) * (by - ay)) - k * k
+        if (found > 0) is not up or abs(found) < _UNITS_LOST * 2.0**-53 * k * k:
+            continue
+        square = Fraction(dx) ** 2 + (Fraction(by) - Fraction(ay)) ** 2
+        exact = Fraction(r) ** 2 * square - (Fraction(dx) * (Fraction(ay) - Fraction(cy))) ** 2
+        if (exact > 0) is not up:
+            return _finished(draw, line((0.0, cy), r, (0.0, ay), (dx, by)), exponent, "float")
+    return draw.reject()
+
+
+def _rounded_square(draw: Draw, up: bool) -> float:
+    """A number just above 1 whose square loses nearly half a unit where it is rounded."""
+    number = draw.integer(1, 1 << 45)
+    for at in range(number, number + _TRIES * _STRIDE, _STRIDE):
+        whole = (1 << 52) + at % (1 << 46)
+        low = whole * whole % (1 << 52) - (1 << 51)  # beyond the half, where it is rounded up
+        if 0 < (low if up else -low) < 1 << 48:
+            return whole * 2.0**-52
+    return draw.reject()
+
+
 def one_point(draw: Draw, *, size: Sizes, exponent: Exponents = 0) -> Figure:
     """A == B: Δ = 0, whatever the circle."""
     return _finished(draw, lines.one_point(draw, _drawn(draw, size)), exponent, "any")
@@ -165,6 +254,10 @@ RECIPES: Mapping[str, Recipe] = {
     "turned": rotated,
     "through": through,
     "far": far,
+    "spread": spread,
+    "one_place": one_place,
+    "one_way": one_way,
+    "unlucky": unlucky,
     "one_point": one_point,
     "zero": zero,
     "nearly": nearly,

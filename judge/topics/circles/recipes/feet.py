@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from judge.data.draw import Draw, require
-from judge.topics.circles.figures.figure import Figure, Recipe, draw_point, line, typed
+from judge.topics.circles.figures.figure import Figure, Recipe, draw_point, line, moved, scaled, typed
 from judge.topics.circles.figures.lines import placed, primitive, with_cross
 from judge.topics.circles.figures.posing import closed_up, posed
 from judge.topics.circles.recipes import counting
@@ -68,6 +68,19 @@ def beside(
     return typed(draw, figure, "any")
 
 
+def remote(draw: Draw, *, size: int, far: int, finest: int) -> Figure:
+    """A line and a point of a small grid, which is divided by up to 2**finest, and is about `far` away.
+
+    There the coordinates of a foot are hardly ever doubles, and their rounding is much for such a figure.
+    """
+    figure = grid(draw, size=size)
+    if figure.points[0] == figure.points[1]:
+        draw.reject()
+    figure = scaled(figure, -draw.integer(0, finest))
+    dx, dy = (draw.sign() * draw.integer(far // 2, far) for _ in range(2))
+    return typed(draw, moved(figure, dx, dy), "any")
+
+
 def thin(draw: Draw, *, size: int) -> Figure:
     """P so close to the line that |D × f| is at most 9, for D of about `size`.
 
@@ -85,6 +98,7 @@ RECIPES: Mapping[str, Recipe] = {
     "grid": grid,
     "uniform": uniform,
     "beside": beside,
+    "remote": remote,
     "thin": thin,
     "degenerate": counting.degenerate,
 }

@@ -37,7 +37,7 @@ _CLOSE = 1000  # the centres are this part of the extent apart, at least
 def pair(draw: Draw, *, kinds: Sequence[str], size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """Two circles that are apart, touch (outer, inner), cross (crossing), or one inside the other (inside);
     about one centre (centre), the same circle (same), equal radii (equal); with a radius of 0 on the other
-    circle (on), off it (off), or both of them 0 (points, point).
+    circle (on), off it (off), at its centre (middle), or both of them 0 (points, point).
     """
     return posed(draw, _level(draw, draw.choice(kinds), size), poses=poses, **pose)
 
@@ -113,8 +113,10 @@ def _level(draw: Draw, kind: str, size: int) -> Figure:
     if kind in ("inner", "inside") and abs(one - other) < 2:
         other = one + draw.integer(2, size)
     least, most = abs(one - other), one + other
-    if kind in ("on", "off", "points", "point"):
-        one, other = draw.choice(((0, other), (one, 0))) if kind in ("on", "off") else (0, 0)
+    if kind in ("on", "off", "middle"):
+        one, other = draw.choice(((0, other), (one, 0)))
+    if kind in ("points", "point"):
+        one, other = 0, 0
     away = {
         "apart": lambda: draw.integer(most + 1, most + 2 * size),
         "outer": lambda: most,
@@ -135,7 +137,9 @@ def _level(draw: Draw, kind: str, size: int) -> Figure:
         away = 3 * size
     # C1 is beside the origin, so that a case is told from the next one.
     figure = moved(Figure((0, 0), one, ((away, 0),), (), (other,)), *draw_point(draw, size))
-    require(kind in ("same", "centre", "point") or away > 0, f"{kind!r} is a way for circles to lie")
+    require(
+        kind in ("same", "centre", "middle", "point") or away > 0, f"{kind!r} is a way for circles to lie"
+    )
     return figure
 
 

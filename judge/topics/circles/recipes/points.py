@@ -14,6 +14,7 @@ from judge.topics.circles.figures.numbers import off_by_one
 from judge.topics.circles.figures.posing import posed, rational_chord
 from judge.topics.circles.recipes.whole import BOUND, whole_segment
 
+_WHOLE = ("on", "point", "one", "one", "corners", "corners")
 _SIDES = ("inside", "on", "outside")
 
 
@@ -43,16 +44,17 @@ def point_circle(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) ->
     return posed(draw, Figure((x, y), 0, ((x + place[0], y + place[1]),)), poses=poses, centre=0, **pose)
 
 
-def whole(draw: Draw) -> Figure:
+def whole(draw: Draw, *, kinds: Sequence[str] = _WHOLE) -> Figure:
     """Whole numbers up to the bounds: exactly on the circle, off by one in |f|² − r², or nearly on it.
 
-    corners: P and the centre are opposite corners of the bounds, so that |f|² alone leaves 64 bits.
+    ones: off by one, and all of them ints; corners: P and the centre are opposite corners of the bounds, so
+    that |f|² alone leaves 64 bits.
     """
-    kind = draw.choice(("on", "point", "one", "one", "corners", "corners"))
+    kind = draw.choice(kinds)
     if kind == "corners":
         x, y = BOUND * draw.sign(), BOUND * draw.sign()
         return Figure((x, y), draw.choice((0, draw.integer(1, BOUND))), ((-x, -y),))
-    if kind != "one":
+    if kind not in ("one", "ones"):
         figure = whole_segment(draw, kinds=(kind,))
         on = [point for point in figure.points if _gap(figure, point) == 0 or kind == "point"]
         return Figure(figure.centre, figure.radius, (on[0],))
@@ -60,7 +62,7 @@ def whole(draw: Draw) -> Figure:
     if radius < 1 << 20:
         draw.reject()  # the band is that of a large circle
     cx, cy = draw_point(draw, 1 << 29)
-    return typed(draw, Figure((cx, cy), radius, ((cx + x, cy + y),)), "any")
+    return typed(draw, Figure((cx, cy), radius, ((cx + x, cy + y),)), "any" if kind == "one" else "int")
 
 
 def _gap(figure: Figure, point: tuple[float, float]) -> float:

@@ -22,15 +22,32 @@ Near = tuple[IntPoint, int, int]  # a direction, a cross product with it, a radi
 
 _BEST = 2  # of the choices that go so far in x, the last that counts as nearest
 _LEAST = 20  # how many of all choices do
+_NEARLY = 64  # less than this part of it below a size is nearly the size
 _STEPS = 3  # how many lengths of A→B a third point may be away along the line
 
 
-def scattered(draw: Draw, *, reach: Reach, points: int, circle: bool = False) -> Figure:
-    """So many points anywhere; with `circle` one about any centre, its radius at least 1."""
+def scattered(
+    draw: Draw, *, reach: Reach, points: int, circle: bool = False, corners: bool = False
+) -> Figure:
+    """So many points anywhere; with `circle` one about any centre, its radius at least 1.
+
+    With `corners` those of every second figure are nearly in the corners of what is within reach, or about
+    its middle.
+    """
     size = _reach(draw, reach)
+    if corners and draw.boolean():
+        return Figure((0, 0), 0, tuple(_corner(draw, size) for _ in range(points)))
     centre = draw_point(draw, size) if circle else (0, 0)
     radius = draw.integer(1, size) if circle else 0
     return Figure(centre, radius, tuple(draw_point(draw, size) for _ in range(points)))
+
+
+def apart(draw: Draw, *, reach: Reach) -> Figure:
+    """Two points anywhere, or nearly `reach` apart in x, and in y."""
+    size = _reach(draw, reach)
+    if draw.boolean():
+        return Figure((0, 0), 0, (draw_point(draw, size), draw_point(draw, size)))
+    return _fitted(draw, 0, ((0, 0), (_nearly(draw, size), _nearly(draw, size))), size)
 
 
 def lined_up(draw: Draw, *, reach: Reach) -> Figure:
@@ -41,8 +58,13 @@ def lined_up(draw: Draw, *, reach: Reach) -> Figure:
     return draw_mirrored(draw, Figure((0, 0), 0, ((x, y), (other, y))))
 
 
-def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
-    """A, B and P: the cross product of B − A and P − A is `off`, or a small multiple of it."""
+def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int], broad: int = 0) -> Figure:
+    """A, B and P: the cross product of B − A and P − A is `off`, or a small multiple of it.
+
+    In every fourth figure those differences are nearly `broad` in x and in y, unless it is 0.
+    """
+    if broad and draw.integer(0, 3) == 0:
+        return _fitted(draw, 0, ((0, 0), *_broad(draw, int(broad), off)), int(broad))
     size = _reach(draw, reach)
     direction = _direction(draw, 2 * size)
     times = draw.choice((1, 1, 1, 2))
@@ -51,8 +73,14 @@ def beside_line(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
     return _fitted(draw, 0, ((0, 0), end, away), size, swap=draw.boolean())
 
 
-def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
-    """A circle and P: on it, or off it by one at most, mostly as near as ints come."""
+def beside_circle(draw: Draw, *, reach: Reach, on: bool, broad: int = 0) -> Figure:
+    """A circle and P: on it, or off it by one at most, often on a diagonal and mostly as near as ints come.
+
+    In every eighth figure the radius is nearly `broad`, and P just above the circle's end, unless it is 0.
+    """
+    if broad and draw.integer(0, 7) == 0:
+        radius = _nearly(draw, int(broad))
+        return _fitted(draw, radius, ((radius, draw.integer(1, 3)),), 2 * int(broad))
     most = _reach(draw, reach)
     size = most // 2
     if on:
@@ -66,17 +94,31 @@ def beside_circle(draw: Draw, *, reach: Reach, on: bool) -> Figure:
         x, y, radius = off_by_one(draw, size, draw.sign())
     else:
         x, y = draw_point(draw, size)
+        if draw.boolean():
+            y = x + draw.integer(-1, 1)
         radius = isqrt(x * x + y * y) + draw.integer(0, 1)
     if radius == 0 or x * x + y * y == radius * radius:
         draw.reject()
     return _fitted(draw, radius, ((x, y),), most)
 
 
-def right_angle(draw: Draw, *, reach: Reach, off: Sequence[int]) -> Figure:
-    """A, B and P: the scalar product of A − P and B − P is `off`, 0 on the circle with the diameter AB."""
-    size = _reach(draw, reach)
-    first = _direction(draw, 2 * size)
-    u, v = _away(draw, first, off)
+def right_angle(
+    draw: Draw, *, reach: Reach, off: Sequence[int], broad: int = 0, level: bool = False
+) -> Figure:
+    """A, B and P: the scalar product of A − P and B − P is `off`, 0 on the circle with the diameter AB.
+
+    In every fourth figure those differences are nearly `broad` in x and in y, unless it is 0. With `level` AB
+    is level or upright in every third, and P on the circle.
+    """
+    if level and draw.integer(0, 2) == 0:
+        return _level_diameter(draw, _reach(draw, reach))
+    if broad and draw.integer(0, 3) == 0:
+        size = int(broad)
+        first, (u, v) = _broad(draw, size, off)
+    else:
+        size = _reach(draw, reach)
+        first = _direction(draw, 2 * size)
+        u, v = _away(draw, first, off)
     second = v, -u  # a quarter turn makes a scalar product of the cross product
     return _fitted(draw, 0, (first, second, (0, 0)), size, swap=draw.boolean())
 
@@ -172,6 +214,35 @@ def _away(draw: Draw, direction: IntPoint, off: Sequence[int]) -> IntPoint:
     return with_cross(direction, cross, 0 if cross and draw.boolean() else draw.integer(-_STEPS, _STEPS))
 
 
+def _level_diameter(draw: Draw, size: int) -> Figure:
+    """The foot of P divides AB into p²·n and q²·n, so P is on the circle at the height p·q·n."""
+    p, q = (draw.integer(1, isqrt(size)) for _ in range(2))
+    times = draw.integer(1, max(1, 2 * size // (p * p + q * q)))
+    points = (0, 0), ((p * p + q * q) * times, 0), (p * p * times, p * q * times)
+    return _fitted(draw, 0, points, size, swap=draw.boolean())
+
+
+def _broad(draw: Draw, size: int, off: Sequence[int]) -> tuple[IntPoint, IntPoint]:
+    """Two vectors whose cross product is one of `off`; all four numbers are nearly ±`size`."""
+    little = size // _NEARLY
+    step = primitive(_nearly(draw, little), _nearly(draw, little))
+    most = size // max(step) - 1
+    far = with_cross(step, draw.choice(off), _nearly(draw, most))
+    near, sign = (far[0] - step[0], far[1] - step[1]), draw.sign()
+    return far, (sign * near[0], sign * near[1])
+
+
+def _nearly(draw: Draw, size: int) -> int:
+    return size - draw.integer(0, size // _NEARLY)
+
+
+def _corner(draw: Draw, size: int) -> IntPoint:
+    """Nearly a corner of the square from −size to size; or a point about its middle."""
+    if draw.integer(0, 2) == 0:
+        return draw_point(draw, size // 8)
+    return draw.sign() * _nearly(draw, size), draw.sign() * _nearly(draw, size)
+
+
 def _direction(draw: Draw, size: int) -> IntPoint:
     """A vector without a common factor, of any magnitude."""
     x, y = draw_point(draw, _magnitude(draw, size))
@@ -214,6 +285,7 @@ def _reach(draw: Draw, reach: Reach) -> int:
 
 RECIPES: Mapping[str, Recipe] = {
     "scattered": scattered,
+    "apart": apart,
     "lined_up": lined_up,
     "beside_line": beside_line,
     "beside_circle": beside_circle,

@@ -8,27 +8,33 @@ checked. `kinds` are the figures to choose from.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import isqrt
 
 from judge.data.draw import Draw, require
 from judge.topics.circles.figures.edges import EDGES, seen, whole_gap
-from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, line, moved, ray
-from judge.topics.circles.figures.lines import HIT, MISS, TANGENT
+from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, integer, line, moved, ray
+from judge.topics.circles.figures.lines import HIT, MISS, TANGENT, least_gap_at_any_size
 from judge.topics.circles.figures.posing import rational_chord, small_turn, spun
 
 BOUND = 1 << 30  # of every number
 _OCTAVES = (10, 27)  # of a radius
 _STEPS = 1 << 20  # bounds a ray's direction
 _PROMISE = EDGES["clear"].window
+_BAND = EDGES["snap"].window.high
+_HAIR_OCTAVES = (24, 28)  # of a radius, and of all else, where a whole number that is not 0 is in the band
 
 
 def whole_line(draw: Draw, *, kinds: Sequence[str]) -> Figure:
     """A line that is a tangent, a hit or a miss, or (near-hit, near-miss) nearly a tangent.
 
-    corners: its points are opposite corners of the bounds, so that |B - A|² alone leaves 64 bits.
+    corners: its points are opposite corners of the bounds, so that |B - A|² alone leaves 64 bits;
+    within: it is off a tangent by less than the band, but not by nothing.
     """
     kind = draw.choice(kinds)
     if kind == "corners":
         return _corners(draw)
+    if kind == "within":
+        return _within(draw)
     radius = _radius(draw)
     start, end = _place(draw, radius), _place(draw, radius)
     if start == end:
@@ -86,9 +92,12 @@ def whole_ray(draw: Draw, *, kinds: Sequence[str]) -> Figure:
     """A ray that is a tangent, hits or misses, or (near-hit, near-miss) is nearly a tangent.
 
     on: its origin is on the circle. inside, past: it is nearly on it and looks in or out, the root just
-    behind; ahead, leaving: the same with the root just ahead.
+    behind; ahead, leaving: the same with the root just ahead. within: it is off a tangent by less than the
+    band, but not by nothing.
     """
     kind = draw.choice(kinds)
+    if kind == "within":
+        return _within_ray(draw)
     step = draw.integer(1, draw.choice((1, 9, _STEPS)))
     if kind in (TANGENT, HIT, MISS, "near-hit", "near-miss"):
         radius = _radius(draw)
@@ -123,6 +132,26 @@ def _corners(draw: Draw) -> Figure:
     if 9 * radius < 7 * across < 11 * radius:
         draw.reject()  # nearly a tangent, perhaps
     return line((cx, cy), radius, (x, y), (-x, -y))
+
+
+def _within(draw: Draw) -> Figure:
+    """A line with r²a − k² = ±m² for a small m, far off 0 in whole numbers and nothing beside the extent."""
+    size = 1 << draw.integer(*_HAIR_OCTAVES)
+    figure = draw_mirrored(draw, least_gap_at_any_size(draw, size, draw.choice((HIT, MISS))))
+    if figure.radius < 1 << 20:
+        draw.reject()
+    require(_BAND.touches(seen(figure)), "the line is a tangent by the band")
+    return figure
+
+
+def _within_ray(draw: Draw) -> Figure:
+    """A ray along such a line; the point of contact is far from its origin, three times in four ahead."""
+    figure = _within(draw)
+    line = seen(figure)
+    if 100 * abs(line.b) < isqrt(line.a) * line.extent:
+        draw.reject()
+    sign = (-1 if line.b > 0 else 1) * (1 if draw.integer(0, 3) else -1)
+    return ray(figure.centre, integer(figure.radius), figure.points[0], (sign * line.dx, sign * line.dy))
 
 
 def _line(draw: Draw, kind: str, radius: int, build: Callable[[int], Figure]) -> Figure:

@@ -1,0 +1,133 @@
+"""Who hands in what, and the row that comes of it: values that every other part of a batch speaks of.
+
+A *hand-in* is a file of one student. A *task* is what a worker needs to judge one: text and bytes, so that
+it can go to another process or machine. A *row* is what is kept of a hand-in: the published result, and who
+judged it where.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+from judge.digest import digest_of
+from judge.problem.verdict import Verdict
+
+
+class Student(Struct, frozen=True):
+    """Somebody of the class: the name of their folder or files, and what the list of students says of them.
+
+    `known` is whether that list holds them; where there is none, everybody is.
+    """
+
+    id: str
+    name: str = ""
+    group: str = ""
+    known: bool = True
+
+
+class Handin(Struct, frozen=True):
+    """A file that a student has handed in; `file` is its path within the class's folder, with slashes.
+
+    `problem` is the problem's id, empty where none is found. `why` says why it is not judged; then it is a
+    row of the table (JE), and `source` is empty.
+    """
+
+    student: str
+    problem: str
+    file: str
+    source: bytes = b""
+    why: str = ""
+
+    @property
+    def digest(self) -> str:
+        """The digest of the source, 64 hex digits: two hand-ins of one digest and problem are judged once."""
+        return digest_of(self.source)
+
+
+class Standard(Struct, frozen=True):
+    """By what a row was judged: two rows of one standard can be compared; another is judged anew.
+
+    `judge` is the judge's version and the hash of its code, `data` that of the problem's two folders,
+    `python` the interpreter's version, `isolation` the level, `terms` the digest of the options that decide
+    a verdict.
+    """
+
+    judge: str
+    data: str
+    python: str
+    isolation: str
+    terms: str
+
+
+class Task(Struct, frozen=True):
+    """What a worker is sent: the problem's id, the file's name for messages, its bytes, and as JSON the terms
+    of judging and the standard that the worker must agree with.
+
+    `folders` are folders of problems to look in first, on the machine that sends it.
+    """
+
+    problem: str
+    name: str
+    source: bytes
+    terms: str
+    standard: str
+    folders: tuple[str, ...] = ()
+
+
+class Done(Struct, frozen=True):
+    """What a worker sends back, as JSON: the published result, its notes, and where it was judged.
+
+    `machine` is the host's name, `busy` says why the ratio deserves less belief (empty where it does not),
+    `seconds` is the CPU time that the worker and its boxes used for it; `points` is what there was to earn.
+    """
+
+    result: dict[str, Any]
+    notes: tuple[str, ...] = ()
+    machine: str = ""
+    worker: str = ""
+    busy: str = ""
+    seconds: float = 0.0
+    points: int = 0
+
+
+class Row(Struct, frozen=True, dict=True):
+    """What is kept of one hand-in; `key` is the digest of the hand-in and its standard.
+
+    `copied` names the file of equal bytes that was judged in its place, empty where it was judged itself.
+    `json` is a `Done`, `at` the second of the epoch, `standard` a `Standard` as JSON.
+    """
+
+    key: str
+    student: str
+    problem: str
+    file: str
+    digest: str
+    verdict: str
+    score: int
+    points: int
+    mistake: str
+    machine: str
+    isolation: str
+    at: float
+    copied: str
+    json: str
+    standard: str = ""
+
+    @cached_property
+    def done(self) -> Done:
+        """What the worker sent."""
+        return msgspec.json.decode(self.json, type=Done)
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The published object of `judge run --json`."""
+        return self.done.result
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the verdict is AC."""
+        return self.verdict == Verdict.AC.value

@@ -1,0 +1,81 @@
+"""Of every mistake in a class one hand-in, with the smallest case that breaks it.
+
+Looking for that case takes about two seconds, so it is done for these alone, and only where a page shows it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePath
+from typing import Any
+
+from msgspec.structs import replace
+
+from judge.batch.model import Handin, Row
+from judge.errors import JudgeError
+from judge.judging.job import Terms
+from judge.judging.naming import Bars
+from judge.judging.session import Session, silent
+from judge.problem import Problem, Verdict
+from judge.report.cohort.parts import Cohort, Example
+
+_BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
+
+
+def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
+    """A row for each bar of each problem, in their order: that of its first student."""
+    by_file = {(row.problem, row.file): row for row in rows}
+    found = []
+    for view in cohort.views:
+        for bar in view.mistakes:
+            counted = cohort.marks[bar.students[0], view.problem]
+            found.append(by_file[view.problem, counted.file])
+    return found
+
+
+def examples(
+    rows: Sequence[Row],
+    handins: Iterable[Handin],
+    problems: Mapping[str, Problem],
+    terms: Terms = Terms(),  # noqa: B008 - frozen
+    bars: Bars = silent,
+) -> Iterator[Example]:
+    """What each of these rows shows, shrunk where its source and its problem are there.
+
+    One that cannot be judged again, or that another verdict comes of now, is shown as it was.
+    """
+    sources = {each.file: each.source for each in handins if each.source}
+    terms = replace(terms, timed=False, diagnosed=True)
+    for problem in dict.fromkeys(row.problem for row in rows):
+        own = [row for row in rows if row.problem == problem]
+        wanted = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
+        shrunk = _shrunk(problems[problem], wanted, sources, terms, bars) if problem in problems else {}
+        for row in own:
+            published, advice = shrunk.get(row.file, (row.result, {}))
+            yield Example(problem, row.mistake or row.verdict, row.file, published, advice)
+
+
+def _shrunk(
+    problem: Problem, rows: Sequence[Row], sources: Mapping[str, bytes], terms: Terms, bars: Bars
+) -> dict[str, tuple[dict[str, Any], dict[str, str]]]:
+    """By the files of these rows: the published result with the smallest case, and what is told of it."""
+    found: dict[str, tuple[dict[str, Any], dict[str, str]]] = {}
+    if not rows:
+        return found
+    try:
+        with bars(f"smallest cases of {problem.id}") as advance, Session(problem, terms) as session:
+            for done, row in enumerate(rows):
+                if advance:
+                    advance(done, len(rows))
+                result = session.judge(sources[row.file], PurePath(row.file).name)
+                if result.verdict.value == row.verdict:
+                    shown = row.result | {
+                        "failure": result.failure.as_json() if result.failure else None,
+                        "counterexample": result.counterexample,
+                    }
+                    pitfall = result.pitfall
+                    told = dict(zip(pitfall.names, pitfall.advice, strict=True)) if pitfall else {}
+                    found[row.file] = shown, told
+    except JudgeError:  # the page shows the failing cases as they are
+        return found
+    return found

@@ -1,0 +1,103 @@
+"""The list of a class's students: a CSV file, as spreadsheets write it.
+
+    id;name;group               the columns; without an `id`, the first is taken for it
+    ada;Ada Lovelace;a
+
+Commas, semicolons or tabs part the columns; the text is UTF-8, with a byte order mark or without.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from judge.batch.folder import legible
+from judge.batch.model import Handin, Student
+from judge.errors import UsageError
+from judge.reading import read_ordinary
+
+_LARGEST = 2**24  # bytes
+_SIGNS = ",;\t"
+_REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
+
+
+def read_students(path: Path) -> list[Student]:
+    """The students in the order of the list.
+
+    Raises:
+        UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
+    """
+    rows = _rows(_text(path), path)
+    head = next(rows, None)
+    if head is None:
+        raise UsageError("this list of students is empty", where=str(path), remedy=_REMEDY)
+    titles = [title.strip().casefold() for title in head[1]]
+    places = {title: place for place, title in reversed(list(enumerate(titles)))}
+    first = places.get("id", 0)
+    students: dict[str, Student] = {}
+    lines: dict[str, int] = {}
+    for number, row in rows:
+        cells = [cell.strip() for cell in row]
+        if not any(cells):
+            continue
+        found = cells[first] if first < len(cells) else ""
+        if not found:
+            raise _bad(path, number, "there is no id in this line", "write one, or take the line out")
+        name, group = _cell(cells, places.get("name")), _cell(cells, places.get("group"))
+        student = Student(legible(found), name, group)
+        if student.id in students:
+            what = f"{found} is in line {lines[student.id]} already"
+            raise _bad(path, number, what, "take one of the two lines out")
+        students[student.id], lines[student.id] = student, number
+    if not students:
+        raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
+    return list(students.values())
+
+
+def everyone(listed: Sequence[Student], handins: Iterable[Handin]) -> list[Student]:
+    """The students of the list, then those of the folder who are not in it; without a list all are known."""
+    known = {each.id for each in listed}
+    others = sorted({each.student for each in handins} - known)
+    return [*listed, *(Student(each, known=not listed) for each in others)]
+
+
+def _cell(cells: Sequence[str], place: int | None) -> str:
+    return cells[place] if place is not None and place < len(cells) else ""
+
+
+def _text(path: Path) -> str:
+    try:
+        content = read_ordinary(path, _LARGEST + 1)
+    except (OSError, ValueError) as fault:
+        reason = (getattr(fault, "strerror", None) or "no name for a file").lower()
+        raise UsageError(f"cannot be read ({reason})", where=str(path), remedy="name a CSV file") from fault
+    if len(content) > _LARGEST:
+        raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=str(path), remedy=_REMEDY)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as fault:
+        number = content.count(b"\n", 0, fault.start) + 1
+        raise _bad(path, number, f"this is not UTF-8: byte 0x{content[fault.start]:02x}") from fault
+
+
+def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
+    """The rows, each with the number of the line that it begins in. Raises UsageError."""
+    head = text.lstrip("\r\n").partition("\n")[0]
+    sign = max(_SIGNS, key=head.count)
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=sign, strict=True)
+    while True:
+        number = reader.line_num + 1
+        try:
+            row = next(reader)
+        except StopIteration:
+            return
+        except csv.Error as fault:
+            raise _bad(path, number, f"this is no line of a CSV file ({fault})") from fault
+        if any(cell.strip() for cell in row):
+            yield number, row
+
+
+def _bad(path: Path, number: int, what: str, remedy: str = _REMEDY) -> UsageError:
+    return UsageError(what, where=f"{path}:{number}", remedy=remedy)

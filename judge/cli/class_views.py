@@ -1,0 +1,164 @@
+"""What a class is shown after its table: the cohort, the files that were asked for, what is alike."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+
+from judge.batch.model import Handin, Row
+from judge.batch.outcome import Outcome
+from judge.cli.target import OutFile, moment
+from judge.errors import JudgeError
+from judge.judging.job import Terms
+from judge.problem import Problem
+from judge.problem.find import find_problem
+from judge.report.screen import note, out
+
+if TYPE_CHECKING:
+    from judge.report.cohort.parts import Cohort
+
+
+class Views(Struct, frozen=True):
+    """The files that a person has asked for, and how much of the cohort; `similar` names a detector."""
+
+    csv: Path | None = None
+    html: Path | None = None
+    junit: Path | None = None
+    similar: str | None = None
+    whole: bool = False
+
+    @property
+    def any_file(self) -> bool:
+        """Whether anything but the screen was asked for."""
+        return any((self.csv, self.html, self.junit, self.similar))
+
+    def check(self) -> None:
+        """Refuse, before anything is judged, what cannot be written. Raises UsageError."""
+        for target in self._targets().values():
+            target.check()
+        if self.html:
+            moment()
+
+    def _targets(self) -> dict[str, OutFile]:
+        from judge.report.cohort.gradebook import is_gradebook
+        from judge.report.cohort.page import is_class_page
+
+        kinds = {
+            "csv": (self.csv, "gradebook", is_gradebook),
+            "html": (self.html, "page of a class", is_class_page),
+            "junit": (self.junit, "JUnit XML", _is_junit),
+        }
+        return {
+            name: OutFile(path, f"--{name}", kind, ours) for name, (path, kind, ours) in kinds.items() if path
+        }
+
+    def show(self, scene: Scene, *, screen: bool) -> dict[str, Any]:
+        """Write the files and, where a person reads, show the cohort; the cohort as it is published.
+
+        Raises:
+            UsageError: a file cannot be written.
+        """
+        cohort = scene.cohort()
+        if screen:
+            from judge.report.cohort.lines import Glyphs, cohort_lines
+
+            shown = out()
+            lines = list(cohort_lines(cohort, shown.width, whole=self.whole, glyphs=Glyphs.of(shown)))
+            while lines and not lines[-1]:
+                lines.pop()
+            shown.show([(), *lines] if lines else [])
+        self._write(scene, cohort)
+        if self.similar:
+            _tell_similar(scene)
+        return cohort.as_json()
+
+    def _write(self, scene: Scene, cohort: Cohort) -> None:
+        targets = self._targets()
+        if "csv" in targets:
+            from judge.report.cohort.gradebook import gradebook
+
+            targets["csv"].write(gradebook(cohort))
+        if "junit" in targets:
+            from judge.batch.results import batch_junit
+
+            targets["junit"].write(batch_junit(scene.outcome.rows, scene.problems))
+        if "html" in targets:
+            targets["html"].write(scene.page(cohort))
+
+
+class Scene(Struct, frozen=True):
+    """A class that was judged: what it came to, what was handed in, and all that was handed in before.
+
+    `problems` are those that are still there.
+    """
+
+    folder: Path
+    store: Path
+    outcome: Outcome
+    handins: Sequence[Handin]
+    history: Sequence[Row]
+    problems: Mapping[str, Problem]
+    terms: Terms
+
+    def cohort(self) -> Cohort:
+        """The class as it stands."""
+        from judge.batch.cohort import cohort_of
+        from judge.batch.equal import equal_files
+
+        present = {(row.problem, row.file) for row in self.outcome.rows}
+        handins = [each for each in self.handins if (each.problem, each.file) in present]
+        return cohort_of(self.outcome, self.history, equal_files(handins, self.problems))
+
+    def page(self, cohort: Cohort) -> bytes:
+        """The class as a page, the smallest cases found now."""
+        from judge.batch.representatives import examples, representatives
+        from judge.batch.results import advice_of
+        from judge.report.cohort.page import render_class
+        from judge.report.page.known import KnownProblem
+        from judge.report.progress import progress
+
+        rows = representatives(cohort, self.outcome.rows)
+        shown = list(examples(rows, self.handins, self.problems, self.terms, progress))
+        known = {name: KnownProblem(each, advice_of(each)) for name, each in self.problems.items()}
+        title = self.folder.resolve().name or "class"
+        return render_class(cohort, shown, known, title=title, generated=moment())
+
+
+def problems_of(names: Sequence[str], folders: Sequence[Path]) -> dict[str, Problem]:
+    """The problems of these ids that can be read; of the others the table has told."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = find_problem(name, folders)
+        except JudgeError:
+            continue
+    return found
+
+
+def _tell_similar(scene: Scene) -> None:
+    """Write what Dolos reads, call it where it is there, and say where everything is."""
+    from judge.batch.similar import INSTALL, compared, dolos, similar_folder
+
+    folder = similar_folder(scene.store)
+    told = compared(folder, scene.outcome, scene.handins, scene.problems)
+    if not told:
+        note("nothing for Dolos to compare: no problem has files of two students in one language")
+        return
+    for each in told:
+        if each.report:
+            note(f"Dolos compared {each.files} files: dolos serve {each.report}")
+        elif each.why:
+            note(f"Dolos made no report of {each.archive}: {each.why}")
+        else:
+            note(f"{each.files} files for Dolos: {each.archive}")
+    if dolos() is None:
+        note(f"Dolos is not installed here: {INSTALL}, and the same command once more")
+    else:
+        note("likeness is no proof: short solutions are often alike")
+
+
+def _is_junit(start: bytes) -> bool:
+    return b"<testsuite" in start

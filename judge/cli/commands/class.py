@@ -1,0 +1,196 @@
+"""`judge class`: judge what a class has handed in."""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from judge.cli.judging_options import (
+    isolation_option,
+    jobs_option,
+    junit_option,
+    keys_option,
+    no_name_option,
+)
+from judge.cli.options import json_option, level_option, problems_option
+from judge.errors import ExitCode, UsageError
+from judge.judging.job import Terms
+from judge.report.screen import note
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from judge.judging.executors import Executor
+    from judge.problem import Problem
+
+
+@click.command("class")
+@click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
+@click.argument("more", metavar="[STORE...]", nargs=-1, type=click.Path(path_type=Path))
+@click.option(
+    "--students",
+    metavar="LIST",
+    type=click.Path(path_type=Path),
+    help="A CSV file with the columns id, name and group: who is in the class.",
+)
+@jobs_option
+@click.option(
+    "--on",
+    "where",
+    metavar="WHERE",
+    help="Judge on other machines: tls://HOST:PORT, ssh:HOSTS.txt, slurm. See 'judge help cluster'.",
+)
+@keys_option
+@click.option(
+    "--out",
+    "place",
+    metavar="STORE",
+    type=click.Path(path_type=Path),
+    help="Keep the results in this file, instead of FOLDER.judge.sqlite3.",
+)
+@click.option(
+    "--problem", "only", metavar="PROBLEM", multiple=True, help="Only this problem; may be given again."
+)
+@click.option(
+    "--again",
+    metavar="WHOSE",
+    multiple=True,
+    help="Judge a student's, a problem's or one file anew; may be given again.",
+)
+@no_name_option
+@level_option
+@isolation_option
+@click.option("--shard", metavar="K/N", help="Judge only part K of N, without a word to the others.")
+@click.option(
+    "--merge",
+    "part",
+    metavar="STORE",
+    type=click.Path(path_type=Path),
+    help="Put the results of shards together instead of judging: --merge *-of-20.sqlite3.",
+)
+@json_option
+@click.option("-q", "--quiet", is_flag=True, help="Only the table.")
+@click.option("--all", "whole", is_flag=True, help="Show all of the cohort; with --json, as a last object.")
+@click.option(
+    "--csv",
+    "csv",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write the gradebook, a line a student.",
+)
+@click.option(
+    "--html",
+    "html",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write one page of it all, with a picture of each mistake.",
+)
+@junit_option
+@click.option(
+    "--similar",
+    metavar="DETECTOR",
+    type=click.Choice(["dolos"]),
+    help="Write what the detector dolos reads, and call it where it is installed.",
+)
+@problems_option
+def command(
+    folder: Path,
+    more: tuple[Path, ...],
+    students: Path | None,
+    jobs: int,
+    where: str | None,
+    keys: Path | None,
+    place: Path | None,
+    only: tuple[str, ...],
+    again: tuple[str, ...],
+    no_name: bool,
+    kata_level: str | None,
+    level: str | None,
+    shard: str | None,
+    part: Path | None,
+    as_json: bool,
+    quiet: bool,
+    whole: bool,
+    csv: Path | None,
+    html: Path | None,
+    junit: Path | None,
+    similar: str | None,
+    folders: tuple[Path, ...],
+) -> ExitCode:
+    """Judge what a class has handed in.
+
+    FOLDER holds STUDENT/PROBLEM.py, or PROBLEM/STUDENT.py, in any language; a file of another name is for the
+    problem whose function it defines. Each row is kept in FOLDER.judge.sqlite3 as soon as it is there: the
+    same command goes on after Ctrl-C or a crash, and judges only what is new. Of several files of a student
+    for one problem the best counts. Equal texts are judged once.
+
+    Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
+    """
+    from judge.batch.folder import root_of
+    from judge.batch.shards import Shard
+    from judge.batch.store import Store
+    from judge.cli.class_views import Views
+    from judge.cli.classroom import Classroom, Wanted
+    from judge.problem.find import find_problem
+
+    if more and part is None:
+        raise UsageError("a class is one folder", where=str(more[0]), remedy="judge one after another")
+    parts = (part, *more) if part is not None else ()
+    if shard is not None and parts:
+        raise UsageError("--shard and --merge contradict each other", remedy="leave one out")
+    if where is not None and (parts or jobs > 1):
+        remedy = "leave one out"
+        raise UsageError(f"--on and {'--merge' if parts else '-j'} contradict each other", remedy=remedy)
+    root_of(folder)  # before a file is made beside it
+    views = Views(csv, html, junit, similar, whole)
+    if shard is not None and views.any_file:
+        remedy = "give these options with --merge, when all parts are there"
+        raise UsageError("a shard is no whole class", where="--shard", remedy=remedy)
+    views.check()
+    for each in only:
+        find_problem(each, folders)
+    terms = Terms((), None, level, diagnosed=False, named=not no_name, level=kata_level)
+    wanted = Wanted(
+        folder,
+        terms,
+        students=students,
+        out=place,
+        only=only,
+        again=again,
+        folders=folders,
+        shard=Shard.read(shard) if shard is not None else None,
+        parts=parts,
+        as_json=as_json,
+        quiet=quiet,
+    )
+    with Store.open(wanted.place) as store:
+        classroom = Classroom(wanted, store)
+        try:
+            if parts:
+                classroom.merge()
+            else:
+                with _executor(where, keys, jobs, classroom.problems, level) as executor:
+                    classroom.judge(executor)
+        except KeyboardInterrupt:
+            classroom.close(interrupted=True)
+            raise
+        found = classroom.close()
+        classroom.show_views(views, found)
+        return found.exit_code
+
+
+def _executor(
+    where: str | None, keys: Path | None, jobs: int, problems: Callable[[], list[Problem]], level: str | None
+) -> AbstractContextManager[Executor]:
+    """Who judges: this machine, or others."""
+    if where is not None:
+        from judge.cluster.on import executor_at
+
+        return executor_at(where, problems(), level=level, keys=keys, say=note)
+    from judge.judging.executors import Here
+    from judge.judging.processes import Processes
+
+    return nullcontext(Processes(jobs) if jobs > 1 else Here())

@@ -1,0 +1,55 @@
+"""What to drill: rows of the checklist, each with the commands that practise it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from judge.kata.checklist import Row, read_checklist
+from judge.problem.find import problem_folders
+
+if TYPE_CHECKING:
+    from judge.kata.quiz.cards import Card
+    from judge.kata.review import CardReview
+
+
+def known_cards(found: Sequence[CardReview], folders: Sequence[Path]) -> list[CardReview]:
+    """Those reviews whose card is in a deck that can be read; a broken one is told of by `judge quiz`."""
+    from judge.kata.quiz.cards import sound_decks
+
+    decks, _ = sound_decks(folders)
+    keys = {card.key for deck in decks for card in deck.cards}
+    return [review for review in found if review.card in keys]
+
+
+def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
+    """How many cards are due today."""
+    from judge.kata.history import History, now
+    from judge.kata.review import card_reviews
+
+    with History.open(db, reading=True) as history:
+        answers = history.answers()
+    today = now().astimezone()
+    found = card_reviews(answers, today) if answers else []
+    return sum(review.is_due(today) for review in known_cards(found, folders)) if found else 0
+
+
+def to_drill(
+    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = MappingProxyType({})
+) -> list[tuple[Row, tuple[str, ...]]]:
+    """The rows of cards that were not known, and those in `more` with a command; each once, in its order.
+
+    A card that drills several rows stands for its first one.
+    """
+    carded = {card.rows[0] for card in missed if card.rows}
+    here = {folder.name for folder in problem_folders(folders)}
+    found = []
+    for row in read_checklist(folders).rows:
+        if row.id not in carded and row.id not in more:
+            continue
+        commands = [f"judge quiz --row {row.id}"] if row.id in carded else [more[row.id]]
+        commands += [f"judge init {kata}" for kata in row.katas if kata in here]
+        found.append((row, tuple(commands)))
+    return found

@@ -1,0 +1,72 @@
+"""Breaking a known wrong program with a case of one's own: what it says of the case, and a smallest one."""
+
+from __future__ import annotations
+
+from judge.data.load import load_data
+from judge.data.module import load_module
+from judge.diagnose.replay import decode
+from judge.errors import JudgeError, UsageError
+from judge.judging.job import Terms
+from judge.judging.naming import Bars
+from judge.judging.session import Session, silent
+from judge.judging.trying import ask, try_case
+from judge.languages import file_name
+from judge.mistakes.puzzles import Puzzle
+from judge.problem import Case, Problem, Verdict
+from judge.problem.solutions import accepted_source
+from judge.run.tried import Hacked, Said, Tried
+
+NAME = file_name("program")  # what the wrong program is called in a message
+
+
+def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = None) -> Hacked:
+    """What the puzzle's program says of the case, contained, and whether that is rejected.
+
+    Raises:
+        UsageError: the isolation that is asked for cannot be had.
+        JudgeError: the problem is broken, or nothing can be run here.
+    """
+    try:
+        tried = try_case(problem, case, puzzle.group.name)
+    except UsageError as fault:
+        return Hacked(fault.what)
+    with Session(problem, Terms(isolation=isolation)) as session:
+        said = _asked(session, tried, puzzle.source)
+        notes = tuple(session.containment.notes(said.isolation))
+        if said.verdict is Verdict.AC:
+            return Hacked("the program answers this case rightly", tried, said, notes)
+        model = accepted_source(problem, problem.time.function) if puzzle.special and problem.time else None
+        if model is not None and _asked(session, tried, model).verdict is not Verdict.AC:
+            why = f"the tolerance of {puzzle.group.name} holds here, and a right program misses it too"
+            return Hacked(why, tried, said, notes)
+        return Hacked("", tried, said, notes)
+
+
+def smallest(
+    problem: Problem, puzzle: Puzzle, isolation: str | None = None, bars: Bars = silent
+) -> tuple[Tried, Said] | None:
+    """A smallest case that breaks the program, and what it says of it; None where none of its group does.
+
+    Raises as `hack`.
+    """
+    terms = Terms(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
+    with Session(problem, terms, bars=bars) as session:
+        result = session.judge(puzzle.source, NAME)
+        found = (result.counterexample or {}).get("replay")
+        failure = result.failure
+        if found:
+            case = decode(found, problem, load_module(problem)).case
+        elif failure is not None and failure.group and failure.case:
+            data = next(each for each in load_data(problem).groups if each.group.name == failure.group)
+            case = data.cases[failure.case - 1]
+        else:
+            return None
+        tried = try_case(problem, case, puzzle.group.name)
+        return tried, _asked(session, tried, puzzle.source)
+
+
+def _asked(session: Session, tried: Tried, source: bytes) -> Said:
+    said = ask(session, tried, source, NAME)
+    if said.verdict is Verdict.JE:
+        raise JudgeError(said.message)
+    return said

@@ -1,0 +1,66 @@
+"""Which files are programs to judge, and in which language each is written, by the end of its name.
+
+Python's own end is known here. The others are data, a TOML file each, and none is read before a name asks.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from judge.languages.model import Language
+
+NAME = "Python"
+SUFFIX = ".py"
+VARIABLE = "JUDGE_LANGUAGES"  # more folders with such files, parted by the system's own sign
+PATTERN = f"*{SUFFIX}"  # of such files, for a shell and for a person
+
+
+def is_program(name: str | os.PathLike[str]) -> bool:
+    """Whether a file of that name is a program, and not hidden."""
+    path = PurePath(name)
+    if path.name.startswith("."):
+        return False
+    return path.suffix == SUFFIX or language_of(path) is not None
+
+
+def language_of(name: str | os.PathLike[str]) -> Language | None:
+    """The language of a file of that name; None for Python's, and for what is in none.
+
+    Raises JudgeError where the description of a language is broken.
+    """
+    path = PurePath(name)
+    if path.suffixes == [SUFFIX] or not path.suffix[1:2].isalpha():
+        return None
+    from judge.languages.model import language_of_file
+
+    return language_of_file(path.name)
+
+
+def folders() -> list[Path]:
+    """Where languages are described: here, and in the folders that `$JUDGE_LANGUAGES` names."""
+    more = os.environ.get(VARIABLE, "").split(os.pathsep)
+    return [Path(__file__).parent, *(Path(each).absolute() for each in more if each)]
+
+
+def is_described(language: str) -> bool:
+    """Whether there is a language of that id; none is read for that."""
+    if not language.isidentifier():
+        return False
+    if any((each / f"{language}.toml").is_file() for each in folders()):
+        return True
+    from judge.languages.installed import installed_folders  # slow, and hardly ever needed
+
+    return any((each / f"{language}.toml").is_file() for each in installed_folders())
+
+
+def described() -> list[str]:
+    """The ids of all languages that are described, by name."""
+    return sorted({path.stem for each in folders() for path in each.glob("*.toml")})
+
+
+def file_name(stem: str, language: Language | None = None) -> str:
+    """The name of a program's file, in Python where no language is named."""
+    return f"{stem}{language.suffixes[0] if language else SUFFIX}"

@@ -1,0 +1,218 @@
+"""What a language is: one TOML file of this folder, read once, and checked as it is read.
+
+A word of a command line may hold `{…}`: a tool or a folder that `judge.languages.find` finds on this machine,
+or one of the places that the sandbox fills in when it knows them.
+
+    {source} {sources} {folder}      what a compiler reads: the first file, all of them, their folder
+    {out} {scratch}                  where its result goes, what else it may fill
+    {box} {main} {class} {memory}    of a program: its folder, the file it starts with, the limit in MB
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta, Struct
+
+from judge.digest import digest_of
+from judge.errors import JudgeError, UsageError, nearest
+from judge.languages import NAME, SUFFIX, VARIABLE, folders
+
+UNSAID = r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|`[^`]*`"""  # in '' a character
+_HERE = Path(__file__).parent
+_Words = tuple[str, ...]
+_Name = Annotated[str, Meta(min_length=1)]
+
+
+class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
+    """How a source is compiled: the command lines, what they may read and what they may start as well.
+
+    `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
+    compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
+    forms are known, such as `file:line:column: error: message`. `itself` is a compiler that looks for its own
+    file in /proc, which containers do not have.
+    """
+
+    steps: tuple[_Words, ...]
+    reads: _Words = ()
+    runs: _Words = ()
+    environment: dict[str, str] = {}
+    keeps: bool = False
+    complaint: str = ""
+    itself: str = ""
+
+
+class Running(Struct, frozen=True, forbid_unknown_fields=True):
+    """How what was made is run.
+
+    `stack` is in MB, 0 for as much as the memory limit; `allowance` are the MB of address space for data that
+    the runtime takes on top of the limit; `out_of_memory` is what it says when it finds none.
+    """
+
+    command: _Words
+    reads: _Words = ()
+    runs: _Words = ()
+    environment: dict[str, str] = {}
+    stack: int = 0
+    allowance: int = 0
+    out_of_memory: str = ""
+
+
+class Language(
+    Struct, frozen=True, forbid_unknown_fields=True, rename={"compiling": "compile", "running": "run"}
+):
+    """One language.
+
+    `spelling` is how names of several words are written in it, `file` what a submission's own file is
+    called where it is compiled, `main` a pattern that is met where a source is a whole program, `defines`
+    one that is met where it defines the function `{entry}`, `unsaid` one of its comments and strings.
+    Outside of those `drops` is a pattern of what is taken out before it is compiled, and `swaps` are pairs of
+    one and what stands for it then. `integers` are the bits of its widest integer, sign and all; 0 where they
+    have any size. `empty` is a program that does nothing, as costly as any program before its first line.
+    `tools` are the names that each tool may have; `homes` the folder above the folder of a tool's real
+    file, `folders` where a file really lies, `probes` a tool's answer that is a path, `prepared` one that
+    is kept as a file for the compiler.
+    """
+
+    name: _Name
+    suffixes: Annotated[tuple[Annotated[str, Meta(pattern=r"^(\.\w+)+$")], ...], Meta(min_length=1)]
+    order: int
+    spelling: Annotated[str, Meta(pattern="^(snake|camel)$")]
+    file: _Name
+    main: str
+    empty: str
+    tools: Annotated[dict[str, tuple[_Name, ...]], Meta(min_length=1)]
+    install: dict[str, str]
+    version: _Words
+    compiling: Compiling
+    running: Running
+    drops: str = ""
+    swaps: tuple[tuple[str, str], ...] = ()
+    unsaid: str = UNSAID
+    integers: int = 0
+    defines: str = ""
+    comment: str = "//"  # what begins one
+    factor: Annotated[float, Meta(ge=1)] = 1.0  # how many times Python's time short work may well take in it
+    homes: dict[str, str] = {}
+    folders: dict[str, str] = {}
+    probes: dict[str, _Words] = {}
+    prepared: dict[str, _Words] = {}
+    id: str = ""
+    folder: str = ""  # of its file, where it is none of the judge's own
+    digest: str = ""
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+    def spelt(self, name: str) -> str:
+        """A name of several words, such as `signed_area`, as the language writes it."""
+        first, *rest = name.split("_")
+        return name if self.spelling == "snake" else first + "".join(word.capitalize() for word in rest)
+
+
+@cache
+def near_languages() -> tuple[Language, ...]:
+    """The judge's own languages and those of `$JUDGE_LANGUAGES`, the usual order first.
+
+    Raises JudgeError for a broken description.
+    """
+    return _sorted(folders())
+
+
+@cache
+def languages() -> tuple[Language, ...]:
+    """Those, and the languages that other distributions install. Raises JudgeError as `near_languages`."""
+    from judge.languages.installed import installed_folders  # it asks for what is installed, which is slow
+
+    return _sorted([*installed_folders(), *folders()])
+
+
+def language_of_file(name: str) -> Language | None:
+    """The language whose suffix ends that name; what is installed is asked where no near one has it."""
+    for known in (near_languages, languages):
+        for each in known():
+            if name.endswith(each.suffixes):
+                return each
+    return None
+
+
+def language_called(name: str) -> Language | None:
+    """The language of that name or id, however it is capitalised; also by its suffix, with or without dot."""
+    word = name.casefold()
+    for known in (near_languages, languages):
+        for each in known():
+            if word in (each.id, each.name.casefold()) or f".{word.lstrip('.')}" in each.suffixes:
+                return each
+    return None
+
+
+def _sorted(places: Sequence[Path]) -> tuple[Language, ...]:
+    """The languages of all folders; of two with one id the later one counts."""
+    found = {language.id: language for folder in places for language in _read_all(folder)}
+    return tuple(sorted(found.values(), key=lambda each: (each.order, each.id)))
+
+
+def named_language(name: str) -> Language | None:
+    """As `language_called`; None for Python. Raises UsageError for a name that nobody knows."""
+    if name.casefold() in (NAME.casefold(), SUFFIX, SUFFIX.lstrip(".")):
+        return None
+    found = language_called(name)
+    if found is None:
+        ids = [NAME.lower(), *(each.id for each in languages())]
+        meant = nearest(name.casefold(), ids)
+        remedy = f"did you mean {meant}?" if meant else f"languages are {', '.join(ids)}"
+        raise UsageError(f"there is no language {name}", remedy=remedy)
+    return found
+
+
+def _read_all(folder: Path) -> list[Language]:
+    paths = sorted(folder.glob("*.toml"))
+    if not paths:
+        remedy = f"correct ${VARIABLE}, or uninstall what brought the folder"
+        raise JudgeError("no language is described here", where=str(folder), remedy=remedy)
+    return [_read(path) for path in paths]
+
+
+def _read(path: Path) -> Language:
+    import tomllib  # only where another language than Python is named
+
+    try:
+        content = path.read_bytes()
+        table = tomllib.loads(content.decode())
+        own = "" if path.parent == _HERE else str(path.parent)
+        found = msgspec.convert(
+            {**table, "id": path.stem, "folder": own, "digest": digest_of(content)}, Language
+        )
+        _check_patterns(found)
+    except OSError as fault:
+        raise JudgeError(
+            f"cannot be read: {fault.strerror}", where=str(path), remedy="make it readable"
+        ) from None
+    except (ValueError, msgspec.ValidationError) as fault:
+        raise JudgeError(f"it describes no language: {fault}", where=str(path), remedy="correct it") from None
+    return found
+
+
+def _check_patterns(language: Language) -> None:
+    """Raises ValueError for what is no pattern, and for a complaint's without what it must tell."""
+    complaint = language.compiling.complaint
+    patterns = {
+        "main": language.main,
+        "defines": language.defines.replace("{entry}", "f"),
+        "complaint": complaint,
+        "drops": language.drops,
+        "unsaid": language.unsaid,
+    }
+    swaps = [("swaps", pattern) for pattern, _ in language.swaps]
+    for key, pattern in (*patterns.items(), *swaps):
+        try:
+            groups = re.compile(pattern).groupindex
+        except re.error as fault:
+            raise ValueError(f"{key} is no pattern: {fault}") from None
+        if key == "complaint" and pattern and not {"message", "file", "line"} <= set(groups):
+            raise ValueError("complaint needs the groups message, file and line")

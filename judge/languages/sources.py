@@ -1,0 +1,125 @@
+"""What of a submission is compiled, and whether it is a function or a whole program.
+
+As in Python: a source that defines the problem's function is called, another one is run. What is in comments
+and strings defines nothing.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+from functools import partial
+
+from judge.errors import nearest
+from judge.languages.draft import around, changed, draft_of, driver_of
+from judge.languages.model import UNSAID, Language
+from judge.languages.shapes import Unsupported
+from judge.languages.signature import Signature
+from judge.sandbox.boundary import SourceFault
+from judge.sandbox.recipe import Sources
+
+_UTF16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+_CLASS = re.compile(r"\bclass\s+(\w+)")
+_PUBLIC_CLASS = re.compile(r"\bpublic\s+(?:final\s+|abstract\s+)*class\s+(\w+)")
+_CALLED = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
+
+
+def stripped(source: bytes, unsaid: str = UNSAID) -> str:
+    """The source without comments and strings, which that pattern meets; its lines where they were."""
+    text = source.decode(errors="replace")
+    return re.sub(unsaid, lambda found: " " + "\n" * found[0].count("\n"), text, flags=re.DOTALL)
+
+
+def sources_of(language: Language, source: bytes, signature: Signature | None = None) -> Sources:
+    """The files that a submission is compiled from."""
+    source, text = _kept(language, source), stripped(source, language.unsaid)
+    own = own_file(language, text, signature.entry if signature else "")
+    whole = Sources(((own, source),), own)
+    if source.startswith(_UTF16):
+        return whole._replace(fault=SourceFault("it is UTF-16: save it as UTF-8"))
+    if signature is None:
+        return whole
+    found = _definition(language, text, signature.entry)
+    if found:
+        try:
+            return _called(language, signature, source, text, found.end())
+        except Unsupported:
+            if language.main and re.search(language.main, text) is None:
+                what = f"{language.name} functions of this problem's types cannot be called: give it a main"
+                return whole._replace(fault=SourceFault(what))
+    if not language.main:
+        return whole
+    if re.search(language.main, text) is None:
+        return whole._replace(fault=_neither(language, text, signature.entry))
+    return whole
+
+
+def definition(language: Language, source: bytes, entry: str) -> re.Match[str] | None:
+    """Where a source defines the function that is called `entry` in Python; None where it does not."""
+    return _definition(language, stripped(source, language.unsaid), entry)
+
+
+def _definition(language: Language, text: str, entry: str) -> re.Match[str] | None:
+    name = re.escape(language.spelt(entry))
+    return re.search(language.defines.replace("{entry}", name), text) if language.defines else None
+
+
+def _called(language: Language, signature: Signature, source: bytes, text: str, end: int) -> Sources:
+    """The submission's function with the driver that calls it. Raises Unsupported."""
+    own = own_file(language, text, signature.entry)
+    maker = driver_of(language)
+    draft = draft_of(language, signature, text, own)
+    name, content = maker.driver(draft)
+    mismatch = f"{draft.entry} is not declared as the problem says: {maker.declared(draft)}"
+    if draft.own and hasattr(maker, "defined"):
+        types = (maker.defined(each) for each in draft.structs if each.name in draft.own)
+        mismatch = f"{mismatch}, with {' and '.join(types)}"
+    adapted = maker.adapted(source) if hasattr(maker, "adapted") else source
+    files = ((name, content.encode()), (own, adapted))
+    return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch)
+
+
+def own_file(language: Language, text: str, entry: str = "") -> str:
+    """What the submission's own file is called where it is compiled.
+
+    A public class says so itself; else it is the one with the function `entry`, or with the main.
+    """
+    if "{class}" not in language.file:
+        return language.file
+    name = re.escape(language.spelt(entry))
+    starts = [language.defines.replace("{entry}", name)] if entry else []
+    met = (re.search(pattern, text) for pattern in (*starts, language.main))
+    holders = (around(text, found.start()) for found in met if found)
+    said = _PUBLIC_CLASS.search(text)
+    first = _CLASS.search(text)
+    name = said[1] if said else next(filter(None, holders), first[1] if first else "Main")
+    return language.file.replace("{class}", name)
+
+
+def _kept(language: Language, source: bytes) -> bytes:
+    """The source without what the language drops, and with what it swaps; places stay where they were."""
+    if language.drops:
+        source = changed(source, language.drops, _blank, language.unsaid)
+    for pattern, text in language.swaps:
+        source = changed(source, pattern, partial(_swapped, text.encode()), language.unsaid)
+    return source
+
+
+def _blank(found: re.Match[bytes]) -> bytes:
+    return re.sub(rb"[^\n]", b" ", found[0])
+
+
+def _swapped(text: bytes, found: re.Match[bytes]) -> bytes:
+    """The text instead of what was found, as long where that is longer."""
+    return text.ljust(len(found[0]))
+
+
+def _neither(language: Language, text: str, entry: str) -> SourceFault:
+    wanted = language.spelt(entry)
+    method = re.search(rf"\b{re.escape(wanted)}\s*\(", text)
+    if method and (holder := around(text, method.start())):
+        return SourceFault(f"{wanted} is a method of {holder}: write it as a function")
+    other = nearest(wanted, dict.fromkeys(_CALLED.findall(text)))
+    meant = f": write {wanted} for {other}" if other and other != wanted else ""
+    lacking = f"neither {wanted} nor main" if "main" in language.main else f"no {wanted}, and reads no input"
+    return SourceFault(f"it defines {lacking}{meant}")

@@ -1,0 +1,183 @@
+"""What a trusted program answers wrongly, found by calling it here and now: the setter's own code.
+
+Many mistakes are computed on the same cases, and most of them answer most cases alike. So each different
+answer to a case is decided once.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+from collections.abc import Callable, Mapping, Sequence
+from decimal import Context, localcontext
+from functools import cached_property, partial
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data.model import GroupData, ProblemData
+from judge.errors import ProblemError
+from judge.mistakes.answers import Answers, Behaviour
+from judge.problem import Problem
+from judge.sandbox.encode import encode
+from judge.values import Outline
+from judge.values.rightness import wrong_outline
+
+_PROTOCOL = 5
+
+Ends = Mapping[str, str]
+"""How every call of a program ended, by the group's name: the list, written out, of the answers' JSON forms
+and, for a call that raised, of outlines. Equal ends are equal to the last bit and type."""
+
+
+class Program(Struct, frozen=True):
+    """A program whose answers are wanted; a trusted one is run here and now."""
+
+    source: bytes
+    file: str
+    trusted: bool = False
+
+    @property
+    def key(self) -> str:
+        """What its answers are kept under."""
+        return hashlib.sha256(self.source).hexdigest()[:24]
+
+
+class Computer:
+    """Finds what trusted programs answer wrongly on one problem's data; it keeps what it has decided.
+
+    Groups of big cases are left out: they ask for time.
+    """
+
+    def __init__(self, data: ProblemData) -> None:
+        self._problem = data.problem
+        self._groups = [_Group(data, each) for each in data.groups if each.group.size is None]
+
+    def behaviour(self, program: Program, only: Mapping[str, Sequence[int]] | None = None) -> Behaviour:
+        """What the program answers wrongly. Raises ProblemError.
+
+        `only` are the cases asked for, by group, if not all.
+        """
+        with localcontext(Context()):  # as in a container, whatever the caller's precision
+            function = entry_of(self._problem, program)
+            return {
+                each.name: each.answers(function, None if only is None else only.get(each.name, ()))
+                for each in self._groups
+            }
+
+    def ended(self, program: Program) -> tuple[Behaviour, Ends]:
+        """What the program answers wrongly, and how all its calls ended. Raises ProblemError."""
+        does: dict[str, Answers] = {}
+        ends: dict[str, str] = {}
+        with localcontext(Context()):  # as in a container, whatever the caller's precision
+            function = entry_of(self._problem, program)
+            for each in self._groups:
+                listed: list[Any] = []
+                does[each.name] = each.answers(function, None, listed)
+                ends[each.name] = written(listed)
+        return does, ends
+
+
+class _Group:
+    """The cases of one group, as they are handed over, and what was decided of each answer to them."""
+
+    def __init__(self, data: ProblemData, group: GroupData) -> None:
+        self.name = group.group.name
+        self._data = data
+        self._group = group
+        self._decided: list[dict[bytes, Outline | None]] = [{} for _ in group.cases]
+
+    def answers(
+        self, function: Callable[..., Any], only: Sequence[int] | None, ends: list[Any] | None = None
+    ) -> Answers:
+        """What a function answers wrongly, the cases being called in order; `ends` gets each call's end."""
+        cases = self._group.cases
+        asked: Sequence[int]
+        if only is None:
+            asked, calls = range(len(cases)), self._all_calls()
+        else:
+            asked, calls = only, self._data.problem.calls([cases[index] for index in only])
+        wrong: dict[int, Outline] = {}
+        for index, given in zip(asked, calls, strict=True):
+            try:
+                answer = function(*given)
+            except Exception as fault:  # as a submission's would be, a wrong answer
+                wrong[index] = raised(type(fault).__name__)
+                if ends is not None:
+                    ends.append(wrong[index])
+                continue
+            if ends is not None:
+                ends.append(_form(answer))
+            found = self._known(index, answer)
+            if found is not None:
+                wrong[index] = found
+        return Answers(len(cases), wrong)
+
+    def _all_calls(self) -> Sequence[tuple[Any, ...]]:
+        """Every case as a program receives it. It may change its lists, so that each has its own."""
+        if all(each.type.is_plain for each in self._data.problem.parameters):
+            return self._group.cases
+        found: Sequence[tuple[Any, ...]] = pickle.loads(self._copied)
+        return found
+
+    @cached_property
+    def _copied(self) -> bytes:
+        """What all programs receive; to unpickle lists is the quickest way to copy them."""
+        return pickle.dumps(self._data.problem.calls(self._group.cases), _PROTOCOL)
+
+    def _known(self, index: int, answer: Any) -> Outline | None:
+        """The outline of a wrong answer to that case, None of a right one."""
+        try:
+            key = pickle.dumps(answer, _PROTOCOL)  # the same only where all types are the same too
+        except Exception:  # what has no such form, such as a generator
+            return self._outline(index, answer)
+        decided = self._decided[index]
+        if key not in decided:
+            decided[key] = self._outline(index, answer)
+        return decided[key]
+
+    def _outline(self, index: int, answer: Any) -> Outline | None:
+        group, type_ = self._group, self._data.problem.answer
+        try:
+            raw = encode(answer)
+        except Exception as fault:
+            return raised(type(fault).__name__)
+        exact = partial(self._data.exact, group.cases[index], group.group)
+        return wrong_outline(type_, raw, group.targets[index], exact)
+
+
+def computed(
+    data: ProblemData, program: Program, only: Mapping[str, Sequence[int]] | None = None
+) -> Behaviour:
+    """What one trusted program answers wrongly, as a `Computer` finds it. Raises ProblemError."""
+    return Computer(data).behaviour(program, only)
+
+
+def entry_of(problem: Problem, program: Program) -> Callable[..., Any]:
+    """The entry function of a trusted program. Raises ProblemError where it has none."""
+    space: dict[str, Any] = {"__name__": "mistakes"}
+    try:
+        exec(compile(program.source, program.file, "exec", dont_inherit=True), space)
+        function: Callable[..., Any] = space[problem.entry]
+    except Exception as fault:
+        what = f"the program with this mistake cannot be run: {type(fault).__name__}: {fault}"
+        raise ProblemError(what, where=program.file, remedy="correct the change") from None
+    return function
+
+
+def written(ends: list[Any]) -> str:
+    """The ends of a group's calls as `Ends` has them."""
+    return repr(ends)
+
+
+def raised(exception: str) -> Outline:
+    """The outline of a call that raised an exception with that name."""
+    return f"raised {exception}", ()
+
+
+def _form(answer: Any) -> Any:
+    """The JSON form in which an answer leaves a container, or what making it raises."""
+    try:
+        return encode(answer)
+    except Exception as fault:
+        return raised(type(fault).__name__)

@@ -1,0 +1,5 @@
+"""Problem packages that other judges read: Kattis and ICPC, both ways.
+
+export/     a problem of ours as a package
+foreign/    packages of others, read and judged here
+"""

@@ -1,0 +1,129 @@
+"""A Python function made a program: what is appended to its file, and what keeps it from a package."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from typing import Any
+
+from judge.packs.export.forms import Form, answer_form, parameter_form
+from judge.problem import Problem
+from judge.problem.program import tree_of
+
+_DRIVER = """
+
+def _judge_export_main():  # added by `judge export`: it makes a program of the function
+    import sys
+    from decimal import Decimal, localcontext
+
+    def read(form, tokens):
+        if form[0] == "tuple":
+            return tuple([read(part, tokens) for part in form[1]])
+        token = next(tokens)
+        if form[0] == "list":
+            return [read(form[1], tokens) for _ in range(int(token))]
+        if form[0] == "optional":
+            return None if token == "none" else read(form[1], iter([token] + list(tokens)))
+        if form[0] == "word":
+            return token
+        return int(token) if token.lstrip("-").isdigit() else float(token)
+
+    def text(value):
+        if value is None:
+            return "none"
+        if type(value).__name__ == "Fraction":
+            with localcontext() as context:
+                context.prec = 60
+                return str(Decimal(value.numerator) / Decimal(value.denominator))
+        return str(value)
+
+    def written(form, value):
+        if value is None:
+            return ["none"]
+        if form[0] == "optional":
+            return written(form[1], value)
+        if form[0] == "list":
+            items = [written(form[1], each) for each in value]
+            return [str(len(items))] + [token for item in items for token in item]
+        if form[0] == "tuple":
+            last = len(form[1]) - 1
+            parts = [written(form[1][min(at, last)], each) for at, each in enumerate(value)]
+            return [token for part in parts for token in part]
+        if form[0] == "enclosure":  # the double itself: its usual decimals are another number
+            return [format(Decimal(each), "f") if type(each) is float else text(each) for each in value]
+        return [text(value)]
+
+    lines = sys.stdin.read().split("\\n")
+    answers = []
+    for line in lines[1 : int(lines[0]) + 1]:
+        tokens = iter(line.split())
+        given = [read(form, tokens) for form in PARAMETERS]
+        answers.append(" ".join(written(ANSWER, ENTRY(*given))))
+    print("\\n".join(answers))
+
+
+if __name__ == "__main__":
+    _judge_export_main()
+"""
+_NEWER = {  # names that Python has had only since 3.10, in modules or as methods
+    *("pairwise", "batched", "cbrt", "exp2", "sumprod", "fma", "bit_count", "Self"),
+    *("StrEnum", "TaskGroup", "ExceptionGroup"),
+}
+
+
+def as_program(problem: Problem, source: str) -> str:
+    """The program that calls the entry function of `source` for each case that it reads."""
+    parameters = [_plain(parameter_form(parameter)) for parameter in problem.parameters]
+    driver = _DRIVER.replace("PARAMETERS", repr(parameters)).replace("ENTRY", problem.entry)
+    return source.rstrip() + "\n" + driver.replace("ANSWER", repr(answer_form(problem.answer)))
+
+
+def _plain(form: Form) -> Form:
+    """A parameter's form without bounds."""
+    if form[0] == "tuple":
+        return ["tuple", [_plain(part) for part in form[1]]]
+    return [form[0], _plain(form[1])] if form[0] in ("list", "optional") else form[:1]
+
+
+def defines(source: str, entry: str) -> bool:
+    """Whether a file binds the entry at its top level. Raises SyntaxError."""
+    return any(entry in _bound(node) for node in tree_of(source).body)
+
+
+def _bound(node: ast.stmt) -> set[str]:
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+        return {node.name}
+    if isinstance(node, ast.Import | ast.ImportFrom):
+        return {(alias.asname or alias.name).partition(".")[0] for alias in node.names}
+    inner = ast.walk(node)
+    return {each.id for each in inner if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
+
+
+def why_not_alone(source: str) -> str:
+    """Why a program does not run wherever a package does: Python 3.9 or newer, its own library; or empty."""
+    tree = tree_of(source)
+    for node in ast.walk(tree):
+        foreign = [name for name in _imported(node) if name not in sys.stdlib_module_names]
+        if foreign:
+            return f"it imports {foreign[0]}"
+        if _is_newer(node):
+            return "it needs a newer Python than PyPy's 3.9"
+    return ""
+
+
+def _imported(node: ast.AST) -> list[str]:
+    if isinstance(node, ast.Import):
+        return [alias.name.partition(".")[0] for alias in node.names]
+    if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+        return [node.module.partition(".")[0]]
+    return []
+
+
+def _is_newer(node: Any) -> bool:
+    if isinstance(node, ast.Match | ast.TryStar):
+        return True
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "zip":
+        return any(keyword.arg == "strict" for keyword in node.keywords)
+    if isinstance(node, ast.Attribute):
+        return node.attr in _NEWER
+    return isinstance(node, ast.ImportFrom) and any(alias.name in _NEWER for alias in node.names)

@@ -1,0 +1,130 @@
+"""Types and exact answers as JSON, in the form that the validators of a package read.
+
+An answer's form is written at the top of validators/output_validator.py, a parameter's at the top of
+validators/input_validator.py. Both are made by composition: a type that a pack brings itself has none.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from judge.exact import Surd
+from judge.problem import Parameter, Problem, Tolerance
+from judge.values import AnyOf, Exact, Judged, Run, Type
+from judge.values.atoms.array import ArrayType
+from judge.values.atoms.enclosure import EnclosureType
+from judge.values.atoms.int import IntType
+from judge.values.atoms.real import RealType
+from judge.values.atoms.word import WordType
+from judge.values.interval import exact_ends
+from judge.values.lists import ListType
+from judge.values.optional import OptionalType
+from judge.values.tuples import TupleType
+
+Form = list[Any]
+
+
+class NoForm(Exception):  # noqa: N818 - a reason
+    """Why a problem cannot be a package, in a few words."""
+
+
+def answer_form(type_: Type) -> Form:
+    """The form of an answer. Raises NoForm."""
+    kind = type(type_)
+    if kind is RealType:
+        return ["real"]
+    if kind is IntType:
+        return ["int"]
+    if kind is WordType:
+        return ["word"]
+    if kind is EnclosureType:
+        return ["enclosure"]
+    if isinstance(type_, TupleType):
+        return ["tuple", [answer_form(part) for part in type_.parts]]
+    if isinstance(type_, OptionalType):
+        return ["optional", answer_form(type_.inner)]
+    if isinstance(type_, ListType):
+        return ["list", answer_form(type_.item), type_.low, type_.high]
+    raise _none(type_)
+
+
+def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
+    """What is accepted for an exact answer. Raises NoForm."""
+    if isinstance(exact, AnyOf):
+        return {"any": [accepted_form(type_, each, tolerance) for each in exact.answers]}
+    if isinstance(exact, Judged):
+        raise NoForm("no table says which of its answers are right: problem.py decides")
+    if isinstance(type_, OptionalType):
+        return None if exact is None else accepted_form(type_.inner, exact, tolerance)
+    if isinstance(type_, TupleType):
+        return [accepted_form(part, each, tolerance) for part, each in zip(type_.parts, exact, strict=True)]
+    if isinstance(type_, ListType):
+        return [_item(type_.item, each, tolerance) for each in exact]
+    if isinstance(type_, RealType):
+        return _ends(*exact_ends(Surd.of(exact.x), tolerance, Surd.of(exact.unit)))
+    if isinstance(type_, EnclosureType):
+        x = Surd.of(exact.x)
+        return [[x.p, x.q, x.d, x.s], list(Fraction(exact.width).as_integer_ratio())]
+    return exact
+
+
+def _item(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
+    if isinstance(exact, Run):
+        return {"run": [accepted_form(type_, each, tolerance) for each in exact.items]}
+    return accepted_form(type_, exact, tolerance)
+
+
+def _ends(low: Surd, high: Surd) -> list[int]:
+    """Both ends over one denominator and one radicand; three ints where they are rational."""
+    assert low.d == high.d or not (low.q and high.q)
+    mine, its = high.s, low.s  # what each is multiplied by
+    if low.s == high.s:
+        mine = its = 1
+    ends = [low.p * mine, low.q * mine, high.p * its, high.q * its]
+    s = low.s * mine
+    return [*ends, low.d or high.d, s] if low.q or high.q else [ends[0], ends[2], s]
+
+
+def parameter_form(parameter: Parameter) -> Form:
+    """The form of a parameter, with the bounds of its numbers. Raises NoForm."""
+    return _within(parameter.type, parameter)
+
+
+def _within(type_: Type, parameter: Parameter) -> Form:
+    kind = type(type_)
+    if kind is RealType or kind is IntType:
+        low, least = parameter.low, getattr(type_, "least", None)
+        low = low if least is None else max(low, Fraction(least))
+        bounds = [list(each.as_integer_ratio()) for each in (low, parameter.high, parameter.smallest)]
+        return ["real" if kind is RealType else "int", *bounds]
+    if isinstance(type_, WordType):
+        return ["word", list(type_.samples)]
+    if isinstance(type_, TupleType):
+        return ["tuple", [_within(part, parameter) for part in type_.parts]]
+    if isinstance(type_, OptionalType):
+        return ["optional", _within(type_.inner, parameter)]
+    if isinstance(type_, ListType):
+        return ["list", _within(type_.item, parameter), type_.low, type_.high]
+    raise _none(type_)
+
+
+def _none(type_: Type) -> NoForm:
+    if isinstance(type_, ArrayType):
+        return NoForm(f"a line holds no {type_.text}")
+    return NoForm(f"a package knows no type {type_.text}")
+
+
+def why_left_out(problem: Problem) -> str:
+    """Why a problem cannot be a package, as far as its toml tells; empty where it can."""
+    if problem.growth is not None:
+        return "a package cannot measure how the time grows"
+    if any(group.size is not None for group in problem.groups):
+        return "its cases are too large for a line"
+    try:
+        answer_form(problem.answer)
+        for parameter in problem.parameters:
+            parameter_form(parameter)
+    except NoForm as why:
+        return str(why)
+    return ""

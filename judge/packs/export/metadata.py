@@ -1,0 +1,93 @@
+"""What a package says of itself: its short name, its uuid, and problem.yaml in both versions."""
+
+from __future__ import annotations
+
+import json
+import re
+import uuid
+from collections.abc import Iterable
+from enum import Enum
+
+from judge.errors import UsageError
+from judge.problem import Problem
+from judge.problem.model import Source
+
+MEMORY_MB = 1024  # at least: PyPy starts with less in vain
+LICENSES = ("public domain", "cc0", "cc by", "cc by-sa", "educational", "permission")
+UNKNOWN = "unknown"
+_NAMESPACE = uuid.UUID("6f0d3c1e-3c63-5b7e-9d53-0d2f5f1a9c11")
+
+
+class Version(Enum):
+    """A version of the format."""
+
+    LEGACY = "legacy"
+    NEW = "2025-09"
+
+
+def short_name(problem: str) -> str:
+    """What a package is called: small letters and digits. Raises UsageError for an id that has none."""
+    short = re.sub("[^a-z0-9]", "", problem)
+    if not short:
+        raise UsageError(f"{problem} has no letter or digit for a package to be called by")
+    return short
+
+
+def short_names(problems: Iterable[str]) -> dict[str, str]:
+    """The packages' names by problem. Raises UsageError where two are one."""
+    found: dict[str, str] = {}
+    for problem in problems:
+        short = short_name(problem)
+        for other, taken in found.items():
+            if taken == short:
+                remedy = "export them into different folders"
+                raise UsageError(f"{other} and {problem} would both be the package {short}", remedy=remedy)
+        found[problem] = short
+    return found
+
+
+def uuid_of(problem: str, version: Version) -> str:
+    """The same for every export of the problem in that version."""
+    return str(uuid.uuid5(_NAMESPACE, f"{problem}/{version.value}"))
+
+
+def license_of(source: Source) -> str:
+    """The license as the format knows it; `unknown` where it does not, or none was chosen."""
+    return source.license.lower() if source.license.lower() in LICENSES else UNKNOWN
+
+
+def problem_yaml(problem: Problem, version: Version, seconds: int) -> str:
+    """The file problem.yaml; `seconds` is the time limit, which in the legacy format the solutions set."""
+    source = problem.source
+    rows = [] if version is Version.LEGACY else ["problem_format_version: 2025-09", "type: pass-fail"]
+    rows += [f"name: {_text(problem.title)}", f"uuid: {uuid_of(problem.id, version)}"]
+    if version is Version.LEGACY:
+        rows += [f"author: {_text(', '.join(source.authors))}"] if source.authors else []
+        rows += [f"source: {_text(source.origin)}"] if source.origin else []
+        rows += [f"license: {license_of(source)}", "validation: custom", "limits:"]
+    else:
+        rows += ["credits:", "  authors:"] if source.authors else []
+        rows += [f"    - {_text(author)}" for author in source.authors]
+        rows += [f"source: {_text(source.origin)}"] if source.origin else []
+        rows += [f"license: {license_of(source)}", "limits:", f"  time_limit: {seconds}.0"]
+    return "\n".join([*rows, f"  memory: {memory(problem)}"]) + "\n"
+
+
+def memory(problem: Problem) -> int:
+    """The memory limit, in MB."""
+    return max(MEMORY_MB, problem.limits.memory_bytes >> 20)
+
+
+def domjudge_ini(problem: Problem, seconds: int) -> str:
+    """The file domjudge-problem.ini."""
+    return f"short-name={short_name(problem.id)}\nname={_ini(problem.title)}\ntimelimit={seconds}\n"
+
+
+def _text(text: str) -> str:
+    """A YAML scalar: JSON's strings are some."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _ini(text: str) -> str:
+    """A value between quotation marks, which PHP reads with nothing to escape one."""
+    return "'" + text.replace("'", "’") + "'"

@@ -1,0 +1,121 @@
+"""Input validator: 42 for an input of this problem, 43 for any other.
+
+It checks the form of every line, that each number is written as Python writes it, and its bounds:
+
+    ["real", low, high, smallest]    each bound [n, m] for n/m; other than 0 at least smallest
+    ["int", low, high, smallest]     the same for integers
+    ["word", [word, …]]              one of these
+    ["tuple", [type, …]]             its parts
+    ["list", type, low, high]        the length, low to high (None: no bound), and the items
+    ["optional", type]               none, or the type
+
+It does not prove what else the statement promises of a case, such as how near a miss may be.
+Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
+"""
+
+import re
+import sys
+from fractions import Fraction
+from typing import Any, Iterator
+
+PARAMETERS = []  # type: Any  # the problem's, in order
+INTEGER = re.compile(r"0|-?[1-9][0-9]*")
+FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[+-]?[0-9]+)?")
+LONGEST = 400  # of a number
+MOST_CASES = 7  # digits of their number
+
+
+class Invalid(Exception):  # noqa: N818
+    """Why an input is invalid."""
+
+
+def number(kind: Any, token: str) -> None:
+    """Raises Invalid unless the token is such a number."""
+    name, low, high, smallest = kind
+    if len(token) > LONGEST:
+        raise Invalid("a number of %d characters" % len(token))
+    if INTEGER.fullmatch(token):
+        value = Fraction(int(token))
+    elif name == "real" and FLOAT.fullmatch(token) and repr(float(token)) == token:
+        value = Fraction(float(token))
+    else:
+        raise Invalid("%r is no number as Python writes it" % token[:60])
+    if not Fraction(*low) <= value <= Fraction(*high):
+        raise Invalid("%s is out of bounds" % token)
+    if value and abs(value) < Fraction(*smallest):
+        raise Invalid("%s is too small" % token)
+
+
+def parameter(kind: Any, tokens: Iterator[str]) -> None:
+    """Raises Invalid unless the next tokens are a value of that type."""
+    name = kind[0]
+    if name == "tuple":
+        for part in kind[1]:
+            parameter(part, tokens)
+    elif name == "list":
+        count = next(tokens)
+        if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[2] <= int(count):
+            raise Invalid("%r is no length" % count[:60])
+        if kind[3] is not None and int(count) > kind[3]:
+            raise Invalid("%s items are too many" % count)
+        for _ in range(int(count)):
+            parameter(kind[1], tokens)
+    else:
+        token(kind, next(tokens), tokens)
+
+
+def token(kind: Any, word: str, tokens: Iterator[str]) -> None:
+    """Raises Invalid unless the word, and for some types the tokens after it, are a value of that type."""
+    if kind[0] == "optional":
+        if word != "none":
+            parameter(kind[1], chain(word, tokens))
+    elif kind[0] == "word":
+        if word not in kind[1]:
+            raise Invalid("%r is none of the words" % word[:60])
+    else:
+        number(kind, word)
+
+
+def chain(first: str, rest: Iterator[str]) -> Iterator[str]:
+    """The first, and then the rest."""
+    yield first
+    for each in rest:
+        yield each
+
+
+def validate(data: bytes) -> None:
+    """Raises Invalid unless these are the bytes of an input."""
+    try:
+        lines = data.decode("ascii").split("\n")
+    except UnicodeDecodeError:
+        raise Invalid("a byte that is not ASCII") from None
+    first = lines[0]
+    if not re.fullmatch("[1-9][0-9]*", first) or len(first) > MOST_CASES:
+        raise Invalid("the first line is no number of cases")
+    if len(lines) != int(first) + 2 or lines[-1]:
+        raise Invalid("%s cases, then each on a line of its own, are meant" % first)
+    for at, line in enumerate(lines[1:-1]):
+        tokens = iter(line.split(" "))
+        try:
+            for kind in PARAMETERS:
+                parameter(kind, tokens)
+        except StopIteration:
+            raise Invalid("case %d: the line ends too early" % (at + 1)) from None
+        except Invalid as why:
+            raise Invalid("case %d: %s" % (at + 1, why)) from None
+        if next(tokens, None) is not None:
+            raise Invalid("case %d: the line holds more than the case" % (at + 1))
+
+
+def main() -> int:
+    """The exit status."""
+    try:
+        validate(sys.stdin.buffer.read())
+    except Invalid as why:
+        sys.stderr.write("%s\n" % why)
+        return 43
+    return 42
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+"""Calls as a driver reads them and its replies, for functions in another language than Python.
+
+    the input      cases, and 1 where each answer is to be written at once, else 0; then a line for each call,
+                   tokens: a number, a word, the items of a tuple; of a list its length first; `none` for
+                   what is not there
+    the output     a line of JSON for each call, [0, answer] or [1, "what was raised"]
+
+Replies are foreign data: bounded, parsed as JSON, never believed.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Sequence
+from typing import Any
+
+from judge.sandbox import outcome
+from judge.sandbox.boundary import Reply
+
+_NUMBERS = {int, float}
+_SMALL = 1 << 63
+
+
+def text(series: Sequence[Sequence[Any]], *, at_once: bool = False) -> bytes:
+    """The standard input of a driver that is to make these calls."""
+    lines = [f"{len(series)} {int(at_once)}"]
+    lines += [" ".join(map(_words, arguments)) for arguments in series]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def _words(value: Any) -> str:
+    """The tokens of a value, a space between two of them."""
+    if isinstance(value, list | array):  # it may be of a million numbers
+        each = repr if set(map(type, value)) <= _NUMBERS else _words
+        return " ".join([str(len(value)), *map(each, value)])
+    if isinstance(value, tuple):
+        return " ".join(map(_words, value))
+    if value is None:
+        return "none"
+    return value if isinstance(value, str) else repr(value)
+
+
+def replies(stdout: bytes, most: int) -> tuple[list[Reply], bool]:
+    """The replies that were written, and whether they kept to the form; what is unfinished is none."""
+    whole = stdout[: stdout.rfind(b"\n") + 1]
+    found, kept_form = outcome.parse_replies(whole.replace(b"\n", b",\n"), most)
+    return [reply._replace(answer=_sent(reply.answer)) for reply in found], kept_form
+
+
+def _sent(answer: Any) -> Any:
+    """An answer in the form of encode.py: an int of many digits, and a word, are marked there."""
+    kind = type(answer)
+    if kind is int and not -_SMALL <= answer < _SMALL:
+        return {"int": f"{answer:x}"}
+    if kind is str:
+        return {"word": answer}
+    if kind is list:
+        kinds = set(map(type, answer))
+        if kinds == {float} or (kinds == {int} and min(answer) >= -_SMALL and max(answer) < _SMALL):
+            return answer
+        return [_sent(item) for item in answer]
+    return answer

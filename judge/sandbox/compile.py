@@ -1,0 +1,214 @@
+"""Compiling in a container of its own: what a compiler may use, what it leaves, its complaints in one line.
+
+A source can make a compiler read files, fill memory and disk, or never end: it is held as a submission is,
+but for the folder that it fills and the processes that it starts.
+"""
+
+from __future__ import annotations
+
+import marshal
+import os
+import re
+import signal
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from judge.errors import ShortageError
+from judge.sandbox import shared
+from judge.sandbox.boundary import Limits, SourceFault
+from judge.sandbox.container import Done, Lost
+from judge.sandbox.holder import Holder
+from judge.sandbox.inside import wire
+from judge.sandbox.launch import RESULT, SCRATCH, Workplace
+from judge.sandbox.recipe import Files, Recipe, Sources, filled
+
+SOURCE = "/source"
+LIMITS = Limits(cpu_seconds=10.0, wall_seconds=20.0, memory_bytes=1 << 30, output_bytes=64 << 20)
+ARTIFACT_BYTES = 64 << 20
+ARTIFACT_FILES = 2000
+PROCESSES = 256  # of all that the compiler starts, where they have a user of their own
+DESCRIPTORS = 512
+_SAID = 1 << 15  # bytes of what a compiler says that are looked at
+_SHOWN = 300
+_NAME = re.compile(r"[\w$+-][\w$.+-]*(/[\w$+-][\w$.+-]*)*")
+_PATH = re.compile(r"(?<![\w.])/[\w.+-]+(?:/[\w.+-]+)+/")
+_PLACED = re.compile(
+    r"^(?P<file>[\w.$-]+):(?P<line>\d+)(?::(?P<column>\d+))?:? *"
+    r"(?![\d: ]*(?:warning|note|Note|In |At |(?:recursively )?required ))"  # nor by going back before it
+    r"(?:(?:fatal )?error(?:\[\w+\])?:? *)?(?P<message>.*)$",
+    re.MULTILINE,
+)
+_REQUIRED = re.compile(  # what a line of the source asks of a library of templates
+    r"^(?P<file>[\w.$-]+):(?P<line>\d+)(?::(?P<column>\d+))?: +required from here\n"
+    r".*?\berror: (?P<message>.*)$",
+    re.MULTILINE,
+)
+_PYTHON = re.compile(r'File "(?P<file>[\w.$-]+)", line (?P<line>\d+)')
+_ERROR = re.compile(r"^.*?(?:(?:\w*Error|error|panic):.*)$", re.MULTILINE)
+_CARET = re.compile(r"^([ \t]*)\^+[ \t]*$", re.MULTILINE)
+_NO_TEXT = "stream did not contain valid UTF-8"  # of what a driver includes
+_SYMBOL = re.compile(r"^ *symbol: +(.+)$", re.MULTILINE)  # the name that javac does not find
+_UNLINKED = re.compile(r"undefined (?:reference|symbol)s?\b.*")
+_TOO_LARGE = f"it compiles to more than {LIMITS.output_bytes >> 20} MB"
+_BUSY = "judge it again, with a smaller -j if the machine is busy"
+
+
+class Compiled(NamedTuple):
+    """What came of it: files, or the fault of the source; `cpu_seconds` of the compiler's own process."""
+
+    files: Files
+    fault: SourceFault | None
+    cpu_seconds: float = 0.0
+
+
+def place_of(recipe: Recipe, folder: Path) -> Workplace:
+    """What the compiler's container has; `folder` holds `source` and an empty `scratch`."""
+    return Workplace(
+        profile="compile",
+        shown=((SOURCE, str(folder / "source")),),
+        scratch=str(folder / "scratch"),
+        runnable=tuple(map(os.path.realpath, recipe.compile_runs)),
+        descriptors=DESCRIPTORS,
+        random=False,  # an endless file
+        itself=recipe.itself,
+    )
+
+
+def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace, processes: int) -> Compiled:
+    """Compile the sources that are shown in the holder's container; `processes` bound those it may have.
+
+    Raises:
+        ShortageError: the container ended, or is too busy.
+        JudgeError: no container can be had.
+    """
+    container = holder.here()
+    level = holder.level
+    scratch, source = place.where(SCRATCH, level), place.where(SOURCE, level)
+    places = {
+        "out": f"{scratch}/{RESULT}",
+        "scratch": scratch,
+        "folder": source,
+        "source": f"{source}/{sources.main}",
+    }
+    own_first = sorted((name for name, _ in sources.files), key=lambda name: name != sources.own)
+    names = [f"{source}/{name}" for name in own_first]  # what begins first is the submission's
+    environment = {
+        "PATH": "/usr/bin:/bin",
+        "LANG": "C.UTF-8",
+        "HOME": scratch,
+        "TMPDIR": scratch,
+        **{name: filled([value], places)[0] for name, value in recipe.compile_environment.items()},
+    }
+    limits = {
+        "RLIMIT_CPU": int(LIMITS.cpu_seconds) + 1,  # each of its processes
+        "RLIMIT_FSIZE": LIMITS.output_bytes,
+        "RLIMIT_DATA": LIMITS.memory_bytes,
+        "RLIMIT_NPROC": processes,
+        "RLIMIT_STACK": 64 << 20,
+    }
+    used = 0.0
+    for step in recipe.steps:
+        payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
+        with shared.stdio(b"") as stdio:
+            done = _asked(holder, wire.EXECUTE, stdio, payload)
+            said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
+        kind, note = container.region.note()
+        if kind == wire.BROKEN_BOX:
+            return Compiled((), SourceFault(f"{step[0]} cannot be started: {note}"))
+        used += done.cpu_ns / 1e9
+        fault = _fault(
+            done, said.decode(errors="replace"), sources, recipe.complaint, (f"{source}/", f"{scratch}/")
+        )
+        if fault:
+            return Compiled((), fault, used)
+    if recipe.keeps:
+        return Compiled(sources.files, None, used)
+    return _collected(holder, places["out"])._replace(cpu_seconds=used)
+
+
+def _asked(holder: Holder, kind: bytes, stdio: Sequence[int], payload: bytes) -> Done:
+    try:
+        return holder.here().ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
+    except Lost:
+        holder.drop()
+        raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
+
+
+def _collected(holder: Holder, folder: str) -> Compiled:
+    """What the compiler left."""
+    payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
+    with shared.stdio(b"") as stdio:
+        _asked(holder, wire.COLLECT, stdio, payload)
+        found = marshal.loads(holder.here().replies(payload, LIMITS.output_bytes, 1))
+        content = shared.head(stdio[1], ARTIFACT_BYTES)
+    if isinstance(found, str):
+        return Compiled((), SourceFault(found))
+    files: list[tuple[str, bytes]] = []
+    start = 0
+    for name, size in found:
+        if not _NAME.fullmatch(name) or ".." in name:
+            return Compiled((), SourceFault(f"it compiles to a file of a strange name, {ascii(name)[:80]}"))
+        files.append((name, content[start : start + size]))
+        start += size
+    return Compiled(files, None)
+
+
+def _fault(
+    done: Done, said: str, sources: Sources, complaint: str, places: Sequence[str]
+) -> SourceFault | None:
+    """Why a step failed, for a person; None where it did not."""
+    if done.reason == wire.FOR_CPU:
+        return SourceFault(f"the compiler took more than {LIMITS.cpu_seconds:g} s of CPU time")
+    if done.reason:
+        return SourceFault(f"the compiler took more than {LIMITS.wall_seconds:g} s")
+    if not done.status:
+        return None
+    if os.WIFSIGNALED(done.status):
+        number = os.WTERMSIG(done.status)
+        if number in (signal.SIGXCPU, signal.SIGKILL):
+            return SourceFault("the compiler did not survive it: too much time or memory")
+        return SourceFault(f"the compiler did not survive it: {signal.strsignal(number) or number}")
+    if "File size limit exceeded" in said:  # an assembler's, or a linker's, of which the compiler tells
+        return SourceFault(_TOO_LARGE)
+    for place in places:
+        said = said.replace(place, "")
+    status = os.waitstatus_to_exitcode(done.status)
+    return _told(wire_lines(_PATH.sub("", said)), sources, complaint, status)
+
+
+def wire_lines(text: str) -> str:
+    """Foreign text as lines that cannot move a terminal's cursor, indented as they were."""
+    return "\n".join(
+        " " * (len(line) - len(line.lstrip())) + wire.printable(line) for line in text.splitlines()
+    )
+
+
+def _told(said: str, sources: Sources, complaint: str, status: int) -> SourceFault:
+    names = [name for name, _ in sources.files]
+    forms = [re.compile(complaint, re.MULTILINE)] if complaint else [_PLACED, _REQUIRED, _PYTHON]
+    places = (each for form in forms for each in form.finditer(said) if each["file"] in names)
+    found = min(places, key=lambda each: (each.re is _PYTHON, each.start()), default=None)
+    error = next((each[0].strip() for each in _ERROR.finditer(said)), "")
+    if found is None:
+        lines = [line for line in said.splitlines() if line.strip()]
+        unlinked = _UNLINKED.search(said)
+        text = (
+            unlinked[0]
+            if unlinked
+            else error or (lines[-1].strip() if lines else f"the compiler ended with status {status}")
+        )
+        return SourceFault(text[:_SHOWN])
+    groups = found.groupdict()
+    message = (groups.get("message") or "").strip()
+    if sources.mismatch and found["file"] != sources.own:
+        return SourceFault(_NO_TEXT if _NO_TEXT in message else sources.mismatch)
+    if not message or error.split(":")[0].endswith("SyntaxError"):
+        message = error or "it does not compile"
+    following = _PLACED.search(said, found.end())
+    shown = said[found.end() : following.start() if following else None]
+    symbol, caret = _SYMBOL.search(shown), _CARET.search(shown)
+    if symbol:
+        message += f": {symbol[1].strip()}"
+    marked = len(caret[1]) + 1 if caret and found.re is _PLACED else 0
+    return SourceFault(message[:_SHOWN], int(found["line"]), int(groups.get("column") or marked))

@@ -1,0 +1,154 @@
+"""The server of what is no Python: it starts compilers and what they make.
+
+It watches them as the fork server watches its children: trusted code only, alone in its container with them.
+
+    EXECUTE   payload (command line, environment, folder, limits by name): start it with the three descriptors
+    COLLECT   payload (folder, bytes, files): copy the ordinary files below the folder to the second
+              descriptor; the replies say their names and sizes, or why they were not copied
+    EMPTY     payload folder: take away what is below it; a note says where that failed
+
+What was started has no descriptor of the region and none of the channel: a note there is the server's own.
+"""
+
+from __future__ import annotations
+
+import _signal as signal  # type: ignore[import-not-found]
+import marshal
+import os
+import stat
+import time
+
+from judge.sandbox.inside import child, server, wire
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from types import CodeType
+    from typing import Any, NoReturn
+
+    from judge.sandbox.inside.confine import Confinement
+
+_DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
+_AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+_AT_ONCE = 1 << 20
+
+
+def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
+    """Confine this process, say so, and serve until the judge hangs up."""
+    server.start(channel, memory, config, source, ExecServer)
+
+
+class ExecServer(server.Server):
+    """A server whose children become other programs."""
+
+    def __init__(
+        self,
+        line: wire.Channel,
+        region: wire.Region,
+        confinement: Confinement,
+        config: dict[str, Any],
+        source: bytes,
+    ) -> None:
+        super().__init__(line, region, confinement, config, source)
+        for folder in config["folders"]:
+            os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
+
+    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
+        if job.kind == wire.COLLECT:
+            return self._collect(job)
+        return self._empty(job) if job.kind == wire.EMPTY else super()._run(job, code)
+
+    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:  # noqa: ARG002
+        try:
+            signal.set_wakeup_fd(-1)
+            for number in _DEFAULTS:
+                signal.signal(number, signal.SIG_DFL)
+            command, environment, folder, limits = marshal.loads(self._region.payload(job.payload))
+            child.take_descriptors(job.descriptors[:3], self._tally_end)
+            os.chdir(folder)
+            self._confinement.confine_program(limits)
+            child.start_the_clock()
+            os.execve(command[0], command, environment)
+        except BaseException as error:
+            self._region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            os._exit(99)
+
+    def _ask_where(self, pid: int, reason: int) -> int:
+        """The reason to kill it, after a last look at one that waits: others may have the processor."""
+        if reason == wire.FOR_CPU:
+            return reason
+        before = server._cpu_clock(pid)
+        until = time.perf_counter_ns() + server.LAST_MOMENT_NS
+        while (left := until - time.perf_counter_ns()) > 0:
+            self._wait(pid, min(left, server.SHORTEST_WAIT_NS))
+        at_work = server._cpu_clock(pid) - before > server.LAST_MOMENT_NS * server.AT_WORK
+        return wire.FOR_BEING_SLOW if at_work else reason
+
+    def _empty(self, job: wire.Request) -> bytes:
+        """Take away what an earlier run has left."""
+        try:
+            _take_away(marshal.loads(self._region.payload(job.payload)))
+        except (OSError, RecursionError) as fault:
+            self._region.write_note(wire.BROKEN_BOX, f"{type(fault).__name__}: {fault}")
+        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 1)
+
+    def _collect(self, job: wire.Request) -> bytes:
+        """Copy the files that a compiler has left, as many and as large as they may be."""
+        folder, most, count = marshal.loads(self._region.payload(job.payload))
+        try:
+            answer: Any = [
+                (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
+                for path in _first(_files(folder), count)
+            ]
+            if sum(size for _, size in answer) > most or len(answer) > count:
+                answer = "what was compiled is larger than allowed"
+        except OSError as fault:
+            answer = f"what was compiled cannot be read: {fault.strerror}"
+        data = marshal.dumps(answer)
+        start = self._region.words[wire.USED]
+        self._region.memory[start : start + len(data)] = data
+        self._region.words[wire.USED] = start + len(data)
+        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 1)
+
+
+def _files(folder: str) -> Iterator[str]:
+    """The ordinary files below a folder, no link followed."""
+    for base, folders, names in os.walk(folder):
+        folders.sort()
+        for name in sorted(names):
+            path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
+            if stat.S_ISREG(os.lstat(path).st_mode):
+                yield path
+
+
+def _take_away(folder: str) -> None:
+    """All that is below a folder, no link followed."""
+    for entry in list(os.scandir(folder)):
+        if entry.is_dir(follow_symlinks=False):
+            os.chmod(entry.path, 0o700)  # noqa: PTH101 - pathlib takes longer to import
+            _take_away(entry.path)
+            os.rmdir(entry.path)  # noqa: PTH106
+        else:
+            os.unlink(entry.path)  # noqa: PTH108
+
+
+def _first(paths: Iterator[str], count: int) -> Iterator[str]:
+    """No more than one over the count, which tells that there are too many."""
+    for place, path in enumerate(paths):
+        if place > count:
+            return
+        yield path
+
+
+def _copied(path: str, into: int, most: int) -> int:
+    """Append a file's bytes, at most one over `most`; how many there were."""
+    descriptor = os.open(path, _AS_IT_IS)
+    size = 0
+    try:
+        while size <= most and (part := os.read(descriptor, min(_AT_ONCE, most + 1 - size))):
+            size += len(part)
+            while part:
+                part = part[os.write(into, part) :]
+    finally:
+        os.close(descriptor)
+    return size

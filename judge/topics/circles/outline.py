@@ -1,0 +1,202 @@
+"""A circle and a closed polygon in scaled integers: where the boundary crosses the circle, edge by edge.
+
+OUTLINE   the topic of problems with the arguments (cx, cy, r, V), V being the corners in order
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import partial
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+from judge.exact.dyadic import integers
+from judge.exact.surd import Surd
+from judge.problem import Case, Problem
+from judge.problem.topic import Decision, Shown, Topic
+from judge.topics.circles.bands import Bands, beyond
+from judge.topics.circles.images import mirror_images
+from judge.topics.circles.line import CircleLine, Number, Pair
+
+if TYPE_CHECKING:
+    from judge.drawing import Picture
+    from judge.problem.border import Border
+
+Spot = tuple[int, int, int | None]  # an edge, which common point of its line, the end that it is at
+
+_FINEST = 1e-15  # of the extent: what figures of doubles still hold
+
+
+class Crossing(Struct, frozen=True):
+    """A common point of the circle and the boundary: its edge, and how that edge has it.
+
+    `which` is that of `CircleLine.point` of the line number `line`, the edge itself or the one before.
+    """
+
+    edge: int
+    line: int
+    which: int
+
+
+class CircleOutline(Struct, frozen=True):
+    """A circle and the edges of a polygon, edge i from corner i to the next one, the last one to the first.
+
+    All edges have one shift, and one extent e: the largest of r and |x|, |y| of the corners seen from C.
+    """
+
+    edges: tuple[CircleLine, ...]
+
+    @classmethod
+    def of(cls, cx: Number, cy: Number, r: Number, corners: Sequence[Pair]) -> CircleOutline:
+        """The outline of these. Raises ValueError for nan, infinities and r < 0."""
+        (x, y, radius, *flat), shift = integers(cx, cy, r, *(each for corner in corners for each in corner))
+        points = list(zip(flat[::2], flat[1::2], strict=True))
+        extent = max(radius, *(max(abs(px - x), abs(py - y)) for px, py in points))
+        following = [*points[1:], *points[:1]]
+        return cls(
+            tuple(
+                CircleLine.scaled(
+                    (x, y, radius), start, (end[0] - start[0], end[1] - start[1]), shift, extent
+                )
+                for start, end in zip(points, following, strict=True)
+            )
+        )
+
+    def crossings(self, bands: Bands) -> list[Crossing]:
+        """The crossings along the boundary from corner 0; one at a corner is its own edge's, once."""
+        return self._crossings(self._spots(bands))
+
+    def solved(self, bands: Bands, least: Fraction) -> tuple[list[Crossing], str | None]:
+        """The crossings, and what of the promise is broken, or None.
+
+        An edge may be too short, `least` times the extent, or something nearly happens.
+        """
+        spots = self._spots(bands)
+        return self._crossings(spots), self._broken(spots, bands, least)
+
+    def _spots(self, bands: Bands) -> list[Spot]:
+        """Each common point of an edge's line: the edge's number, `which`, and the end that it is at."""
+        return [
+            (number, which, bands.end(line, which))
+            for number, line in enumerate(self.edges)
+            for which in bands.meets(line)
+        ]
+
+    def _crossings(self, spots: Sequence[Spot]) -> list[Crossing]:
+        found: dict[tuple[int, int], Crossing] = {}
+        for number, which, end in spots:
+            line = self.edges[number]
+            if end is None and not beyond(line, which, 0) > 0 > beyond(line, which, 1):
+                continue
+            edge = (number + 1) % len(self.edges) if end == 1 else number
+            place = (edge, 0) if end is not None else (edge, 2 + which)
+            if edge == number or place not in found:
+                found[place] = Crossing(edge, number, which)
+        return [found[place] for place in sorted(found)]
+
+    def point(self, crossing: Crossing) -> tuple[Surd, Surd]:
+        """Where that is, in the caller's units."""
+        return self.edges[crossing.line].point(crossing.which)
+
+    def _broken(self, spots: Sequence[Spot], bands: Bands, least: Fraction) -> str | None:
+        shortest = least.numerator * self.edges[0].extent
+        for line in self.edges:
+            if max(abs(line.dx), abs(line.dy)) * least.denominator < shortest or not line.a:
+                return "an edge is too short a part of the extent"
+            if fault := bands.broken_segment(line):
+                return fault
+        on = [(number, end) for number, _, end in spots if end is not None]
+        if {number for number, end in on if not end} != {
+            (number + 1) % len(self.edges) for number, end in on if end
+        }:
+            return "a corner is on the circle along one of its edges only"
+        return None
+
+
+def _each_edge(
+    measure: Callable[[CircleLine], Iterable[tuple[str, float]]], case: Case
+) -> Iterator[tuple[str, float]]:
+    for line in CircleOutline.of(*case).edges:
+        if line.extent:
+            yield from measure(line)
+
+
+def _lengths(line: CircleLine) -> Iterator[tuple[str, float]]:
+    yield "edge", max(abs(line.dx), abs(line.dy)) / line.extent
+
+
+def _by_extent(
+    measure: Callable[[CircleLine], Iterable[tuple[str, float]]], wanted: str, line: CircleLine
+) -> Iterator[tuple[str, float]]:
+    quantity = "r" if line.r == line.extent else "a corner"
+    yield from ((quantity, share) for side, share in measure(line) if side == wanted)
+
+
+def outline_decisions(problem: Problem) -> tuple[Decision, ...]:
+    """A touch of an edge's line, a common point beside an edge's end, and how short an edge is."""
+    from judge.topics.circles.decisions import ends, tangencies  # late: only a setter asks
+
+    bands = Bands.of(problem.bands)
+    snap, clear = float(bands.snap), float(bands.clear)
+    found = []
+    for name, sides, measure in (
+        ("tangent", ("hit", "miss"), tangencies),
+        ("end", ("on", "beyond"), partial(ends, bands)),
+    ):
+        of_edges = partial(_each_edge, measure)
+        found.append(Decision(name, sides, of_edges, least=_FINEST, within=snap, beyond=clear))
+        for side in sides:
+            quantities = ("r", "a corner")
+            by_extent = partial(_each_edge, partial(_by_extent, measure, side))
+            found.append(
+                Decision(f"{name}, {side}, by the extent", quantities, by_extent, within=snap, beyond=clear)
+            )
+    least = float(problem.bands["least_edge"])
+    return (*found, Decision("edge", ("edge",), partial(_each_edge, _lengths), least=least))
+
+
+def simpler_outlines(_problem: Problem, case: Case) -> Iterator[Case]:
+    """The circle about the origin, and fewer corners; nothing here need be right."""
+    cx, cy, r, corners = case
+    if (cx, cy) != (0, 0):
+        yield 0, 0, r, tuple((_less(x, cx), _less(y, cy)) for x, y in corners)
+    if len(corners) > 3:
+        half = len(corners) // 2
+        for kept in (corners[:half], corners[half:], corners[::2]):
+            if len(kept) >= 3:
+                yield cx, cy, r, kept
+        for place in range(len(corners)):
+            yield cx, cy, r, corners[:place] + corners[place + 1 :]
+
+
+def _less(x: Number, by: Number) -> Number:
+    return x - by if isinstance(x, int) and isinstance(by, int) else float(Fraction(x) - Fraction(by))
+
+
+def special_outline(case: Case) -> int:
+    """One for a radius of 0."""
+    return int(case[2] == 0)
+
+
+def _picture(shown: Shown) -> Picture | None:
+    from judge.topics.circles.picture.polygon import draw_outline  # late: most problems are not drawn
+
+    return draw_outline(shown)
+
+
+def _borders(problem: Problem) -> tuple[Border, ...]:
+    from judge.topics.circles.outline_borders import outline_borders  # late: only naming asks
+
+    return outline_borders(problem)
+
+
+OUTLINE = Topic(
+    images=mirror_images,
+    simpler=simpler_outlines,
+    special=special_outline,
+    picture=_picture,
+    decisions=outline_decisions,
+    borders=_borders,
+)

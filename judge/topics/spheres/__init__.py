@@ -1,0 +1,43 @@
+"""Spheres in space, and the rays that meet them.
+
+SPHERE        the topic of problems with the arguments (C, r, O, D), the points and the vector in space
+SphereRay     a sphere and a ray in scaled integers: where they meet first, and the normal there
+
+hit.py        the same
+figures.py    spheres and rays before they are cases: turned, moved, scaled; a radius at the edge of a band
+recipes.py    test cases that have one property each
+decisions.py  how far a case is from where its answer turns
+simpler.py    simpler cases like a failing one
+picture.py    a failing case, seen from two sides
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from judge.problem.topic import Shown, Topic
+from judge.topics.spheres.hit import SphereRay
+from judge.topics.spheres.recipes import BUILDERS
+from judge.topics.spheres.simpler import simpler, special
+
+if TYPE_CHECKING:
+    from judge.drawing import Picture
+    from judge.problem import Problem
+    from judge.problem.topic import Decision
+
+__all__ = ["BUILDERS", "SPHERE", "SphereRay"]
+
+
+def _picture(shown: Shown) -> Picture | None:
+    from judge.topics.spheres.picture import compose  # late: most problems are loaded to be judged, not drawn
+
+    return compose(shown)
+
+
+def _decisions(problem: Problem) -> tuple[Decision, ...]:
+    from judge.topics.spheres.decisions import decisions  # late: only a setter asks
+
+    return decisions(problem)
+
+
+SPHERE = Topic(simpler=simpler, special=special, picture=_picture, decisions=_decisions)

@@ -1,0 +1,33 @@
+"""distance-epsilon
+
+The threshold is a fraction of the distance of the centres. Close centres with large radii have a wider band: measure it
+by the extent, the largest of both radii and of the parts of C2 − C1.
+"""
+
+from math import hypot, sqrt
+
+
+def common_tangents(cx1, cy1, r1, cx2, cy2, r2):
+    vx, vy = cx2 - cx1, cy2 - cy1
+    d = hypot(vx, vy)
+    eps = 1e-10 * d
+    ux, uy = vx / d, vy / d
+
+    def at(along, left):
+        return (cx1 + r1 * (along * ux - left * uy), cy1 + r1 * (along * uy + left * ux))
+
+    less, more = r1 - r2, r1 + r2
+    if abs(d - abs(less)) <= eps:
+        return [at(1, 0) if less > 0 else at(-1, 0)]
+    if d < abs(less):
+        return []
+    c = less / d
+    s = sqrt((d - less) * (d + less)) / d
+    points = [at(c, s), at(c, -s)]
+    if abs(d - more) <= eps:
+        points.append(at(1, 0))
+    elif d > more:
+        c = more / d
+        s = sqrt((d - more) * (d + more)) / d
+        points += [at(c, s), at(c, -s)]
+    return points

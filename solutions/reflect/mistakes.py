@@ -1,0 +1,288 @@
+"""How the reflection goes wrong: right ways to it, and mistakes beside the lines that they spoil."""
+
+from fractions import Fraction
+from math import copysign, hypot, sqrt
+
+
+def normal_part(cx, cy, r, O, D):
+    "right"
+    # + diameter-for-radius: r = r / 2
+    # + diameter-for-radius: r = 2 * r
+    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
+    # + zero-radius: if r == 0: return (cx, cy), D
+    # + zero-radius: if r == 0: return (cx, cy), (-D[0], -D[1])
+    # : For a radius of 0 the ray is reflected at C. A point has no normal: return None.
+    dx, dy = D
+    # ? target-for-direction: dx, dy = D[0] - O[0], D[1] - O[1]
+    if r == 0:
+        return None
+    # ? zero-radius: pass
+    # : A radius of 0 goes through the general way, which divides by it. Return None before that.
+    length = hypot(dx, dy)
+    # = length = sqrt(dx * dx + dy * dy)
+    if length == 0:
+        return None
+        # ? no-degenerate: return O, D
+        # : D = (0, 0) is answered with O and D. There is no ray: return None.
+    # ? no-degenerate: pass
+    # : D = (0, 0) is not asked for, and the length of D is divided by. There is no ray then: return None first.
+    # ? no-degenerate: length = length or 1.0
+    # : A length of 0 is replaced by 1 so that nothing is divided by it: a ray that does not exist gets an answer.
+    # : Return None before anything else.
+    # ? short-is-null: if length < {1e-12..1e-4/3}: return None
+    # ? short-is-null: if length * length < {1e-12..1e-4/3}: return None
+    ux, uy = dx / length, dy / length
+    # ? needs-unit-direction: ux, uy = dx, dy
+    # ? needs-unit-direction@all: ux, uy = dx, dy
+    fx, fy = O[0] - cx, O[1] - cy
+    # ? forgotten-centre: fx, fy = O
+    # ? swapped-coordinates: fx, fy = O[0] - cy, O[1] - cx
+    # : The centre is taken as (cy, cx). Its x belongs to the x of O.
+    extent = max(r, abs(fx), abs(fy))
+    # = extent = max(r, hypot(fx, fy))
+    # ? signed-extent: extent = max(r, fx, fy)
+    # ? signed-extent: extent = max(r, abs(fx), fy)
+    # ? signed-extent: extent = max(r, fx, abs(fy))
+    # ? radius-epsilon: extent = r
+    # : The threshold is a part of the radius alone, and far from the circle rounding is more than that. Measure it
+    # : by the largest of r and the coordinates of O seen from C.
+    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
+    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : extent from the centre, and add nothing to it.
+    near = 1e-10 * extent
+    # = near = 1e-9 * extent
+    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
+    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
+    # ? tight-epsilon: near = {1e-16..1e-13} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    touch = slack = near
+    # ? absolute-epsilon: touch, slack = {1e-15..1e-3/3}, near
+    # ? tight-epsilon: touch, slack = {1e-16..1e-13} * extent, near
+    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * extent, near
+    # ? loose-origin: touch, slack = near, {1e-6..1e-2/2} * extent
+    # ? no-snap: touch, slack = near, {1e-16..1e-13} * extent
+    # ? no-snap: touch, slack = near, 0
+    # : Only t ≥ 0 counts, to the letter: with O on the circle, rounding decides whether the ray enters there.
+    # : Let a point that is nearly at O count as there: 1e-10 of the extent, as a length.
+    distance = abs(dx * fy - dy * fx) / length
+    # ? needs-unit-direction@all: distance = abs(dx * fy - dy * fx)
+    # : The direction is used as if it were 1 long, in every place. Divide it by its length first.
+    # ? needs-unit-direction: distance = abs(dx * fy - dy * fx)
+    # : The distance of the line is a cross product that nobody divided by |D|. Divide by it, or make D a unit.
+    # ? global-frame: distance = abs((ux * O[1] - uy * O[0]) - (ux * cy - uy * cx))
+    # : The distance of the line is the difference of its own offset from the plane's origin and that of the
+    # : centre. Far from the origin both are huge and nothing is left of the figure. Subtract C from O first.
+    gap = distance - r
+    # ? equality: gap = 0 if distance == r else copysign(2 * touch, gap)
+    # ? equality: gap = (lambda k, a: 0 if k * k == Fraction(r) ** 2 * a else copysign(2 * touch, k * k - Fraction(r) ** 2 * a))(Fraction(dx) * Fraction(fy) - Fraction(dy) * Fraction(fx), Fraction(dx) ** 2 + Fraction(dy) ** 2)
+    # : Everything is exact, so that a touch whose numbers were rounded is a hit or a miss by 1e-17. Apply the
+    # : statement's band, which says what the truth is.
+    if gap > touch:
+        return None
+        # ? sentinel-miss: return O, D
+        # : A miss is answered with O and D. Return None: the contract asks for it.
+        # ? sentinel-miss: return None, D
+        # : A miss is answered with None for the point alone. Return None for all of it.
+    # ? sqrt-of-negative@plain: pass
+    # ? sqrt-of-negative@abs: pass
+    # : "To be safe" the root is taken of the absolute value, and a ray that misses is reflected. A miss is None.
+    # ? foot-for-miss: pass
+    to_foot = -(fx * ux + fy * uy)
+    # ? global-frame: to_foot = (cx * ux + cy * uy) - (O[0] * ux + O[1] * uy)
+    # : The way to the foot is the difference of two products of coordinates, which far from the origin are huge.
+    # : Subtract C from O first.
+    # ? wrong-direction: to_foot = fx * ux + fy * uy
+    half = sqrt((r - distance) * (r + distance)) if gap < -touch else 0.0
+    # = half = sqrt(r * r - distance * distance) if gap < -touch else 0.0
+    # ? radius-not-squared: half = sqrt(abs(r - distance * distance)) if gap < -touch else 0.0
+    # ? foot-for-hit: half = 0.0
+    # ? touch-cut: half = sqrt((r - distance) * (r + distance))
+    # : There is no case for a touch: half the chord is the root of a rounding, or of a negative number. Take 0 for
+    # : it within the band.
+    # ? sqrt-of-negative@plain: half = sqrt(r * r - distance * distance) if abs(gap) > touch else 0.0
+    # ? sqrt-of-negative@abs: half = sqrt(abs(r * r - distance * distance)) if abs(gap) > touch else 0.0
+    # ? touch-cut: half = sqrt((r - distance) * (r + distance)) if distance < r else 0.0
+    # : A touch that rounding moved inside is cut all the same, and the normal turns by 1e-8 or more. Within the
+    # : band it is a touch: take 0 for half the chord.
+    first, last = to_foot - half, to_foot + half
+    # ? touch-missed: first, last = (to_foot - half, to_foot + half) if half else (-extent - length, -extent - length)
+    # : A touch counts as a miss. It has a normal: the one at the foot.
+    way = first
+    # ? far-root: way = last
+    # : The second point is taken although the first one is ahead as well. Take the nearer one.
+    if first < -slack:
+        way = last
+        # ? inside-missed: return None
+        # ? entry-behind: way = max(first, -slack)
+        # : From inside the entry behind O is used for the exit. Go on to the second point.
+    # ? entry-behind@one: if last < -slack: return None
+    # ? inside-missed: if hypot(fx, fy) < r - near: return None
+    # : An origin inside the circle is said to hit nothing, although the ray meets the circle on its way out. The
+    # : circle is the curve: go on to the second point.
+    # ? origin-on-skipped: if first <= slack: way = last
+    # : With O on the circle the entry there is skipped, and the answer is at the other end of the chord. A point at
+    # : t = 0 counts.
+    if way < -slack:
+        return None
+    # ? exit-for-behind: pass
+    # ? exit-for-behind: way = abs(way)
+    # : The absolute value of the way to the point is taken, and what is behind O is met as well. Leave the sign: a
+    # : negative one is behind.
+    # ? entry-behind@one: pass
+    # ? on-is-none: if way <= slack: return None
+    # : With O on the circle None is returned where the ray looks out, as if it had left already. It is reflected there:
+    # : t = 0 counts.
+    # ? on-is-none: if way < -slack or abs(hypot(fx, fy) - r) <= near: return None
+    px, py = O[0] + way * ux, O[1] + way * uy
+    # ? point-from-centre: px, py = fx + way * ux, fy + way * uy
+    # ? direction-not-scaled: px, py = O[0] + way * dx, O[1] + way * dy
+    nx, ny = (fx + way * ux) / r, (fy + way * uy) / r
+    # = nx, ny = -(fx + way * ux) / r, -(fy + way * uy) / r
+    # = nx, ny = (fx + way * ux) / hypot(fx + way * ux, fy + way * uy), (fy + way * uy) / hypot(fx + way * ux, fy + way * uy)
+    # ? needs-unit-normal: nx, ny = fx + way * ux, fy + way * uy
+    # ? needs-unit-normal: nx, ny = (fx + way * ux) / length, (fy + way * uy) / length
+    # : P − C is divided by |D| to make it a unit. It is r long: divide it by r.
+    # ? normalised-twice-position: nx, ny = (lambda s: (px / s, py / s))(hypot(px, py) or 1.0)
+    # ? global-frame: nx, ny = (px - cx) / r, (py - cy) / r
+    # : The normal is computed from the point in the plane's own coordinates, and far from the origin that has few digits
+    # : left for it. Go from O − C.
+    # ? turned-reflection: nx, ny = -(fy + way * uy) / r, (fx + way * ux) / r
+    # : The vector that D is reflected at is turned by a quarter: it runs along the circle. Use (P − C)/r.
+    s = dx * nx + dy * ny
+    # ? turned-reflection: s = dx * ny - dy * nx
+    # : The cross product of D and N is taken for D·N. The part along the normal is the scalar product, dx·nx + dy·ny.
+    # ? unit-result: s = ux * nx + uy * ny
+    # : The part along the normal is that of D made a unit, but it is taken from D itself. Use one of both throughout.
+    rx, ry = dx - 2 * s * nx, dy - 2 * s * ny
+    # ? factor-one: rx, ry = dx - s * nx, dy - s * ny
+    # ? sign-plus: rx, ry = dx + 2 * s * nx, dy + 2 * s * ny
+    # ? mirrored-normal: rx, ry = 2 * s * nx - dx, 2 * s * ny - dy
+    # ? reversed: rx, ry = -dx, -dy
+    # ? direction-kept: rx, ry = dx, dy
+    # ? normal-returned: rx, ry = nx, ny
+    # ? normal-returned: rx, ry = -copysign(1.0, s) * nx, -copysign(1.0, s) * ny
+    # : The normal is returned, facing the ray, and not what is reflected: D − 2(D·N)N.
+    # ? unit-result: rx, ry = ux - 2 * s / length * nx, uy - 2 * s / length * ny
+    # ? unit-result: rx, ry = (ux - 2 * s / length * nx, uy - 2 * s / length * ny) if half else (dx, dy)
+    # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (-dx, -dy)
+    # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (length * nx, length * ny)
+    # : A ray that touches goes off along the normal. Its D·N is 0: it goes on as it came.
+    # ? inside-goes-on: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if s <= 0 else (dx, dy)
+    # ? inside-goes-on: rx, ry = dx - 2 * min(s, 0.0) * nx, dy - 2 * min(s, 0.0) * ny
+    # : Only a ray that runs against the outward normal is reflected, and one from inside goes through the circle. The
+    # : sign of N makes no difference to D − 2(D·N)N.
+    return (px, py), (rx, ry)
+    # ? parts-exchanged: return (rx, ry), (px, py)
+    # ? reflection-only: return rx, ry
+    # ? reflection-only: return (rx, ry)
+    # ? mirrored-components: return (py, px), (ry, rx)
+    # ? reflection-only: return [px, py, rx, ry]
+    # : The four numbers are in one list. Two pairs are asked for: ((px, py), (rx, ry)).
+
+
+def quadratic(cx, cy, r, O, D):
+    "right"
+    dx, dy = D
+    fx, fy = O[0] - cx, O[1] - cy
+    # ? reversed-vector: fx, fy = cx - O[0], cy - O[1]
+    a = dx * dx + dy * dy
+    if a == 0 or r == 0:
+        return None
+    # ? short-is-null: if a < {1e-15..1e-6/3} or r == 0: return None
+    b, c = fx * dx + fy * dy, fx * fx + fy * fy - r * r
+    # ? radius-not-squared: b, c = fx * dx + fy * dy, fx * fx + fy * fy - r
+    # ? global-frame: b, c = fx * dx + fy * dy, O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
+    # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it. Subtract C from
+    # : O first.
+    extent = max(r, abs(fx), abs(fy))
+    near = 1e-10 * extent
+    size = sqrt(a)
+    gap = abs(dx * fy - dy * fx) / size - r
+    disc = b * b - a * c
+    # = disc = r * r * a - (dx * fy - dy * fx) ** 2
+    # ? needs-unit-direction: disc = b * b - c
+    # : The formula for |D| = 1 is used with a D of any length: b² − c lacks its a. Use b² − a·c, or make D a unit.
+    where = 1 if gap > near else 0 if gap >= -near else -1
+    # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
+    # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
+    # : within 1e-10 of the extent.
+    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
+    # ? loose-epsilon: where = 1 if disc < -{1e-5..1e-3/2} * r * r * a else 0 if disc <= {1e-5..1e-3/2} * r * r * a else -1
+    if where > 0:
+        return None
+    root = sqrt(max(0.0, disc)) if where else 0.0
+    t = (-b - root) / a
+    # ? needs-unit-direction: t = -b - root
+    # : The root is not divided by a = D·D. Divide by it, or make D a unit.
+    # ? far-root: t = (-b + root) / a
+    # : Only −b + √Δ is computed, which is where the ray leaves. From outside the other root comes first.
+    if t * size < -near:
+        t = (-b + root) / a
+        # ? needs-unit-direction: t = -b + root
+        # : The second root is not divided by a = D·D. Divide by it, or make D a unit.
+        # ? inside-missed: return None
+    if t * size < -near:
+        return None
+    nx, ny = (fx + t * dx) / r, (fy + t * dy) / r
+    # ? needs-unit-normal: nx, ny = fx + t * dx, fy + t * dy
+    s = 2 * (dx * nx + dy * ny)
+    # ? factor-one: s = dx * nx + dy * ny
+    # ? sign-plus: s = -2 * (dx * nx + dy * ny)
+    # ? unit-result@u: s = 2 * (dx * nx + dy * ny) / size
+    rx, ry = dx - s * nx, dy - s * ny
+    # ? unit-result@u: rx, ry = dx / size - s * nx, dy / size - s * ny
+    # : What is reflected is made a unit. It is as long as D.
+    return (O[0] + t * dx, O[1] + t * dy), (rx, ry)
+    # ? direction-not-scaled: return (O[0] + t * dx / size, O[1] + t * dy / size), (rx, ry)
+
+
+def textbook(cx, cy, r, O, D):
+    "absolute-epsilon"
+    fx, fy = O[0] - cx, O[1] - cy
+    a = D[0] * D[0] + D[1] * D[1]
+    if a < 1e-9 or r < 1e-9:
+        return None
+    # = if a == 0 or r == 0: return None
+    b, c = 2 * (fx * D[0] + fy * D[1]), fx * fx + fy * fy - r * r
+    disc = b * b - 4 * a * c
+    if disc < -1e-9:
+        return None
+    # = if disc < -1e-12: return None
+    # = if disc < 0: return None
+    root = sqrt(max(0.0, disc))
+    # = root = sqrt(disc) if disc > 1e-9 else 0.0
+    # = root = sqrt(disc) if disc > 1e-12 else 0.0
+    for t in ((-b - root) / (2 * a), (-b + root) / (2 * a)):
+        if t >= -1e-9:
+            nx, ny = (O[0] + t * D[0] - cx) / r, (O[1] + t * D[1] - cy) / r
+            # = nx, ny = (fx + t * D[0]) / r, (fy + t * D[1]) / r
+            s = 2 * (D[0] * nx + D[1] * ny)
+            return (O[0] + t * D[0], O[1] + t * D[1]), (D[0] - s * nx, D[1] - s * ny)
+    return None
+
+
+def slope(cx, cy, r, O, D):
+    "slope-intercept"
+    if r == 0 or D == (0, 0):
+        return None
+    fx, fy = O[0] - cx, O[1] - cy
+    near = 1e-10 * max(r, abs(fx), abs(fy))
+    # + slope-intercept: if D[0] == 0: return None
+    # : A vertical ray, which has no slope, is answered with None. Write it as O + t·D, which knows no special
+    # : direction.
+    m = D[1] / D[0]
+    # = m = D[1] / (D[0] or 1e-9)
+    n = fy - m * fx
+    d = abs(n) / sqrt(1 + m * m)
+    if d > r + near:
+        return None
+    root = sqrt(max(0.0, r * r * (1 + m * m) - n * n)) if d < r - near else 0.0
+    xs = sorted(((-m * n - root) / (1 + m * m), (-m * n + root) / (1 + m * m)), reverse=D[0] < 0)
+    for x in xs:
+        if (x - fx) * D[0] >= -near * abs(D[0]):
+            nx, ny = x / r, (m * x + n) / r
+            s = 2 * (D[0] * nx + D[1] * ny)
+            return (cx + x, cy + m * x + n), (D[0] - s * nx, D[1] - s * ny)
+    return None

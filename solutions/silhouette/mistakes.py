@@ -1,0 +1,126 @@
+"""How a silhouette goes on flickering: right ways through its frames, and mistakes beside the lines they spoil."""
+
+from math import hypot, sqrt
+
+
+def machine(circles, O, D, h):
+    "right"
+    dx, dy = D
+    # ? target-for-direction: dx, dy = D[0] - O[0], D[1] - O[1]
+    # : D is taken for a point, and O is subtracted from it. It is the direction itself.
+    length = hypot(dx, dy) or 1.0
+    # = length = sqrt(dx * dx + dy * dy) or 1.0
+    # ? direction-not-normalised: length = 1.0
+    shown, answer, before = None, [], None
+    # ? starts-at-zero@s: shown, answer, before = False, [], None
+    # ? starts-at-one@s: shown, answer, before = True, [], None
+    first_radius = circles[0][2]
+    for x, y, r in circles:
+        fx, fy = O[0] - x, O[1] - y
+        # ? swapped-coordinates: fx, fy = O[0] - y, O[1] - x
+        # ? forgotten-centre: fx, fy = O
+        # ? forgotten-centre: fx, fy = O[0] - circles[0][0], O[1] - circles[0][1]
+        # : The centre of the first frame is used in all of them. Each frame has its own.
+        # + diameter-for-radius: r = r / 2
+        # + diameter-for-radius: r = 2 * r
+        # : The radius is doubled, as if a half of it were given. It is the radius: use it as it is.
+        side = (dx * fy - dy * fx) / length
+        # ? swapped-coordinates: side = (dx * fx - dy * fy) / length
+        # : The cross product is taken with x and y mixed up. It is dx·fy − dy·fx.
+        # ? global-frame: side = (dx / length * O[1] - dy / length * O[0]) - (dx / length * y - dy / length * x)
+        d = abs(side)
+        # ? forgotten-abs: d = side
+        # ? forgotten-abs: d = -side
+        # ? distance-to-origin: d = hypot(fx, fy)
+        # ? half-line: d = abs(side) if fx * dx + fy * dy <= 0 else hypot(fx, fy)
+        # ? segment-distance: d = (lambda t: hypot(fx + t * dx, fy + t * dy))(max(0, min(1, -(fx * dx + fy * dy) / length / length)))
+        # ? squared: d = side * side
+        extent = max(r, abs(fx), abs(fy))
+        # = extent = max(r, hypot(fx, fy))
+        # ? signed-extent: extent = max(r, fx, fy)
+        # ? signed-extent: extent = max(r, abs(fx), fy)
+        # ? signed-extent: extent = max(r, fx, abs(fy))
+        # ? radius-epsilon: extent = r
+        # ? coordinate-epsilon: extent = max(abs(x), abs(y), r, abs(O[0]), abs(O[1]))
+        # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+        # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+        # : extent from the centre, and add nothing to it.
+        near = 1e-10 * extent
+        # = near = 1e-9 * extent
+        # ? absolute-epsilon: near = {1e-12..1e-3/3}
+        # ? tight-epsilon: near = {1e-16..1e-13} * extent
+        # ? tight-epsilon: near = 0
+        # : A threshold is passed by any rounding: at r·(1 ± h), where the statement wants nothing to change. Leave
+        # : 1e-10 of the extent to it.
+        # ? tight-epsilon: near = -1e-10 * extent
+        # : At a threshold it counts as passed. The statement calls that not passed: the room belongs to the other side.
+        # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+        width = h * r
+        # ? absolute-band: width = h
+        # ? absolute-band: width = h * first_radius
+        # : The width of the band is that of the first frame's radius. It grows with the radius of each frame.
+        # ? absolute-band: width = h * extent
+        # : The width of the band is a part of the extent. It is a part of r.
+        # ? half-a-band: width = h * r / 2
+        low, high = r - width - near, r + width + near
+        # ? no-hysteresis: low, high = r, r
+        # ? no-hysteresis: low, high = r - near, r + near
+        # : Only rounding is given room, and the circle flickers. The thresholds are r·(1 − h) and r·(1 + h).
+        # ? no-hysteresis: low, high = r - width - near, r - width - near
+        # : One threshold, r·(1 − h), serves both ways, and there it flickers. A hit ends beyond r·(1 + h).
+        # ? no-hysteresis: low, high = r + width + near, r + width + near
+        # : One threshold, r·(1 + h), serves both ways, and there it flickers. A miss ends below r·(1 − h).
+        # ? one-sided-band: low, high = r - near, r + width + near
+        # ? one-sided-band: low, high = r - width - near, r + near
+        # : A hit ends as soon as d is above r. It ends beyond r·(1 + h) only.
+        # ? wide-both-ways: low, high = r + width + near, r - width - near
+        if shown is None:
+            shown = d < r
+            # ? starts-at-zero: shown = d < low
+            # : The first frame is a hit only below r·(1 − h). It has nothing before it: compare d with r.
+            # ? starts-at-zero: shown = False
+            # ? starts-at-one: shown = d <= high
+            # : The first frame is a miss only above r·(1 + h). It has nothing before it: compare d with r.
+            # ? starts-at-one: shown = True
+            # ? inverted: shown = d > r
+            # : The first frame alone is answered the wrong way round. It shows 1 for d < r.
+            # ? zero-radius: shown = d < r or r == 0
+        elif shown:
+            shown = d <= high
+            # ? previous-frame: shown = d <= high or before <= high
+            # : One frame beyond the threshold is let pass, as if two were needed. The first one already is a miss.
+        else:
+            shown = d < low
+            # ? previous-frame: shown = d < low and before < low
+            # : A hit is shown a frame late, as if two were needed below the threshold. The first one already is a hit.
+        # + previous-d: shown = d < r if before is None or abs(d - before) > width else bool(answer[-1])
+        # + band-is-a-miss: shown = d < r if before is None else d < low
+        # : Whatever is not below r·(1 − h) is a miss, also after a hit. Between the thresholds nothing changes.
+        # + band-is-a-miss: shown = d < r if before is None else d <= high
+        # : Whatever is not above r·(1 + h) is a hit, also after a miss. Between the thresholds nothing changes.
+        answer.append(int(shown))
+        # ? inverted: answer.append(int(not shown))
+        # ? boolean-answer: answer.append(bool(shown))
+        # ? float-answer: answer.append(float(shown))
+        # ? changes-only: answer.append(int(bool(answer) and shown != was))
+        before, was = d, shown
+    return answer
+    # ? last-only: return answer[-1:]
+
+
+def slopes(circles, O, D, h):
+    "slope-intercept"
+    # + slope-intercept: if D[0] == 0: return [0 for _ in circles]
+    # : An upright line, which has no slope, is answered with misses. Work with the direction D.
+    m = D[1] / D[0]
+    n = O[1] - m * O[0]
+    answer = []
+    for x, y, r in circles:
+        d = abs(m * x - y + n) / sqrt(m * m + 1)
+        if not answer:
+            answer.append(int(d < r))
+        elif answer[-1]:
+            answer.append(int(d <= r * (1 + h)))
+        else:
+            answer.append(int(d < r * (1 - h)))
+    return answer

@@ -1,0 +1,190 @@
+"""How two moving discs go wrong: right ways to their first touch, and mistakes beside the lines they spoil."""
+
+from math import hypot, sqrt
+from struct import pack, unpack
+
+
+def single(*numbers):
+    return unpack(f"{len(numbers)}f", pack(f"{len(numbers)}f", *numbers))
+
+
+def relative(P0, P1, r, Q0, Q1, s):
+    "right"
+    # + diameter-for-radius: r, s = r / 2, s / 2
+    # + diameter-for-radius: r, s = 2 * r, 2 * s
+    # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
+    # + swapped-coordinates: P0 = P0[1], P0[0]
+    # : P0 is taken as (y, x). Its x belongs to the x of the others.
+    # + swapped-coordinates: Q0, Q1 = (Q0[1], Q0[0]), (Q1[1], Q1[0])
+    # : The second disc's places are taken as (y, x). Their x belongs to the x of the first disc's.
+    # + single-precision: P0, P1, Q0, Q1, (r, s) = single(*P0), single(*P1), single(*Q0), single(*Q1), single(r, s)
+    # + zero-radius: if r == 0 or s == 0: return None
+    reach = r + s
+    # ? one-radius: reach = r
+    # ? one-radius: reach = s
+    # ? one-radius: reach = max(r, s)
+    # : The larger radius stands for both. The discs touch where the centres are r + s apart.
+    # ? radii-subtracted: reach = abs(r - s)
+    fx, fy = P0[0] - Q0[0], P0[1] - Q0[1]
+    # = fx, fy = -(Q0[0] - P0[0]), -(Q0[1] - P0[1])
+    vx, vy = P1[0] - P0[0], P1[1] - P0[1]
+    # ? end-for-way: vx, vy = P1
+    wx, wy = Q1[0] - Q0[0], Q1[1] - Q0[1]
+    # ? end-for-way: wx, wy = Q1
+    # ? one-still@unseen: wx, wy = 0, 0
+    dx, dy = vx - wx, vy - wy
+    # ? one-still: dx, dy = vx, vy
+    # ? one-still: dx, dy = -wx, -wy
+    # : The first disc is taken to rest in P0. Both move: seen from the second, the first goes the difference of both
+    # : ways.
+    # ? absolute-motion: dx, dy = vx + wx, vy + wy
+    # : Both ways are added, which is right only if the second one is turned round. Subtract it.
+    # ? absolute-motion: dx, dy = wx - vx, wy - vy
+    # : The second way less the first is how the second disc moves as seen from the first, but f is the first as seen
+    # : from the second. Take both differences the same way round.
+    extent = max(reach, abs(vx), abs(vy), abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
+    # = extent = max(reach, hypot(vx, vy), hypot(fx, fy), hypot(wx, wy))
+    # ? one-sided-extent: extent = max(reach, abs(vx), abs(vy), abs(fx), abs(fy))
+    # ? one-sided-extent: extent = max(reach, abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
+    # ? one-sided-extent: extent = max(reach, abs(vx), abs(vy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
+    # ? one-sided-extent: extent = reach
+    # : The extent is the sum of the radii alone. The ways count as well: they may be much longer.
+    # ? signed-extent: extent = max(reach, vx, vy, fx, fy, Q1[0] - P0[0], Q1[1] - P0[1])
+    # ? coordinate-epsilon: extent = max(reach, *map(abs, (*P0, *P1, *Q0, *Q1)))
+    # ? coordinate-epsilon: extent = max(1, reach, abs(vx), abs(vy), abs(fx), abs(fy))
+    # : The threshold is a fraction of 1 at least, "to be safe": small discs are all epsilon. Measure the extent by the
+    # : radii and the ways, and add nothing to it.
+    near = 1e-10 * extent
+    # = near = 1e-9 * extent
+    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
+    # : A fixed 1e-9 is the least threshold, and tiny discs are all epsilon. Measure it by the extent alone.
+    # ? equality: near = 0
+    # ? tight-epsilon: near = {1e-16..1e-13} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = 1e-8 + 1e-5 * reach
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold in the gap of the
+    # : promise: 1e-10 of the extent.
+    away = hypot(fx, fy)
+    # = away = sqrt(fx * fx + fy * fy)
+    # ? global-frame: away = sqrt(abs(P0[0] * P0[0] + P0[1] * P0[1] - 2 * (P0[0] * Q0[0] + P0[1] * Q0[1]) + Q0[0] * Q0[0] + Q0[1] * Q0[1]))
+    if away <= reach + near:
+        return 0.0
+        # ? overlap-is-none: return None
+    # ? overlap-is-none: if away < reach - near: return None
+    # : Discs that overlap from the start get None, and only those that just touch get 0. The answer is 0 for both.
+    # ? overlap-is-none: pass
+    # : Nothing is said of discs that overlap from the start: the first root is before t = 0, and the answer None.
+    # ? exit-for-entry@inside: pass
+    # : Discs that overlap from the start are asked for their next touch, when they part. They touch from t = 0 on.
+    # ? tunnelling: return 1.0 if hypot(fx + dx, fy + dy) <= reach + near else None
+    # : Only the start and the end are looked at. Fast discs pass through each other in between.
+    # ? tunnelling-sampled: for i in range(101):
+    # |     if hypot(fx + i / 100 * dx, fy + i / 100 * dy) <= reach + near: return i / 100
+    # | return None
+    # ? tunnelling-sampled: for i in range(10001):
+    # |     if hypot(fx + i / 10000 * dx, fy + i / 10000 * dy) <= reach + near: return i / 10000
+    # | return None
+    length = hypot(dx, dy)
+    if length == 0:
+        return None
+        # ? no-degenerate: return 0.0
+    # ? no-degenerate: pass
+    # : Discs that move alike have no motion as seen from each other, and the division by its length fails.
+    # ? no-degenerate: if (vx, vy) == (0, 0): return None
+    # : Only a first disc that rests is thought of. If both move alike the division fails as well; and a disc that rests
+    # : may be met by the other.
+    k = dx * fy - dy * fx
+    d = abs(k) / length
+    # = d = abs(k / length)
+    # ? global-frame: d = abs((dx / length * P0[1] - dy / length * P0[0]) - (dx / length * Q0[1] - dy / length * Q0[0]))
+    gap = d - reach
+    # ? area-units: gap = d * d - reach * reach
+    if gap > near:
+        return None
+        # ? miss-is-one: return 1.0
+    # ? sqrt-of-negative: pass
+    foot = -(dx * fx + dy * fy) / length
+    # ? foot-behind: foot = (dx * fx + dy * fy) / length
+    if gap >= -near:
+        first = foot
+        # ? graze-missed: return None
+    else:
+        half = sqrt((reach - d) * (reach + d))
+        # = half = sqrt(reach * reach - d * d)
+        # ? foot-for-entry: half = 0
+        first = foot - half
+        # ? exit-for-entry: first = foot + half
+        # = first = (away - reach) * (away + reach) / (foot + half) if foot > 0 else foot - half
+        # ? exit-for-entry@inside: first = foot - half if foot - half >= 0 else foot + half
+    if first < 0:
+        return None
+        # ? behind-counts: return 0.0
+        # : A touch before the start is moved to t = 0. It does not count: the answer is None.
+    # ? behind-counts: first = abs(first)
+    # ? behind-counts: pass
+    # : A touch before the start is returned, with its negative t.
+    if first > length + near:
+        return None
+        # ? t-beyond-one: return 1.0
+        # : A touch after the end is moved to t = 1. It does not count: the answer is None.
+    # ? t-beyond-one: pass
+    # ? tight-end: if first > length: return None
+    # ? tight-end: if first >= length: return None
+    # : A touch at the very end is left out. The end, t = 1, is in time, and so is what is within the band after it.
+    # ? loose-end: if first > length + {1e-6..1e-3} * extent: return None
+    # ? loose-end: if first > 1.0001 * length: return None
+    # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
+    return first / length
+    # ? distance-for-parameter: return first
+    # ? distance-for-parameter: return first / hypot(vx, vy)
+    # : The way to the touch as seen from the second disc is divided by the first one's own way. Divide by the length of
+    # : the motion that it was measured on.
+    # ? point-for-parameter: return (P0[0] + first / length * vx, P0[1] + first / length * vy)
+
+
+def quadratic(P0, P1, r, Q0, Q1, s):
+    "right"
+    fx, fy = P0[0] - Q0[0], P0[1] - Q0[1]
+    dx, dy = P1[0] - P0[0] - Q1[0] + Q0[0], P1[1] - P0[1] - Q1[1] + Q0[1]
+    # ? one-still: dx, dy = P1[0] - P0[0], P1[1] - P0[1]
+    # ? absolute-motion: dx, dy = P1[0] - P0[0] + Q1[0] - Q0[0], P1[1] - P0[1] + Q1[1] - Q0[1]
+    reach = r + s
+    # ? one-radius: reach = r
+    extent = max(reach, *map(abs, (fx, fy, P1[0] - P0[0], P1[1] - P0[1], Q1[0] - P0[0], Q1[1] - P0[1])))
+    a, b = dx * dx + dy * dy, dx * fx + dy * fy
+    c = fx * fx + fy * fy - reach * reach
+    # ? one-radius: c = fx * fx + fy * fy - r * r - s * s
+    # : The squares of the radii are added, r² + s². The centres are r + s apart where the discs touch: (r + s)².
+    touch = 2e-10 * extent * reach
+    # ? absolute-epsilon: touch = {1e-15..1e-3/3}
+    # ? area-units: touch = 1e-10 * extent
+    # : An area is compared with a length, 1e-10 of the extent. Multiply the threshold by r + s.
+    if c <= touch:
+        return 0.0
+        # ? overlap-is-none: return None
+    # ? exit-for-entry@inside: if abs(c) <= touch: return 0.0
+    # : Discs that overlap from the start are asked for their next touch, when they part. They touch from t = 0 on.
+    if b >= 0:
+        return None
+    # ? behind-counts: if a == 0: return None
+    # ? exit-for-entry@inside: if a == 0: return None
+    k = dx * fy - dy * fx
+    disc = reach * reach * a - k * k
+    if disc < -touch * a:
+        return None
+    # ? sqrt-of-negative@root: pass
+    root = sqrt(disc) if disc > touch * a else 0.0
+    # ? sqrt-of-negative@root: root = sqrt(disc)
+    t = c / (root - b)
+    # = t = (-b - root) / a
+    # ? exit-for-entry: t = (-b + root) / a
+    # ? exit-for-entry@inside: t = (-b - root) / a if c > 0 else (-b + root) / a
+    # ? unhalved: t = (-2 * b - root) / (2 * a)
+    # ? not-divided: t = -b - root
+    return t if (t - 1) * sqrt(a) <= 1e-10 * extent else None
+    # ? t-beyond-one: return t
+    # ? t-beyond-one: return min(t, 1.0)
+    # : A touch after the end is moved to t = 1. It does not count: the answer is None.
+    # ? rounded-output: return round(t, 6) if (t - 1) * sqrt(a) <= 1e-10 * extent else None
+    # ? rounded-output: return round(t, 3) if (t - 1) * sqrt(a) <= 1e-10 * extent else None

@@ -1,0 +1,20 @@
+"""whole-numbers-only
+
+Small whole numbers are computed without any rounding, and so no epsilon is ever needed: a tangency comes out equal, an
+end exactly on the circle. Turn a figure by an odd angle and write it in decimals.
+"""
+
+
+def cases():
+    return [
+        (2, 1, 5, (9, 4), (-7, -2)),
+        (2, 1, 1, (2, 2), (0, 1)),
+        (0, 0, 5, (3, 4), (3, 4)),
+        (0, 0, 1, (-3, 1), (4, 1)),
+        (2, 1, 1, (-1, 0), (-3, 0)),
+        (3, 0, 1, (0, 3), (0, 0)),
+        (0, -1, 0, (-3, -3), (0, -1)),
+        (1, 0, 3, (1, 0), (-1, 0)),
+        (0, 0, 5, (0, 1), (2, 1)),
+        (-1, -3, 3, (-1, -3), (-3, 0)),
+    ]

@@ -1,0 +1,329 @@
+"""`judge class`: every file's row is that of `judge run`, kept through kills, shards and changes."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from cli_support import FLOOR, MEAN
+
+from judge.batch import standard
+from judge.batch.store import Store
+from judge.errors import StoreError
+from judge.manual import page
+
+pytestmark = pytest.mark.slow
+
+WRONG = "def middle(a, b):\n    return a + b / {}\n"
+QUICK = ("--no-name",)
+
+
+@pytest.fixture
+def homework(submit):
+    """Ada is right, Bob wrong, Cy has Bob's text, Dan a link to nothing; the list has Zoe too, not Dan."""
+    submit(MEAN, "homework/ada/middle.py")
+    submit(FLOOR, "homework/bob/middle.py")
+    submit(FLOOR, "homework/cy/homework.py")
+    submit(b"\xef\xbb\xbfid;name;group\r\nada;Ada L;a\r\nbob;;b\r\ncy;;b\r\nzoe;Zoe;a\r\n", "list.csv")
+    submit("hello\n", "homework/README.md")
+    Path("homework/dan").mkdir()
+    Path("homework/dan/middle.py").symlink_to("gone")
+    return Path("homework")
+
+
+def rows(outcome):
+    return {row["file"]: row for row in map(json.loads, outcome.out.splitlines())}
+
+
+def stored(name="homework.judge.sqlite3"):
+    with Store.open(Path(name), reading=True) as store:
+        return store.rows()
+
+
+def lasting(result):
+    """A result without its times."""
+    groups = [{**group, "cpu_seconds": 0} for group in result["groups"]]
+    return {**result, "groups": groups, "time": 0, "memory_bytes": 0}
+
+
+def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework):
+    ended = judge("class", "homework", "--students", "list.csv", "--out", "out.sqlite3")
+    assert ended.status == 3
+    assert ended.lines[:6] == [
+        "      middle",
+        "ada   AC 100",
+        "bob   WA 40",
+        "cy    WA 40=",
+        "zoe   –",
+        "dan?  JE",
+    ]
+    table = ended.lines[: ended.lines.index("middle  4 of 5 handed in, 1 accepted") - 1]
+    assert [line for line in table[7:] if not line.startswith("judged with")] == [
+        "= the same text as in another file, judged once",
+        "? not in the list of students",
+        "nothing handed in: zoe",
+        "dan/middle.py: it is a link to a file that is not there",
+        "1 of 4 accepted, 5 students, 1 problem",
+    ]
+    assert f"isolation on {os.uname().nodename}" in ended.out
+    assert ended.err == "judge: not judged: README.md: no program by its name\n"
+    found = rows(judge("class", "homework", "--out", "out.sqlite3", "--json"))
+    plain = judge("run", "middle", *(f"homework/{name}" for name in found), "--no-shrink", "--json")
+    for row, line in zip(found.values(), plain.lines, strict=True):
+        result = json.loads(line)
+        if row["verdict"] != "JE":
+            assert lasting(row["result"] | {"submission": ""}) == lasting(result | {"submission": ""})
+        assert (row["verdict"], row["score"]) == (result["verdict"], result["score"])
+        assert row["result"]["submission"] == row["file"]
+    assert [row["mistake"] for row in found.values()] == [None, "floor-division", "floor-division", None]
+    assert [row["kept"] for row in found.values()] == [True, True, True, False]
+    assert found["cy/homework.py"]["copied"] == "bob/middle.py"
+
+
+def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
+    assert judge("class", "homework", *QUICK, "-q").status == 3
+    first = {row.file: row for row in stored()}
+    Path("homework/dan/middle.py").unlink()
+    submit(MEAN, "homework/dan/middle.py")
+    submit(WRONG.format(3), "homework/bob/middle.py")
+    ended = judge("class", "homework", *QUICK)
+    assert "2 kept from before" in ended.err
+    assert "dan  AC 100=" in ended.out
+    again = {row.file: row for row in stored()}
+    assert {file for file in first if first[file] == again[file]} == {"ada/middle.py", "cy/homework.py"}
+    submit(FLOOR, "homework/bob/middle.py")  # as it was
+    assert "4 kept from before" in judge("class", "homework", *QUICK).err
+    there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
+    assert [row.digest for row in stored()] == [first[file].digest for file in there]
+    with Store.open(Path("homework.judge.sqlite3"), reading=True) as store:
+        assert len(store.handins("bob", "middle")) == 2
+    before = {row.file: row.at for row in stored()}
+    assert judge("class", "homework", *QUICK, "-q", "--again", "ada").status == 1
+    after = {row.file: row.at for row in stored()}
+    assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
+    with monkeypatch.context() as other:
+        other.setattr(standard, "_own_version", lambda: "9.9+else")
+        told = judge("class", "homework", *QUICK).err
+    assert told.count("\n") == 2
+    assert "4 judged anew, because of the judge (" in told
+    assert " → 9.9+else)" in told
+    named = judge("class", "homework")
+    assert "judged anew, because of " in named.err
+    assert "the options (" in named.err
+
+
+def test_the_best_of_several_files_counts(judge, submit):
+    submit(FLOOR, "homework/ada/middle.py")
+    submit(MEAN, "homework/ada/later/middle.py")
+    ended = judge("class", "homework", *QUICK)
+    assert ended.status == 0
+    assert "ada  AC 100+" in ended.out
+    assert len(stored()) == 2
+
+
+def test_a_broken_problem_costs_its_own_files_alone(judge, submit):
+    submit("x = 1\n", "homework/ada/misspelt-key.py")
+    submit("x = 1\n", "homework/ada/module-raises.py")  # whose data cannot be built
+    submit(MEAN, "homework/ada/middle.py")
+    ended = judge("class", "homework", *QUICK, "--problems", "BROKEN", "--json")
+    found = rows(ended)
+    assert ended.status == 3
+    assert {file: row["verdict"] for file, row in found.items()} == {
+        "ada/middle.py": "AC",
+        "ada/misspelt-key.py": "JE",
+        "ada/module-raises.py": "JE",
+    }
+    assert "module-raises/problem.py" in found["ada/module-raises.py"]["result"]["failure"]["message"]
+    assert "problem.toml" in found["ada/misspelt-key.py"]["result"]["failure"]["message"]
+
+
+def test_shards_merged_are_the_plain_run(judge, homework, submit):
+    for at in range(2, 6):
+        submit(WRONG.format(at), f"homework/s{at}/middle.py")
+    assert judge("class", "homework", *QUICK, "-q", "--out", "plain.sqlite3").status == 3
+    for number in (1, 2, 3):
+        assert judge("class", "homework", *QUICK, "-q", "--shard", f"{number}/3").status in (0, 1, 3)
+    parts = [f"homework.judge.{number}-of-3.sqlite3" for number in (1, 2, 3)]
+    assert sum(len(stored(part)) for part in parts) == 8
+    assert all(len(stored(part)) < 8 for part in parts)
+    part = judge("class", "homework", "--merge", parts[0], "--out", "one.sqlite3")
+    assert part.status in (1, 3)
+    assert f"{8 - len(stored(parts[0]))} files in none of the files that were merged" in part.err
+    merged = judge("class", "homework", "--merge", *parts)
+    assert (merged.status, merged.err.count("\n")) == (3, 2)
+    assert "8 rows merged from 3 files" in merged.err
+    assert untimed(stored()) == untimed(stored("plain.sqlite3"))
+    other = judge("class", "homework", "--level", "interview", "-q", "--out", "level.sqlite3")
+    assert other.status == 3  # the problem has one level only, which is no reason to stop
+    again = judge("class", "homework", "--out", "named.sqlite3", "-q")
+    assert again.status == 3
+    mixed = judge("class", "homework", "--merge", *parts, "named.sqlite3", "--out", "mixed.sqlite3")
+    assert "the rows were not judged alike: the options (" in mixed.err
+
+
+def untimed(found):
+    """Rows as JSON, without their times and the worker."""
+    plain = []
+    for row in found:
+        done = json.loads(row.json)
+        done |= {"result": lasting(done["result"]), "seconds": 0, "worker": "", "busy": ""}
+        fields = [name for name in row.__struct_fields__ if name not in ("at", "json")]
+        plain.append({name: getattr(row, name) for name in fields} | {"json": done})
+    return plain
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("gone",), "gone: this folder cannot be read (no such file or directory)"),
+        (("mad",), "mad: nothing is handed in here; it holds STUDENT/PROBLEM.py"),
+        (("homework", "other"), "other: a class is one folder"),
+        (("homework", "--shard", "0/3"), "--shard: '0/3' is no shard; write --shard 3/20"),
+        (("homework", "--shard", "1/3", "--merge", "x"), "--shard and --merge contradict each other"),
+        (("homework", "--problem", "middel"), "no problem is called 'middel'"),
+        (("homework", "--students", "mad.csv"), "mad.csv:3: ada is in line 2 already"),
+        (("homework", "--again", "nobody"), "--again: nothing here is called 'nobody'"),
+        (("homework", "--merge", "mad.csv"), "of the judge; --merge takes the files that --shard wrote"),
+        (("homework", "--merge", "none.sqlite3"), "none.sqlite3: there is no such file of results"),
+        (("homework", "--out", "mad.csv"), "mad.csv: this is no file of results of the judge"),
+        (
+            ("homework", "--out", "mad.csv/x"),
+            "mad.csv/x: the file of results cannot be written",
+        ),
+    ],
+)
+def test_what_cannot_be_is_one_line(judge, submit, words, told):
+    submit(MEAN, "homework/ada/middle.py")
+    Path("mad").mkdir()
+    submit("id\nada\nada\n" if "--students" in words else "mad\n", "mad.csv")
+    ended = judge("class", *words)
+    assert ended.status in (2, 3)
+    assert told in ended.err
+    assert (ended.out, ended.err.count("\n")) == ("", 1)
+    assert [path.name for path in Path().iterdir() if "judge" in path.name] == []
+
+
+def started(*words):
+    """The command as a process of its own, the first of its group."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "judge", "class", "homework", *QUICK, *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+        start_new_session=True,
+    )
+
+
+def some_rows(least=1):
+    """Wait until so many rows are kept."""
+    for _ in range(6000):
+        try:
+            found = stored()
+        except StoreError:
+            found = []
+        if len(found) >= least:
+            return found
+        time.sleep(0.01)
+    raise AssertionError("no row is kept")
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_the_same_command_goes_on_after_any_end(judge, submit, how):
+    sleepy = "import time\ntime.sleep(0.2)\n"
+    for at in range(8):
+        submit(f"{sleepy}\n{WRONG.format(at + 2)}", f"homework/s{at}/middle.py")
+    process = started("-j", "2")
+    some_rows()
+    second = judge("class", "homework", *QUICK)
+    assert (second.status, second.out) == (3, "")
+    assert "another judge is writing to it; wait until it has ended" in second.err
+    os.killpg(process.pid, how) if how == signal.SIGINT else process.kill()
+    printed, said = process.communicate(timeout=120)
+    kept = stored()
+    assert 1 <= len(kept) < 8
+    if how == signal.SIGINT:
+        assert process.returncode == 130
+        left = 8 - len(kept)
+        assert f"{left} file{'s' * (left > 1)} left; the same command goes on" in said
+        assert f"0 of {len(kept)} accepted, 8 students, 1 problem" in printed
+        assert "Traceback" not in said
+    ended = judge("class", "homework", *QUICK)
+    assert f"{len(kept)} kept from before" in ended.err
+    final = stored()
+    assert len(final) == len({row.key for row in final}) == 8
+    assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()
+    assert {row.verdict for row in final} == {"WA"}
+
+
+# -- the recipes of the manual --------------------------------------------------------------------------
+
+FAKES = {
+    "judge": 'echo "$@" >> asked',
+    "sbatch": """
+for word in "$@"; do
+    case "$word" in --array=1-*) last=${word#--array=1-};; esac
+    command=$word
+done
+for SLURM_ARRAY_TASK_ID in $(seq "$last"); do
+    export SLURM_ARRAY_TASK_ID
+    sh -c "$command"
+done""",
+    "parallel": """
+shift 2
+command=
+while [ "$1" != ::: ]; do command="$command $1"; shift; done
+shift
+for value in "$@"; do sh -c "$(echo "$command" | sed "s/{}/$value/g")"; done""",
+}
+
+
+def recipe(word):
+    """The block of the manual's page that has this word in it."""
+    blocks = page("class").text.split("```")[1::2]
+    (found,) = [block.partition("\n")[2] for block in blocks if word in block]
+    return found
+
+
+def condor():
+    """What HTCondor does with its recipe: each process has its number in the arguments' place."""
+    lines = dict(
+        line.replace(" ", "", 1).split("=", 1) for line in recipe("queue").splitlines() if "=" in line
+    )
+    settings = {name.strip(): value.strip() for name, value in lines.items()}
+    arguments = settings["arguments"].strip('"')
+    assert (settings["executable"], arguments[:4]) == ("/bin/sh", "-c '")
+    count = int(recipe("queue").split("queue")[1])
+    return [arguments[4:-1].replace("$(Process)", str(number)) for number in range(count)]
+
+
+def kubernetes():
+    """What an indexed job does with its recipe."""
+    text = recipe("JOB_COMPLETION_INDEX")
+    assert "completionMode: Indexed" in text
+    count = int(text.split("completions: ")[1].split()[0])
+    command = json.loads(text.split("args: ")[1].strip())[0]
+    return [f"JOB_COMPLETION_INDEX={number}; {command}" for number in range(count)]
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [lambda: [recipe("sbatch")], lambda: [recipe("parallel -j")], condor, kubernetes],
+    ids=["slurm", "parallel", "condor", "kubernetes"],
+)
+def test_the_recipes_ask_for_each_shard_once(commands, tmp_path):
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name, text in FAKES.items():
+        (tools / name).write_text(f"#!/bin/sh\n{text}\n")
+        (tools / name).chmod(0o755)
+    for command in commands():
+        path = f"{tools}:{os.environ['PATH']}"
+        subprocess.run(["sh", "-e", "-c", command], check=True, env={**os.environ, "PATH": path}, timeout=60)
+    asked = (tmp_path / "asked").read_text().splitlines()
+    assert sorted(asked) == sorted(f"class homework --shard {number}/20" for number in range(1, 21))

@@ -1,0 +1,119 @@
+"""`judge class`: the cohort after the table, and the files that are written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import pytest
+from chromium import CHROMIUM, dom, measured
+from cli_support import FLOOR, MEAN
+from jsonschema import Draft202012Validator
+
+from judge.schema import schema_of
+
+pytestmark = pytest.mark.slow
+
+LONG = """
+def middle(a, b):
+    total = a + b
+    parts = [total, total, total]
+    if total < 0:
+        parts = [-part for part in parts]
+        return -(sum(parts) / len(parts)) // 2
+    bounds = (min(parts), max(parts))
+    if bounds[0] != bounds[1] or len(bounds) != 2:
+        raise ValueError("never")
+    for part in parts:
+        if part != total:
+            return None
+    half = sum(parts) / len(parts) // 2
+    return half if half * 2 <= total else half - 1
+"""
+MARKUP = "<img src=x onerror=\"document.title='pwned'\">"
+
+
+@pytest.fixture
+def homework(submit):
+    """Two students whose programs are equal but for names, a right one, one whose every name is markup."""
+    submit(MEAN, "homework/ada/middle.py")
+    submit(LONG, "homework/bob/middle.py")
+    submit(LONG.replace("total", "s").replace("half", "h") + "# mine\n", "homework/cy/middle.py")
+    submit(FLOOR, f"homework/{MARKUP}/middle.py")
+    submit(f'id,name,group\nada,=1+1,a\nzoe,Zoe,"{MARKUP.replace(chr(34), chr(34) * 2)}"\n', "list.csv")
+    return "homework"
+
+
+def test_everything_after_the_table(judge, homework, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    monkeypatch.setenv("PATH", os.environ["PATH"])
+    files = ("--csv", "grades.csv", "--html", "class.html", "--junit", "class.xml", "--similar", "dolos")
+    ended = judge("class", homework, "--students", "list.csv", *files)
+    assert ended.status == 1
+    shown = ended.out.split("middle  4 of 5 handed in, 1 accepted\n")[1]
+    assert "floor-division" in shown
+    assert "groups failed  " in shown
+    alike = "  middle  identical after removing names, spacing and comments: bob, cy\n"
+    assert alike in shown
+    grades = list(csv.reader(io.StringIO(Path("grades.csv").read_bytes().decode("utf-8-sig"), newline="")))
+    assert grades[1][:5] == ["ada", "'=1+1", "a", "100", "100"]
+    assert [each[0] for each in grades[1:]] == ["ada", "zoe", MARKUP, "bob", "cy"]
+    suites = Xml.parse("class.xml").getroot().findall("testsuite")
+    assert sorted(each.get("name") for each in suites)[1] == "middle ada/middle.py"
+    assert len(suites) == 4
+    html = Path("class.html").read_text(encoding="utf-8")
+    assert "Smallest case found" in html
+    assert "1 of 4" in html
+    assert not re.findall(r"<img|<script", html)
+    assert Path("homework.judge.similar/middle-python.zip").exists()
+    assert judge("class", homework, "--students", "list.csv", "-q", *files[2:4]).status == 1
+    assert Path("class.html").read_text(encoding="utf-8") == html
+
+
+def test_the_cohort_for_scripts(judge, homework):
+    plain = judge("class", homework, "--no-name", "--json").lines
+    *rows, last = judge("class", homework, "--no-name", "--json", "--all").lines
+    assert len(rows) == len(plain) == 4
+    found = json.loads(last)["cohort"]
+    assert (found["students"], found["handins"], found["nothing_accepted"]) == (4, 4, [MARKUP, "bob", "cy"])
+    assert [each["students"] for each in found["equal_files"]] == [["bob", "cy"]]
+    (problem,) = found["problems"]
+    assert problem["mistakes"] == [{"mistake": None, "verdict": "WA", "students": [MARKUP, "bob", "cy"]}]
+    checked = Draft202012Validator(schema_of("class"))
+    for text in (*rows, last):
+        checked.validate(json.loads(text))
+    assert judge("class", homework, "--no-name", "-q").out.count("handed in") == 0
+
+
+@pytest.mark.parametrize("option", ["--csv", "--html", "--junit"])
+def test_what_is_something_else_is_not_overwritten(judge, homework, option):
+    ended = judge("class", homework, option, f"{homework}/ada/middle.py")
+    assert ended.status == 2
+    assert "it is there already and is no " in ended.err
+    assert not Path("homework.judge.sqlite3").exists()
+    refused = judge("class", homework, "--shard", "1/2", option, "new")
+    assert (refused.status, refused.err.count("--merge")) == (2, 1)
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
+def test_a_browser_shows_the_page_and_runs_nothing(judge, homework, tmp_path):
+    assert (
+        judge("class", homework, "--students", "list.csv", "--no-name", "-q", "--html", "class.html").status
+        == 1
+    )
+    page = Path("class.html").absolute()
+    shown = dom(page)
+    assert "<title>Class: homework</title>" in shown
+    assert not re.findall(r"<(script|img)\b", shown)
+    for width, dark in ((360, True), (1200, False)):
+        found = measured(page, width=width, dark=dark)
+        assert found["needed"] <= width
+        assert found["dark"] is dark
+        assert found["words"] > 90
+        assert found["faint"] == []
+        assert found["least"] >= 9

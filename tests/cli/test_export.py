@@ -1,0 +1,224 @@
+"""`judge export`: what is written, what is replaced and refused, and what the tools say."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from judge.packs.export.metadata import Version, uuid_of
+from judge.schema import schema_of
+
+pytestmark = pytest.mark.slow
+
+BARE = ("export", "middle", "--out", "packages", "--no-submissions")
+LEGACY, NEW = Path("packages/legacy/middle"), Path("packages/2025-09/middle")
+
+
+def validated(package: Path, case: str, output: bytes) -> int:
+    """The exit status of a package's output validator."""
+    folder = package / ("output_validators/exact" if package == LEGACY else "output_validator")
+    base = package / "data" / case
+    words = [sys.executable, folder / "validate.py", f"{base}.in", f"{base}.ans", f"{Path.cwd()}/"]
+    return subprocess.run(words, input=output, check=False).returncode
+
+
+def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
+    done = judge("export", "middle", "--out", "packages", "--zip", "--json")
+    assert done.status == 0, done
+    said = json.loads(done.out)
+    Draft202012Validator(schema_of("export")).validate(said)
+    assert {each["file"]: each["verdict"] for each in said["programs"]} == {
+        "accepted/mean.py": "AC",
+        "accepted/program.py": "AC",
+        "wrong_answer/floor-division.py": "WA",
+    }
+    for package, version in ((LEGACY, Version.LEGACY), (NEW, Version.NEW)):
+        yaml = (package / "problem.yaml").read_text()
+        assert f"uuid: {uuid_of('middle', version)}\n" in yaml
+        assert "license: unknown\n" in yaml
+        assert "memory: 1024\n" in yaml
+        assert (package / "submissions/wrong_answer/floor-division.py").is_file()
+        for case in ("sample/01-examples", "secret/02-whole", "secret/03-half"):
+            base = package / "data" / case
+            given = base.with_suffix(".in").read_bytes()
+            right = base.with_suffix(".ans").read_bytes()
+            assert validated(package, case, right) == 42
+            assert validated(package, case, right.replace(b".", b".1", 1) + b"0\n") == 43
+            words = [sys.executable, package / "input_validators/validate.py"]
+            assert subprocess.run(words, input=given, check=False).returncode == 42
+            assert subprocess.run(words, input=given + b"1 1\n", check=False).returncode == 43
+            own = [sys.executable, package / "submissions/accepted/mean.py"]
+            printed = subprocess.run(own, input=given, stdout=subprocess.PIPE, check=True).stdout
+            assert validated(package, case, printed) == 42
+    assert (NEW / "data/test_group.yaml").is_file()
+    with zipfile.ZipFile("packages/domjudge/middle.zip") as archive:
+        assert b"timelimit=1\n" in archive.read("domjudge-problem.ini")
+        assert archive.getinfo("output_validators/exact/run").external_attr >> 16 & 0o111
+    with zipfile.ZipFile("packages/legacy/middle.kpp") as archive:
+        assert "middle/problem.yaml" in archive.namelist()
+
+
+def test_an_input_of_another_package_is_the_judges_own_error(judge):
+    assert judge(*BARE).status == 0
+    base = LEGACY / "data/secret/02-whole"
+    base.with_suffix(".in").write_bytes(b"1\n1 2\n")
+    assert validated(LEGACY, "secret/02-whole", b"1.5\n") == 1
+
+
+def test_a_package_of_the_problem_is_replaced_whole_and_nothing_else(judge):
+    assert judge(*BARE).status == 0
+    (LEGACY / "stray.txt").write_text("left over")
+    before = (LEGACY / "problem.yaml").read_bytes()
+    assert judge(*BARE).status == 0
+    assert not (LEGACY / "stray.txt").exists()
+    assert (LEGACY / "problem.yaml").read_bytes() == before
+    assert not list(LEGACY.parent.glob(".judge-*"))
+
+    (NEW / "problem.yaml").write_text("uuid: another\n")
+    refused = judge(*BARE)
+    assert refused.status == 2
+    assert refused.err == (
+        f"judge: {NEW}: it is no package of this problem; name another folder with --out, or move it away\n"
+    )
+    assert (NEW / "problem.yaml").read_text() == "uuid: another\n"
+
+
+def test_a_link_is_not_followed(judge, tmp_path):
+    assert judge(*BARE).status == 0
+    LEGACY.rename(tmp_path / "elsewhere")
+    LEGACY.symlink_to(tmp_path / "elsewhere")
+    assert judge(*BARE).status == 2
+    assert (tmp_path / "elsewhere/problem.yaml").is_file()
+
+
+def test_two_problems_of_one_short_name_are_refused(judge, pack, tmp_path):
+    for name in ("mid-dle", "middle"):
+        shutil.copytree(pack / "problems/middle", tmp_path / "pack/problems" / name)
+    refused = judge("export", "--all", "--problems", tmp_path / "pack/problems", "--out", "packages")
+    assert refused.status == 2
+    assert "mid-dle and middle would both be the package middle" in refused.err
+    assert not Path("packages").exists()
+
+
+def test_what_no_package_can_hold_is_told_in_a_line(judge):
+    done = judge(*BARE, "nearest", "vector", "test-writer")
+    assert done.status == 0
+    assert "nearest  left out: a package cannot measure how the time grows" in done.lines
+    assert "vector  left out: its cases are too large for a line" in done.lines
+    assert (
+        "test-writer  left out: no table says which of its answers are right: problem.py decides"
+        in done.lines
+    )
+
+
+def test_a_program_that_the_package_accepts_or_cannot_run_is_left_out(judge, pack, tmp_path):
+    folder = tmp_path / "pack"
+    shutil.copytree(pack, folder)
+    wrong = folder / "solutions/middle/wrong"
+    (wrong / "as-it-should.py").write_text(
+        '"""no-mistake\n\nNone."""\n\n\ndef middle(a, b):\n    return (a + b) / 2\n'
+    )
+    (wrong / "with-numpy.py").write_text('"""with-numpy\n\nIt is."""\nimport numpy\nmiddle = numpy.mean\n')
+    (wrong / "crash.py").write_text(
+        '"""crash\n\nIt does."""\n\n\ndef middle(a, b):\n    return 1 / (a - a)\n'
+    )
+    done = judge("export", "middle", "--problems", folder / "problems", "--out", "packages", "--json")
+    said = json.loads(done.out)
+    assert {each["file"]: each["why"] for each in said["programs_left_out"]} == {
+        "no-mistake": "as a program it is accepted",
+        "with-numpy": "it imports numpy",
+    }
+    assert {"file": "run_time_error/crash.py", "verdict": "RTE", "test": "01-examples"} in said["programs"]
+
+
+def test_where_a_problem_comes_from_is_said(judge, pack, tmp_path):
+    folder = tmp_path / "pack/problems/middle"
+    shutil.copytree(pack / "problems/middle", folder)
+    toml = (folder / "problem.toml").read_text()
+    table = '[source]\nauthors = ["Ada Lovelace"]\nlicense = "cc by-sa"\norigin = "Notes"\n\n'
+    (folder / "problem.toml").write_text(toml.replace("[audit]", f"{table}[audit]"))
+    shown = judge("show", "middle", "--problems", folder.parent)
+    assert [" ".join(line.split()) for line in shown.lines if "Lovelace" in line] == ["authors Ada Lovelace"]
+    assert json.loads(judge("show", "middle", "--json").out)["source"]["license"] == "unknown"
+    assert judge(*BARE, "--problems", folder.parent).status == 0
+    assert (
+        'author: "Ada Lovelace"\nsource: "Notes"\nlicense: cc by-sa\n'
+        in (LEGACY / "problem.yaml").read_text()
+    )
+    assert 'credits:\n  authors:\n    - "Ada Lovelace"\n' in (NEW / "problem.yaml").read_text()
+
+
+@pytest.mark.parametrize("given", ['authors = ["Ada, Charles"]', 'origin = ""', 'license = "a\\nb"'])
+def test_a_source_that_no_line_can_hold_is_refused(given, judge, pack, tmp_path):
+    folder = tmp_path / "pack/problems/middle"
+    shutil.copytree(pack / "problems/middle", folder)
+    toml = (folder / "problem.toml").read_text()
+    (folder / "problem.toml").write_text(toml.replace("[audit]", f"[source]\n{given}\n\n[audit]"))
+    refused = judge("show", "middle", "--problems", folder.parent)
+    assert refused.status == 3
+    assert refused.err.count("\n") == 1
+    assert "problem.toml" in refused.err
+
+
+def test_without_mistletoe_it_says_how_to_have_it(judge, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
+    refused = judge(*BARE)
+    assert refused.status == 2
+    assert refused.err == (
+        "judge: writing a statement as LaTeX needs mistletoe; pip install 'circle-line-judge[export]'\n"
+    )
+
+
+def tool(folder: Path, name: str, text: str, status: int = 0) -> None:
+    path = folder / name
+    package = (
+        'there=\nfor word; do [ -e "$word/problem.yaml" ] && there=yes; done\n'  # as seen from where it runs
+    )
+    path.write_text(f"#!/bin/sh\n{package}[ $there ] || exit 9\ncat <<'END'\n{text}\nEND\nexit {status}\n")
+    path.chmod(0o755)
+
+
+@pytest.fixture
+def tools(tmp_path, monkeypatch):
+    folder = tmp_path / "tools"
+    folder.mkdir()
+    monkeypatch.setenv("PATH", f"{folder}{os.pathsep}/usr/bin{os.pathsep}/bin")
+    monkeypatch.setattr("judge.packs.export.tools.BESIDE", tmp_path)
+    return folder
+
+
+CLEAN = "WARNING License is 'unknown'\nmiddle tested: 0 errors, 1 warning"
+QUIET = "PROBLEM middle\nLOG: No dedicated answer validators found.\nInput validation: Done"
+
+
+@pytest.mark.parametrize(
+    ("legacy", "new", "status", "ok"),
+    [
+        (CLEAN, (QUIET, 0), 0, [True, True]),
+        ("ERROR No accepted\nmiddle tested: 1 error, 0 warnings", (QUIET, 0), 3, [False, True]),
+        ("Traceback", (QUIET, 0), 3, [False, True]),
+        (CLEAN, (f"{QUIET}\nInput validation: secret/02-whole  rejected", 0), 3, [True, False]),
+        (CLEAN, (QUIET, 1), 3, [True, False]),
+    ],
+)
+def test_what_the_tools_find_is_shown(legacy, new, status, ok, judge, tools):
+    tool(tools, "verifyproblem", legacy)
+    tool(tools, "bt", *new)
+    done = judge(*BARE, "--check", "--json")
+    assert done.status == status
+    assert [each["check"]["ok"] for each in json.loads(done.out)["packages"]] == ok
+
+
+def test_a_tool_that_is_not_installed_is_named_with_its_package(judge, tools):
+    done = judge(*BARE, "--check")
+    assert done.status == 0
+    assert "legacy is not checked: verifyproblem is not installed; pip install problemtools" in done.err
+    assert "2025-09 is not checked: bt is not installed; pip install bapctools" in done.err

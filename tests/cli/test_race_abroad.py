@@ -1,0 +1,175 @@
+"""The race of a submission in another language, from the command line to the report."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from cli_support import PACK
+from jsonschema import Draft202012Validator
+
+from judge.languages import find
+from judge.languages.model import language_called
+from judge.schema import schema_of
+
+pytestmark = pytest.mark.slow
+
+GROWTH = Path(__file__).parents[1] / "fixtures" / "growth"
+CPP = "// Mean.\ndouble middle(double a, double b) { return (a + b) / 2; }\n"
+WORK = """volatile int sink;
+double middle(double a, double b) {
+    for (int i = 0; i < COUNT; ++i) sink = i;
+    return (a + b) / 2;
+}
+"""
+RULE = """[time]
+limit = 20
+function = "mean.py"
+program = "program.py"
+
+[time.references]
+cpp = "reference.cpp"
+
+[tolerance]"""
+GO = "package main\n\nfunc middle(a, b float64) (float64, bool) { return (a + b) / 2, true }\n"
+PROGRAM = (
+    '#include <cstdio>\nint main() { int t; double a, b; std::scanf("%d", &t);'
+    ' while (t-- > 0) { std::scanf("%lf%lf", &a, &b); std::printf("%.17g\\n", (a + b) / 2); } }'
+)
+
+
+def need(name):
+    if find.missing(language_called(name)):
+        pytest.skip(f"no {name} here")
+
+
+@pytest.fixture
+def raced(judge, submit, tmp_path, monkeypatch):
+    """Judge a file on `middle`, which has references in Python and C++; its result, and what was written."""
+    need("cpp")
+    shutil.copytree(PACK, tmp_path / "two")
+    (tmp_path / "two" / "solutions" / "middle" / "accepted" / "reference.cpp").write_text(CPP)
+    toml = tmp_path / "two" / "problems" / "middle" / "problem.toml"
+    toml.write_text(toml.read_text().replace("[tolerance]", RULE, 1))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "two" / "problems"))
+
+    def run(source, name):
+        path = submit(source, name)
+        result = json.loads(judge("run", "--json", "middle", path).out)
+        Draft202012Validator(schema_of("run")).validate(result)
+        return result, judge("run", "middle", path)
+
+    return run
+
+
+def test_it_is_raced_against_its_own_language(raced):
+    result, ended = raced(CPP, "mine.cpp")
+    assert result["verdict"] == "AC"
+    assert result["time"]["reference"] == {"language": "C++"}
+    assert 0.2 < result["time"]["ratio"]["median"] < 5
+    assert "× the reference in C++" in ended.out
+    assert "held to" not in ended.err
+
+
+def test_without_a_reference_it_is_held_to_pythons(raced):
+    need("go")
+    result, ended = raced(GO, "mine.go")
+    assert result["verdict"] == "AC"
+    why = "no reference in Go: held to Python's"
+    assert result["time"]["reference"] == {"language": "Python", "why": why}
+    assert "× the reference in Python" in ended.out
+    assert why in ended.err
+
+
+def test_a_program_is_held_to_pythons(raced):
+    result, ended = raced(PROGRAM, "mine.cpp")
+    assert (result["verdict"], result["mode"]) == ("AC", "program")
+    assert result["time"]["reference"]["why"] == "no reference program in C++: held to Python's"
+    assert "no reference program in C++" in ended.err
+
+
+def test_too_slow_beside_the_reference(raced):
+    result, ended = raced(WORK.replace("COUNT", "200000"), "mine.cpp")
+    assert result["verdict"] == "TLE"
+    assert "times the CPU time of the reference solution in C++; the limit is 20 times" in ended.out
+
+
+QUADRATIC = """
+#include <vector>
+long long inversions(std::vector<long long> values) {
+    long long found = 0;
+    for (size_t i = 0; i < values.size(); ++i)
+        for (size_t j = i + 1; j < values.size(); ++j) found += values[i] > values[j];
+    return found;
+}
+"""
+MERGE = """// Merge.
+#include <algorithm>
+#include <vector>
+static long long sorted(std::vector<long long>& v, size_t from, size_t to) {
+    if (to - from < 2) return 0;
+    size_t half = (from + to) / 2, right = half;
+    long long found = sorted(v, from, half) + sorted(v, half, to);
+    for (size_t left = from; left < half; ++left) {
+        while (right < to && v[right] < v[left]) ++right;
+        found += right - half;
+    }
+    std::inplace_merge(v.begin() + from, v.begin() + half, v.begin() + to);
+    return found;
+}
+long long inversions(std::vector<long long> values) { return sorted(values, 0, values.size()); }
+"""
+
+
+@pytest.fixture
+def grown(judge, submit, tmp_path, monkeypatch):
+    """Judge a file on `inversions`, with a reference in C++ or without."""
+    need("cpp")
+    shutil.copytree(GROWTH, tmp_path / "growth")
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "growth" / "problems"))
+
+    def run(source, *, own):
+        if own:
+            (tmp_path / "growth" / "solutions" / "inversions" / "accepted" / "reference.cpp").write_text(
+                MERGE
+            )
+            toml = tmp_path / "growth" / "problems" / "inversions" / "problem.toml"
+            table = '[time.references]\ncpp = "reference.cpp"\n\n[growth]'
+            toml.write_text(toml.read_text().replace("[growth]", table, 1))
+        return json.loads(judge("run", "--json", "inversions", submit(source, "mine.cpp")).out)
+
+    return run
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_the_growth_of_another_language(grown, own):
+    result = grown(QUADRATIC, own=own)
+    growth = result["time"]["growth"]
+    assert result["verdict"] == "TLE", result
+    assert growth["exponent"] > growth["reference"] + 0.4
+    assert result["time"]["reference"]["language"] == ("C++" if own else "Python")
+
+
+def test_the_growth_of_the_reference_itself(grown):
+    result = grown(MERGE.replace("// Merge", "// Mine"), own=True)
+    assert result["verdict"] == "AC", result
+    assert abs(result["time"]["growth"]["exponent"] - result["time"]["growth"]["reference"]) < 0.4
+
+
+def test_the_solution_in_another_language_is_shown(judge, raced):
+    assert judge("run", "-q", "middle", "mine.cpp").status == 2  # nothing there yet
+    raced(CPP.replace("// Mean.", "// Mine."), "mine.cpp")
+    ended = judge("solution", "middle", "--language", "c++", "--no-time")
+    assert (ended.status, ended.err) == (0, "")
+    assert "```cpp" in ended.out
+    assert "double middle(double a, double b)" in ended.out
+    assert any(row.split()[:1] == ["mean"] for row in ended.lines)
+    told = json.loads(judge("solution", "middle", "reference.cpp", "--no-time", "--json").out)
+    Draft202012Validator(schema_of("solution")).validate(told)
+    assert (told["file"], told["language"]) == ("reference.cpp", "C++")
+    assert [each["language"] for each in told["approaches"]] == ["Python", "C++"]
+    refused = judge("solution", "middle", "--language", "go")
+    assert (refused.status, len(refused.err.splitlines())) == (2, 1)
+    assert "middle has no solution in Go; there are some in Python, C++" in refused.err

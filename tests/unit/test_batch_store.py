@@ -1,0 +1,148 @@
+"""The file of a class's results: a row that was kept is there, one judge writes, what is not ours is left."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+import subprocess
+import sys
+
+import pytest
+from msgspec.structs import replace
+
+from judge import database
+from judge.batch.model import Row
+from judge.batch.store import Store, store_of
+from judge.errors import StoreError
+
+
+def row(key="k", student="ada", file="ada/middle.py", at=1.0, **more):
+    plain = Row(key, student, "middle", file, "d" + key, "WA", 40, 100, "floor", "lab", "full", at, "", "{}")
+    return replace(plain, **more)
+
+
+def test_rows_are_there_when_the_file_is_opened_again(tmp_path):
+    path = store_of(tmp_path / "class")
+    assert path == tmp_path / "class.judge.sqlite3"
+    old, new, other = row("a"), row("b", at=2.0, verdict="AC"), row("c", file="ada/other.py", at=3.0)
+    with Store.open(path) as store:
+        store.keep(new)
+        store.keep_all([old, other])
+        store.note("class", "7b")
+    with Store.open(path, reading=True) as store:
+        assert store.rows() == [new, other]
+        assert store.every() == [old, new, other]
+        assert store.handins("ada", "middle") == [old, new, other]
+        assert store.handins("bob", "middle") == []
+        assert store.meta() == {"class": "7b"}
+        assert store.rows()[0].accepted
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_a_text_that_came_back_is_the_newest_and_one_hand_in(tmp_path):
+    with Store.open(tmp_path / "s") as store:
+        store.keep_all([row("a", at=1.0), row("b", at=2.0), row("a", at=3.0)])
+        again = row("c", at=4.0, digest="da")  # the same text, judged anew
+        store.keep(again)
+        assert [each.key for each in store.handins("ada", "middle")] == ["b", "c"]
+        assert store.rows() == [again]
+
+
+def test_one_judge_writes_and_others_may_read(tmp_path):
+    path = tmp_path / "s.sqlite3"
+    with Store.open(path) as store:
+        store.keep(row())
+        with pytest.raises(StoreError, match="another judge is writing to it; wait until it has ended"):
+            Store.open(path)
+        with Store.open(path, reading=True) as reader:
+            assert len(reader.rows()) == 1
+    with Store.open(path) as store:
+        assert len(store.rows()) == 1
+
+
+def test_who_looks_at_a_file_while_it_is_begun_takes_it_for_no_other_programs(tmp_path, monkeypatch):
+    path = tmp_path / "s.sqlite3"
+    real = database._holds_anything
+
+    def meanwhile(connection):
+        monkeypatch.setattr(database, "_holds_anything", real)
+        found = real(connection)
+        with Store.open(path, reading=True) as reader:
+            assert reader.rows() == []
+        return found or real(connection)
+
+    monkeypatch.setattr(database, "_holds_anything", meanwhile)
+    with Store.open(path) as store:
+        store.keep(row())
+        assert store.rows() == [row()]
+
+
+KILLED = """
+import os, pathlib, sys
+from judge import database
+from judge.batch.model import Row
+from judge.batch.store import Store
+store = Store.open(pathlib.Path(sys.argv[1]))
+for at in range(5):
+    store.keep(Row(str(at), "ada", "p", str(at), "d", "AC", 1, 1, "", "", "", at, "", "{}"))
+os.kill(os.getpid(), 9)
+"""
+
+
+def test_a_judge_that_is_killed_loses_no_row_and_leaves_no_lock(tmp_path):
+    path = tmp_path / "s.sqlite3"
+    subprocess.run([sys.executable, "-c", KILLED, str(path)], check=False, timeout=60)
+    with Store.open(path) as store:
+        assert [each.key for each in store.rows()] == ["0", "1", "2", "3", "4"]
+
+
+def foreign(path):
+    with sqlite3.connect(path) as connection:
+        connection.execute("CREATE TABLE mine (id INTEGER)")
+    connection.close()
+
+
+@pytest.mark.parametrize(
+    ("make", "told"),
+    [
+        (lambda path: path.write_text("a diary"), "this is no file of results of the judge"),
+        (foreign, "this is another program's database; name another file with --out"),
+        (lambda path: path.mkdir(), "the file of results cannot be "),
+        (lambda path: path.write_bytes(b"SQLite format 3\0" + b"\xff" * 4000), "file of results"),
+    ],
+)
+def test_a_file_that_is_not_ours_is_one_line_and_left_alone(tmp_path, make, told):
+    path = tmp_path / "s.sqlite3"
+    make(path)
+    before = None if path.is_dir() else path.read_bytes()
+    with pytest.raises(StoreError, match=told) as refused:
+        Store.open(path)
+    assert "\n" not in str(refused.value)
+    assert before is None or path.read_bytes() == before
+    assert [each.name for each in tmp_path.iterdir()] == ["s.sqlite3"]
+
+
+def test_a_fault_leaves_no_file_that_holds_nothing(tmp_path):
+    path = tmp_path / "s.sqlite3"
+
+    def failing(*rows):
+        with contextlib.suppress(ZeroDivisionError), Store.open(path) as store:
+            store.keep_all(rows)
+            raise ZeroDivisionError
+
+    failing()
+    assert list(tmp_path.iterdir()) == []
+    failing(row())
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+    path.unlink()
+    with Store.open(path):  # a shard may have nothing to do
+        pass
+    failing()
+    assert path.exists()
+
+
+def test_a_file_that_is_not_there_is_no_results(tmp_path):
+    with pytest.raises(StoreError, match="there is no such file of results"):
+        Store.open(tmp_path / "s", reading=True)
+    with pytest.raises(StoreError, match="cannot be written"):
+        Store.open(tmp_path / "no\0name")

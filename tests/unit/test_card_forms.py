@@ -1,0 +1,333 @@
+"""Each form of cards: what is asked, what is read, and that the right answer is right."""
+
+from __future__ import annotations
+
+import re
+from contextlib import nullcontext
+from fractions import Fraction
+from itertools import pairwise
+from math import hypot, sqrt
+
+import pytest
+
+from judge.drawing.shapes import Role
+from judge.errors import ProblemError
+from judge.kata.quiz.cards import Card, WrongOption, all_cards
+from judge.kata.quiz.forms import NAMES, ask
+from judge.kata.quiz.forms.spot import shown_program
+from judge.kata.quiz.question import MistypedError
+from judge.kata.quiz.sources import Sources
+from judge.kata.quiz.typed import count, number, option, sequence
+from judge.mistakes.computed import Program, computed
+
+NUMBERS = re.compile(r"-?\d+")
+
+
+@pytest.fixture(autouse=True)
+def _no_other_pack(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+
+
+@pytest.fixture(scope="module")
+def sources():
+    return Sources((), 5, lambda _label: nullcontext())
+
+
+def card(form, **keys):
+    return Card("deck", "card", form, "What?", "So.", **keys)
+
+
+def questions(sources, wanted, many):
+    return [ask(wanted, sources, str(turn)) for turn in range(many)]
+
+
+# -- what is typed -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("4", 4),
+        (" −1/2 ", Fraction(-1, 2)),
+        ("0.5", Fraction(1, 2)),
+        ("1e-9", Fraction(1, 10**9)),
+        ("+2.", 2),
+    ],
+)
+def test_a_number_is_read(text, value):
+    assert number(text) == value
+
+
+@pytest.mark.parametrize(
+    "text", ["", "four", "1/0", "1//2", "0x10", "1e9999", "9" * 50, "nan", "1_0", "²", "1 2x"]
+)
+def test_what_is_no_number_is_told(text):
+    with pytest.raises(MistypedError) as told:
+        number(text)
+    assert "\n" not in str(told.value)
+    assert len(str(told.value)) < 120
+
+
+def test_a_count_and_an_option_are_read():
+    assert [count(text) for text in ("2", " 02 ", "None")] == ["2", "2", "none"]
+    assert [option(text, "abc") for text in ("b", "B", "(b)", "b.")] == ["b"] * 4
+    for text in ("-1", "2.0", "two", "٢", ""):
+        with pytest.raises(MistypedError):
+            count(text)
+    with pytest.raises(MistypedError, match="type a, b or c"):
+        option("d", "abc")
+
+
+def test_a_sequence_is_read_by_words_or_by_what_they_mean():
+    tags = {"i": "in", "o": "out", "t": "touch"}
+    for text in ("i t o", "iTo", "in, touch, out", "i;t;o", "in → touch → out"):
+        assert sequence(text, tags) == ("i", "t", "o")
+    assert sequence("none", tags) == ()
+    assert sequence("b A", {"A": "", "B": ""}) == ("B", "A")
+    for text in ("x", "i x", "", "ioxo"):
+        with pytest.raises(MistypedError, match="i, o and t in their order, or none"):
+            sequence(text, tags)
+
+
+# -- forms without a problem -------------------------------------------------------------------------------
+
+
+def test_a_choice_tells_which_mistake_a_wrong_option_is(sources):
+    wrong = (WrongOption("w1", "first-mistake", "Because."), WrongOption("w2", "second-mistake", "Why."))
+    asked = questions(sources, card("choice", right="r", wrong=wrong), 20)
+    for question in asked:
+        by_text = {text: letter for letter, text in question.options}
+        assert sorted(by_text) == ["r", "w1", "w2"]
+        assert question.check(by_text["r"]).right
+        reply = question.check(by_text["w2"].upper())
+        assert (reply.right, reply.mistake, reply.why) == (False, "second-mistake", "Why.")
+        assert question.answer == f"{by_text['r']}  r"
+    assert len({question.options for question in asked}) > 2  # in another order each time
+
+
+def test_a_number_may_be_off_by_a_part_and_have_its_unit(sources):
+    (exact,) = questions(sources, card("number", answer="24", unit="MB"), 1)
+    assert exact.check("24").right
+    assert exact.check("24 MB").right
+    assert exact.check("48/2").right
+    assert not exact.check("24.0001").right
+    (near,) = questions(sources, card("number", answer="0.005", within=0.01), 1)
+    assert near.check("0.00505").right
+    assert not near.check("0.0051").right
+
+
+def test_recall_is_rated_by_the_person(sources):
+    (question,) = questions(sources, card("recall"), 1)
+    assert (question.check, question.answer) == (None, "So.")
+
+
+# -- figures -----------------------------------------------------------------------------------------------
+
+
+def line_count(text):
+    """How often a circle and a line meet, by another formula than the references', in whole numbers."""
+    cx, cy, r, ax, ay, bx, by = map(int, NUMBERS.findall(re.sub(r"c[xy]=|[rAB]=", "", text)))
+    a, b = (bx - ax) ** 2 + (by - ay) ** 2, (bx - ax) * (ax - cx) + (by - ay) * (ay - cy)
+    if not a:
+        return "none"
+    delta = b * b - a * ((ax - cx) ** 2 + (ay - cy) ** 2 - r * r)
+    return str(1 + (delta > 0) - (delta < 0))
+
+
+@pytest.mark.parametrize("problem", ["exact-count", "crossings"])
+def test_the_count_of_a_figure_is_right(sources, problem):
+    asked = questions(sources, card("count", problem=problem, groups=(), largest=30), 60)
+    for question in asked:
+        right = line_count(question.given[0])
+        assert question.answer == right
+        for typed in ("0", "1", "2", "none"):
+            assert question.check(typed).right == (typed == right)
+    assert len({question.given for question in asked}) > 50
+    assert {question.answer for question in asked} >= {"0", "1", "2"}
+
+
+@pytest.mark.parametrize("problem", ["crossings", "segment", "line-points", "circle-circle", "tangents"])
+def test_no_picture_of_a_question_shows_its_answer(sources, problem):
+    for question in questions(sources, card("count", problem=problem, largest=30), 10):
+        panels = question.picture.panels
+        assert len(panels) == 1
+        roles = {each.role for panel in panels for each in (*panel.strokes, *panel.marks)}
+        assert not roles & {Role.WANTED, Role.GOT, Role.BAND}
+        assert (question.picture.facts, question.picture.description) == ((), "")
+        # Of tangents nothing is drawn but the circle and P; of the others the line that is asked about.
+        assert Role.LINE not in roles or problem not in ("tangents", "circle-circle")
+
+
+def figure(question):
+    """The circles by letter, and the two points or the point and the direction of the last line."""
+    *circles, last = question.given
+    rings = {}
+    for text in circles:
+        x, y, r = map(int, NUMBERS.findall(text))
+        rings[text.split()[1].rstrip(":")] = (x, y, r)
+    return rings, tuple(map(int, NUMBERS.findall(last)))
+
+
+def roots(ring, ox, oy, dx, dy):
+    """Both parameters, by the quadratic formula in doubles: in these figures that tells them apart."""
+    x, y, r = ring
+    a, b, c = dx * dx + dy * dy, dx * (ox - x) + dy * (oy - y), (ox - x) ** 2 + (oy - y) ** 2 - r * r
+    delta = b * b - a * c
+    return [] if delta < 0 else sorted({(-b - sqrt(delta)) / a, (-b + sqrt(delta)) / a})
+
+
+def order_of(question):
+    rings, (ox, oy, dx, dy) = figure(question)
+    first = {}
+    for label, ring in rings.items():
+        ahead = [t for t in roots(ring, ox, oy, dx, dy) if t >= 0]
+        if ahead:
+            first[label] = ahead[0]
+    times = sorted(first.values())
+    assert all(after - before > 0.01 for before, after in pairwise(times))
+    return sorted(first, key=first.get)
+
+
+def test_what_a_ray_meets_is_right(sources):
+    orders = set()
+    for question in questions(sources, card("order", problem="ray-nearest"), 60):
+        wanted = order_of(question)
+        assert question.answer.split() == wanted
+        assert question.check(" ".join(wanted).lower()).right
+        assert not question.check(" ".join(reversed(wanted))).right
+        assert len(wanted) >= 2
+        orders.add(tuple(wanted))
+    assert len(orders) > 5
+
+
+def test_what_a_ray_meets_first_is_right(sources):
+    answers = set()
+    for question in questions(sources, card("first-hit", problem="ray-nearest"), 60):
+        assert question.answer == order_of(question)[0]
+        answers.add(question.answer)
+        with pytest.raises(MistypedError):
+            question.check("E")
+    assert answers == {"A", "B", "C", "D"}
+
+
+def test_what_happens_along_a_line_is_right(sources):
+    seen = set()
+    for question in questions(sources, card("tags", problem="line-points"), 120):
+        rings, (px, py, qx, qy) = figure(question)
+        events = []
+        for ring in rings.values():
+            found = roots(ring, px, py, qx - px, qy - py)
+            close = len(found) == 2 and (found[1] - found[0]) * hypot(qx - px, qy - py) < 1e-3
+            if close or len(found) == 1:
+                events.append((found[0], "t"))
+            elif found:
+                events += [(found[0], "i"), (found[1], "o")]
+        wanted = [tag for _, tag in sorted(events)]
+        assert question.answer.split() == wanted
+        assert question.check("".join(wanted)).right
+        seen |= set(wanted)
+    assert seen == {"i", "o", "t"}
+
+
+def test_what_happens_along_a_ray_is_right(sources):
+    seen, first = set(), set()
+    for question in questions(sources, card("tags", problem="enter-exit"), 120):
+        rings, (ox, oy, dx, dy) = figure(question)
+        events = []
+        for ring in rings.values():
+            found = roots(ring, ox, oy, dx, dy)
+            close = len(found) == 2 and (found[1] - found[0]) * hypot(dx, dy) < 1e-3
+            if close or len(found) == 1:
+                events.append((found[0], "t"))
+            elif found:
+                events += [(found[0], "i"), (found[1], "o")]
+        wanted = [tag for t, tag in sorted(events) if t >= 0]
+        assert question.answer.split() == wanted
+        assert question.check("".join(wanted)).right
+        assert not question.check("none").right
+        seen |= set(wanted)
+        first.add(wanted[0])
+    assert seen == {"i", "o", "t"}
+    assert first >= {"i", "o"}  # from outside, and from within a circle
+
+
+def test_the_same_seed_makes_the_same_figure_and_another_one_another():
+    wanted = card("order", problem="ray-nearest")
+    first, again, other = (
+        ask(wanted, Sources((), seed, lambda _label: nullcontext()), "0").given for seed in (1, 1, 2)
+    )
+    assert first == again != other
+
+
+# -- spot --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("problem", ["count", "segment"])
+def test_one_group_breaks_the_program_and_the_others_do_not(sources, problem):
+    data = sources.data(problem)
+    programs = set()
+    for question in questions(sources, card("spot", problem=problem), 12):
+        does = computed(data, Program(question.program.encode(), "shown.py", trusted=True))
+        for letter, text in question.options:
+            group = text.partition(":")[0]
+            assert bool(does[group].wrong) == question.check(letter).right
+        assert question.answer.startswith(
+            next(letter for letter, _ in question.options if question.check(letter).right)
+        )
+        assert '"""' not in question.program
+        programs.add(question.program)
+    assert len(programs) > 5
+
+
+def test_a_program_is_shown_without_a_pass_that_marks_a_change():
+    source = (
+        "def entry(x):\n    y = x\n    pass\n    if y:\n        pass\n"
+        "    else:\n        pass\n        y = 1\n    return y"
+    )
+    assert shown_program(source) == (
+        "def entry(x):\n    y = x\n    if y:\n        pass\n    else:\n        y = 1\n    return y"
+    )
+    assert shown_program('def entry(x):\n    "Text."\n    pass\n') == "def entry(x):\n    pass"
+
+
+def test_a_program_is_shown_without_what_nobody_calls():
+    source = (
+        "from math import hypot, sqrt\nfrom struct import pack\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
+        'def other(x):\n    return pack(x)\n\n\ndef entry(x):\n    "right"\n    return helper(x)  # so\n'
+    )
+    assert shown_program(source) == (
+        "from math import sqrt\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
+        "def entry(x):\n    return helper(x)  # so"
+    )
+    assert shown_program("def entry(x):\n    return 1\n    return 2\n") == ""
+
+
+# -- what a card may ask for and not get -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("wanted", "said"),
+    [
+        (card("count", problem="count", groups=("gird",)), "count has no group 'gird' to draw from"),
+        (card("count", problem="count", groups=("large",), largest=5), "no case is in whole numbers up to 5"),
+        (card("count", problem="distance"), "the answer of distance counts nothing"),
+        (card("tags", problem="distance"), "distance has no figure for 'tags'"),
+        (card("tags", problem="count"), "count has no figure for 'tags'"),
+        (card("spot", problem="count", mistakes=("gird",)), "count has no program with such a mistake"),
+    ],
+)
+def test_what_a_problem_has_not_is_one_line(sources, wanted, said):
+    with pytest.raises(ProblemError) as fault:
+        ask(wanted, sources, "0")
+    assert said in str(fault.value)
+    assert str(fault.value).startswith("quiz/deck.toml: ")
+
+
+def test_every_shipped_card_can_be_asked(sources):
+    cards = all_cards()
+    assert len(cards) > 100
+    for each in cards:
+        question = ask(each, sources, "0")
+        assert question.expects
+        assert question.answer
+        assert each.form in NAMES

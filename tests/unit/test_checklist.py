@@ -1,0 +1,203 @@
+"""What ticks a row of the checklist, what takes the tick away, and when a card comes again."""
+
+from __future__ import annotations
+
+from datetime import timedelta
+
+import pytest
+from past_runs import START, StoppedClock
+
+from judge.kata.answers import Answered, Rating
+from judge.kata.checklist import Kind, Record, Row, Section, assess_rows
+from judge.kata.history import History
+from judge.kata.quiz.cards import Card
+from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due, rising
+from judge.kata.review import card_reviews
+from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress, SkillState
+from judge.kata.standing import Standing
+from judge.report.page.checklist import ready_parts
+
+LATER = START + timedelta(days=1)
+
+
+def card(name, *rows, form="choice", sets=(), problem=""):
+    return Card("deck", name, form, "?", ".", rows=rows, sets=sets, problem=problem)
+
+
+def answered(name, rating, when=START):
+    return Answered(when, f"deck/{name}", "choice", rating, True)
+
+
+def skill(name, since, failing=()):
+    need = NeedProgress(Need("count", ("grid",)), since, failing, 1, {})
+    return SkillProgress(Skill(name, "", (need.need,)), (need,))
+
+
+def state(row, *, passed=(), skills=(), answers=(), broken=None, cards=(), here=("count", "segment")):
+    standings = {name: Standing(1, 100, START, START) for name in passed}
+    record = Record(standings, skills, answers, broken or {})
+    (found,) = assess_rows([row], record, cards, here)
+    return found
+
+
+def test_all_of_its_katas_that_are_here_must_be_passed():
+    row = Row("J1", "s", "?", katas=("count", "segment", "later"))
+    assert state(row, passed=("count",)).state is SkillState.OPEN
+    ticked = state(row, passed=("count", "segment"))
+    assert (ticked.state, ticked.since) == (SkillState.SHOWN, START)
+    assert ticked.drills == ("judge init count", "judge init segment")
+    assert state(row, here=()).evidence == ()
+    assert state(row, here=()).state is SkillState.OPEN
+
+
+def test_the_report_says_which_of_it_are_all_needed_and_which_are_enough():
+    row = Row("J1", "s", "?", ("count", "segment"), ("trust a double, or do not",), ("count/a", "count/b"))
+    cards = [card("a", "J1"), card("b", "J1")]
+    skills = [skill("trust a double, or do not", None)]
+
+    def by(**shown):
+        (part,) = ready_parts([(Section("s", "S"), [state(row, cards=cards, **shown)])], None)
+        return part.lines[0].by
+
+    assert by(skills=skills) == (
+        "katas count and segment, or skill “trust a double, or do not”, or 2 cards, "
+        "or broken count/a or count/b"
+    )
+    assert (
+        by(passed=("count", "segment"), broken={"count/b": LATER})
+        == "katas count and segment, broken count/b"
+    )
+
+
+def test_all_of_its_skills_must_be_shown_and_a_lost_one_is_lost():
+    row = Row("J1", "s", "?", skills=("a", "b"))
+    assert state(row, skills=[skill("a", START), skill("b", None)]).state is SkillState.OPEN
+    assert state(row, skills=[skill("a", START), skill("b", LATER)]).since == LATER
+    assert state(row, skills=[skill("a", START), skill("b", START, ("grid",))]).state is SkillState.LOST
+
+
+def test_all_of_its_cards_must_be_known_when_they_were_last_answered():
+    row = Row("J1", "s", "?")
+    cards = (card("a", "J1"), card("b", "J1", "J2"), card("c", "J2"))
+    known = [answered("a", Rating.GOOD), answered("b", Rating.HARD)]
+    assert state(row, cards=cards, answers=known[:1]).state is SkillState.OPEN
+    assert state(row, cards=cards, answers=known).state is SkillState.SHOWN
+    forgotten = [*known, answered("b", Rating.AGAIN, LATER)]
+    assert state(row, cards=cards, answers=forgotten).state is SkillState.LOST
+    assert state(row, cards=cards, answers=[*forgotten, answered("b", Rating.GOOD, LATER)]).since == START
+
+
+def test_a_card_whose_problem_is_not_here_asks_for_nothing():
+    row = Row("J1", "s", "?")
+    cards = (card("a", "J1"), card("b", "J1", problem="later"))
+    assert state(row, cards=cards, answers=[answered("a", Rating.GOOD)]).state is SkillState.SHOWN
+
+
+def test_one_mistake_that_was_broken_is_enough():
+    row = Row("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
+    assert [each.name for each in state(row).of(Kind.BROKEN)] == ["count/a", "count/b"]
+    ticked = state(row, broken={"count/b": LATER})
+    assert (ticked.state, ticked.since) == (SkillState.SHOWN, LATER)
+    assert ticked.drills == ("judge hack count a", "judge hack count b")
+
+
+def test_any_kind_ticks_and_what_is_still_open_is_drilled_first():
+    row = Row("J1", "s", "?", katas=("count",), broken=("count/a",))
+    ticked = state(row, passed=("count",), cards=(card("a", "J1"),))
+    assert ticked.state is SkillState.SHOWN
+    assert ticked.drills == ("judge quiz --row J1", "judge hack count a", "judge init count")
+    lost = state(
+        row, cards=(card("a", "J1"),), answers=[answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
+    )
+    assert lost.state is SkillState.LOST
+    assert (
+        state(row, passed=("count",), cards=(card("a", "J1"),), answers=lost_answers()).state
+        is SkillState.SHOWN
+    )
+
+
+def lost_answers():
+    return [answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
+
+
+def test_a_broken_program_in_the_history_ticks_its_rows():
+    from judge.kata.assessed import assessed_rows
+    from judge.kata.hacks import Outcome
+    from judge.problem.find import find_problem
+
+    with History.open(clock=StoppedClock()) as history:
+        history.add_hack("count", "slope-intercept", "0 0 1 0 0 0 1", Outcome.WON)
+        _, rows, faults = assessed_rows(history, [find_problem("count")], (), {"hack"})
+    assert faults == []
+    assert {row.row.id for row in rows if row.state is SkillState.SHOWN} == {"J7", "F1"}
+
+
+# -- when a card comes again -------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def quizzed():
+    clock = StoppedClock()
+    with History.open(clock=clock) as history:
+
+        def answer(name, rating, **pause):
+            history.answer(f"deck/{name}", "choice", rating, judged=True)
+            clock.forward(**(pause or {"minutes": 1}))
+
+        answer.history, answer.clock = history, clock
+        yield answer
+
+
+def reviews_of(quizzed):
+    return card_reviews(quizzed.history.answers(), quizzed.clock())
+
+
+def test_answers_are_kept_as_they_were_given(quizzed):
+    quizzed.history.answer("deck/x", "number", Rating.GOOD, judged=False, given="4 — vier")
+    (kept,) = quizzed.history.answers()
+    assert kept == Answered(START, "deck/x", "number", Rating.GOOD, False, "4 — vier")
+
+
+def test_the_first_answer_of_a_sitting_rates_it(quizzed):
+    quizzed("a", Rating.AGAIN)
+    quizzed("a", Rating.GOOD)
+    quizzed("b", Rating.GOOD)
+    found = {review.card: review for review in reviews_of(quizzed)}
+    assert found["deck/a"].rating is Rating.AGAIN
+    assert found["deck/a"].sittings == 1
+    assert found["deck/a"].due < found["deck/b"].due
+
+
+def test_a_card_that_is_known_again_and_again_comes_ever_later(quizzed):
+    intervals = []
+    for _ in range(4):
+        quizzed("a", Rating.GOOD)
+        (review,) = reviews_of(quizzed)
+        intervals.append(review.interval)
+        quizzed.clock.forward(days=review.interval)
+    assert intervals == sorted(intervals)
+    assert intervals[0] < intervals[-1]
+
+
+def test_what_is_due_comes_first_then_what_is_new(quizzed):
+    cards = [card("new"), card("good"), card("bad"), card("drawn", form="count")]
+    quizzed("good", Rating.GOOD)
+    quizzed("bad", Rating.AGAIN)
+    quizzed("drawn", Rating.EASY, days=1, hours=1)
+    found, now = reviews_of(quizzed), quizzed.clock()
+    assert [each.id for each in due_cards(cards, found, now)] == ["bad"]
+    assert [each.id for each in new_cards(cards, found)] == ["new"]
+    assert [each.id for each in next_cards(cards, found, now, 5)] == ["bad", "new"]
+    ahead = [each.id for each in next_cards(cards, found, now, 7, ahead=True)]
+    assert ahead == ["bad", "new", "good", "drawn", "drawn", "drawn", "drawn"]
+    assert next_due(cards[1:2], found) == next(each.due for each in found if each.card == "deck/good")
+    assert next_due(cards[:1], found) is None
+
+
+def test_an_interview_rises_through_the_tiers():
+    tiers = ["junior", "senior"]
+    cards = [card(f"{tier[:1]}{i}", sets=(tier,)) for tier in ("senior", "junior") for i in range(3)]
+    cards.append(card("none"))
+    assert [each.id for each in rising(cards, 5, tiers)] == ["j0", "j1", "s0", "s1", "none"]
+    assert [each.id for each in rising(cards, 99, tiers)] == ["j0", "j1", "j2", "s0", "s1", "s2", "none"]
+    assert rising([], 3, tiers) == []

@@ -1,0 +1,227 @@
+"""Whose file is for which problem: a class's folder in both layouts, odd files, and the list of students."""
+
+from __future__ import annotations
+
+import errno
+import os
+from pathlib import Path
+
+import pytest
+
+from judge.batch import folder as folder_module
+from judge.batch.folder import legible, read_class
+from judge.batch.model import Student
+from judge.batch.roster import everyone, read_students
+from judge.errors import UsageError
+
+FIXTURES = Path(__file__).parents[1] / "fixtures"
+PROBLEMS = [FIXTURES / "pack" / "problems", FIXTURES / "problems"]  # middle, root-count
+MEAN = "def middle(a, b):\n    return (a + b) / 2\n"
+
+
+@pytest.fixture
+def place(tmp_path, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+    return tmp_path / "class"
+
+
+def write(place, *names, text=MEAN):
+    for name in names:
+        path = place / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+
+def found(place, **more):
+    return read_class(place, folders=PROBLEMS, **more)
+
+
+def placed(place, **more):
+    return [(each.student, each.problem, each.file) for each in found(place, **more).handins]
+
+
+def test_a_folder_for_each_student(place):
+    write(place, "ada/middle.py", "ada/week1/root_count.py", "bob/Root-Count.py", "bob/middle.cpp")
+    write(place, "cy/homework one.py")  # which tells by its function
+    assert placed(place) == [
+        ("ada", "middle", "ada/middle.py"),
+        ("ada", "root-count", "ada/week1/root_count.py"),
+        ("bob", "middle", "bob/middle.cpp"),
+        ("bob", "root-count", "bob/Root-Count.py"),
+        ("cy", "middle", "cy/homework one.py"),
+    ]
+    assert placed(place, only=("root-count",)) == placed(place)[1:2] + placed(place)[3:4]
+
+
+def test_a_folder_for_each_problem(place):
+    write(place, "middle/ada.py", "middle/ada.lovelace.py", "root_count/bob/any.py", text="x = 1\n")
+    assert placed(place) == [
+        ("ada", "middle", "middle/ada.py"),
+        ("ada.lovelace", "middle", "middle/ada.lovelace.py"),
+        ("bob", "root-count", "root_count/bob/any.py"),
+    ]
+
+
+def test_a_student_who_is_called_like_a_problem(place):
+    write(place, "middle/root-count.py")
+    assert placed(place) == [("root-count", "middle", "middle/root-count.py")]
+    assert placed(place, students={"middle"}) == [("middle", "root-count", "middle/root-count.py")]
+
+
+def test_what_nobody_has_handed_in_is_left_out(place):
+    write(place, ".git/ada/middle.py", "ada/__pycache__/middle.py", "ada/.middle.py", "ada/._middle.py")
+    write(place, "ada/env/middle.py", "ada/env/pyvenv.cfg", "node_modules/a/middle.py", "ada/middle.py")
+    assert placed(place) == [("ada", "middle", "ada/middle.py")]
+
+
+def test_what_is_not_judged_is_named_with_the_reason(place):
+    write(place, "middle.py", "ada/notes.txt", "README.md")
+    write(place, "ada/nothing.py", text="x = 1\n")
+    (place / "ada" / "pipe.py").mkdir()
+    read = found(place)
+    assert read.handins == ()
+    assert {each.file: each.why for each in read.unplaced} == {
+        "middle.py": "it lies in no student's folder",
+        "ada/nothing.py": "no problem is called so, and it defines no problem's function",
+        "ada/pipe.py": "it is a folder",
+    }
+    assert read.others == ("README.md", "ada/notes.txt")
+
+
+def test_an_odd_file_costs_its_own_row(place, tmp_path):
+    write(place, "well/middle.py")
+    write(place, "empty/middle.py", text="")
+    write(place, "huge/middle.py", text="#" * (4 * 2**20 + 1))
+    write(tmp_path, "secret.py")
+    for name, target in {
+        "out": tmp_path / "secret.py",
+        "dangling": "gone",
+        "loop": "middle.py",
+        "within": "../well/middle.py",
+    }.items():
+        (place / name).mkdir()
+        (place / name / "middle.py").symlink_to(target)
+    for name in ("fifo", "folder"):
+        (place / name).mkdir()
+    os.mkfifo(place / "fifo" / "middle.py")
+    (place / "folder" / "middle.py").mkdir()
+    (place / "linked").symlink_to(tmp_path)
+    why = {each.student: each.why for each in found(place).handins}
+    assert why == {
+        "well": "",
+        "empty": "",
+        "within": "",
+        "huge": "this file is larger than 4 MB",
+        "out": "it is a link out of the class's folder, which is not followed",
+        "dangling": "it is a link to a file that is not there",
+        "loop": "it is a link to a file that is not there",
+        "fifo": "it is no ordinary file",
+        "folder": "it is a folder",
+    }
+    assert all(each.source == b"" for each in found(place).handins if each.why)
+
+
+def test_a_file_that_may_not_be_read_is_a_row(place, monkeypatch):
+    write(place, "ada/middle.py")
+
+    def refused(*_):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(folder_module, "read_ordinary", refused)
+    (only,) = found(place).handins
+    assert (only.problem, only.why) == ("middle", "cannot be read (permission denied)")
+
+
+def test_a_folder_that_may_not_be_read_is_named_with_the_reason(place, monkeypatch):
+    """As it is for a plain user: the superuser, who may test here too, may read everything."""
+    write(place, "ada/middle.py", "ada/locked/root_count.py")
+    own = os.scandir
+
+    def scanned(path):
+        if str(path).endswith("locked"):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        return own(path)
+
+    monkeypatch.setattr(os, "scandir", scanned)
+    seen = found(place)
+    (left_out,) = seen.unplaced
+    assert (left_out.file, left_out.why) == ("ada/locked", "this folder cannot be read (permission denied)")
+    assert [each.file for each in seen.handins] == ["ada/middle.py"]
+    assert seen.others == ()
+
+
+def test_names_that_are_no_text_are_made_legible(place):
+    write(place, "a\nb/middle.py", "Zoe\u0308/middle.py")
+    write(place, f"{os.fsdecode(bytes([255]))}/middle.py")
+    assert sorted(student for student, _, _ in placed(place)) == ["Zoë", "\\xff", "a\nb"]
+    assert legible(os.fsdecode(b"\xff")).encode() == b"\\xff"
+
+
+def test_a_folder_that_is_none_is_one_line(place, monkeypatch):
+    with pytest.raises(UsageError, match=r"cannot be read \(no such file"):
+        found(place)
+    with pytest.raises(UsageError, match="cannot be read"):
+        found(Path("no\0name"))
+    write(place, "ada/middle.py", "bob/middle.py")
+    with pytest.raises(UsageError, match="cannot be read"):
+        found(place / "ada" / "middle.py")
+    with monkeypatch.context() as small:
+        small.setattr(folder_module, "_MOST", 1)
+        with pytest.raises(UsageError, match="more than 1 files"):
+            found(place)
+    monkeypatch.setattr(folder_module, "_MOST_BYTES", len(MEAN))
+    with pytest.raises(UsageError, match="judge a part of the class at a time"):
+        found(place)
+
+
+# -- the list of students ------------------------------------------------------------------------------
+
+
+def students(tmp_path, content):
+    path = tmp_path / "list.csv"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return read_students(path)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "id,name,group\nada,Ada L,a\nbob,Bob,\n",
+        "\ufeffid;name;group\r\nada;Ada L;a\r\n\r\nbob;Bob;\r\n",
+        "Name\tID\tgroup\nAda L\tada\ta\nBob\tbob\n",
+        '\n"id","Name","Group"\n"ada","Ada L","a"\nbob,Bob\n,,\n',
+    ],
+)
+def test_the_list_is_read_as_spreadsheets_write_it(tmp_path, content):
+    assert students(tmp_path, content) == [Student("ada", "Ada L", "a"), Student("bob", "Bob")]
+
+
+def test_without_an_id_the_first_column_is_it(tmp_path):
+    assert students(tmp_path, "login,mail\nada,a@b.c\n") == [Student("ada")]
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        ("", "this list of students is empty"),
+        ("id,name\n", "there is nobody in this list"),
+        ("id,name\nada,A\n\n,B\n", "list.csv:4: there is no id in this line; write one"),
+        ("id,name\nada,A\nada,B\n", "list.csv:3: ada is in line 2 already; take one of the two"),
+        (b"id,name\nada,\xff\n", "list.csv:2: this is not UTF-8: byte 0xff"),
+        ('id,name\nada,"A\n', "list.csv:2: this is no line of a CSV file"),
+        ('id,name\nada,"A"x\n', "list.csv:2: this is no line of a CSV file"),
+    ],
+)
+def test_a_bad_list_is_one_line_with_the_place(tmp_path, content, told):
+    with pytest.raises(UsageError) as refused:
+        students(tmp_path, content)
+    assert told in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_who_is_in_no_list_comes_after_those_who_are(place):
+    write(place, "zoe/middle.py", "ada/middle.py")
+    handins = found(place).handins
+    listed = [Student("bob", "Bob"), Student("zoe")]
+    assert everyone(listed, handins) == [*listed, Student("ada", known=False)]
+    assert everyone([], handins) == [Student("ada"), Student("zoe")]

@@ -1,0 +1,119 @@
+"""What is to be done for a class: which rows are kept, which texts are judged once, which come back."""
+
+from __future__ import annotations
+
+import msgspec
+import pytest
+from msgspec.structs import replace
+
+from judge.batch.model import Done, Handin, Standard
+from judge.batch.plan import Ground, current, planned, rows_of
+from judge.batch.shards import Shard
+from judge.errors import UsageError
+from judge.run.execute import judge_fault
+
+STANDARD = Standard("1", "2", "3", "full", "5")
+GROUND = Ground({}, {"p": STANDARD, "q": STANDARD}, {"broken": "problem.toml: misspelt"}, "{}", ())
+ADA, BOB = Handin("ada", "p", "ada/p.py", b"one"), Handin("bob", "p", "bob/p.py", b"one")
+CY, OTHER = Handin("cy", "p", "cy/p.cpp", b"one"), Handin("ada", "q", "ada/q.py", b"one")
+
+
+def done(name, verdict="WA"):
+    result = judge_fault("p", name, "why").as_json() | {"verdict": verdict, "score": 40, "isolation": "full"}
+    return msgspec.json.encode(Done(result, machine="lab1")).decode()
+
+
+def judged(plan, verdict="WA"):
+    """All rows that the plan comes to."""
+    rows = [*plan.kept, *plan.rows]
+    for work in plan.work:
+        rows += rows_of(work, done(work.task.name, verdict))
+    return rows
+
+
+def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
+    plan = planned([ADA, BOB, CY, OTHER], [], GROUND)
+    assert [(work.task.problem, work.handins) for work in plan.work] == [
+        ("p", (ADA, BOB)),
+        ("p", (CY,)),
+        ("q", (OTHER,)),
+    ]
+    assert plan.total == 4
+    assert [work.task.name for work in plan.work] == ["p.py", "p.cpp", "q.py"]  # nobody's name goes along
+    ada, bob, *_ = judged(plan)
+    assert (ada.copied, bob.copied) == ("", "ada/p.py")
+    assert [row.result["submission"] for row in (ada, bob)] == ["ada/p.py", "bob/p.py"]
+    assert (bob.verdict, bob.score, bob.machine, bob.points) == ("WA", 40, "lab1", 100)
+
+
+def test_what_is_there_is_kept_and_equals_get_copies_later_too():
+    rows = judged(planned([ADA], [], GROUND))
+    plan = planned([ADA, BOB], rows, GROUND)
+    assert (plan.kept, plan.work) == (tuple(rows), ())
+    assert [(row.file, row.copied) for row in plan.rows] == [("bob/p.py", "ada/p.py")]
+    third = replace(ADA, student="dan", file="dan/p.py")
+    (copy,) = planned([third], [*plan.rows], GROUND).rows
+    assert copy.copied == "ada/p.py"  # not of the copy
+    assert plan.said == ("1 kept from before",)
+
+
+def test_a_fault_is_tried_again_and_copied_to_nobody():
+    rows = judged(planned([ADA], [], GROUND), "JE")
+    assert rows[0].isolation == ""
+    plan = planned([ADA, BOB], rows, GROUND)
+    assert [work.handins for work in plan.work] == [(ADA, BOB)]
+    assert plan.said == ()
+
+
+def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row():
+    odd = Handin("ada", "p", "ada/p.py", why="it is no ordinary file")
+    broken = Handin("ada", "broken", "ada/broken.py", b"x")
+    plan = planned([odd, broken], [], GROUND)
+    assert [(row.verdict, row.result["failure"]["message"]) for row in plan.rows] == [
+        ("JE", "it is no ordinary file"),
+        ("JE", "problem.toml: misspelt"),
+    ]
+    assert plan.work == ()
+
+
+@pytest.mark.parametrize("name", ["ada", "p", "ada/p.py"])
+def test_what_is_asked_for_is_judged_anew(name):
+    rows = judged(planned([ADA, OTHER], [], GROUND))
+    files = {each.file for work in planned([ADA, OTHER], rows, GROUND, [name]).work for each in work.handins}
+    assert files == ({"ada/p.py", "ada/q.py"} if name == "ada" else {"ada/p.py"})
+
+
+def test_another_standard_is_told_and_what_comes_back_is_the_newest():
+    rows = judged(planned([ADA, BOB], [], GROUND))
+    stronger = replace(GROUND, standards={"p": replace(STANDARD, isolation="strong", judge="2")})
+    plan = planned([ADA, BOB], rows, stronger)
+    assert plan.said == ("2 judged anew, because of the judge (1 → 2), the isolation (full → strong)",)
+    assert [work.handins for work in plan.work] == [(ADA, BOB)]
+    assert current([ADA, BOB], rows, stronger.standards) == {}  # until they are
+    assert set(current([ADA, BOB], rows)) == {ADA, BOB}
+    every = [*rows, *judged(plan)]
+    back = planned([ADA, BOB], every, GROUND)
+    assert (back.kept, back.work, back.said) == ((), (), ("2 kept from before",))
+    assert [row.key for row in back.rows] == [row.key for row in rows]
+    assert all(row.at >= every[-1].at for row in back.rows)
+    changed = replace(ADA, source=b"two")
+    later = [*rows, *judged(planned([changed], rows, GROUND))]
+    (again,) = planned([ADA], later, GROUND).rows
+    assert (again.digest, again.key) == (ADA.digest, rows[0].key)
+
+
+def test_shards_part_the_texts_and_equal_ones_meet():
+    handins = [Handin(f"s{at}", "p", f"s{at}/p.py", b"%d" % (at // 2)) for at in range(200)]
+    parts = [[each for each in handins if Shard(number, 3).holds(each)] for number in (1, 2, 3)]
+    assert sorted((each for part in parts for each in part), key=handins.index) == handins
+    assert all(30 < len(part) < 110 for part in parts)
+    assert all(len({each.digest for each in part}) * 2 == len(part) for part in parts)
+    odd = [replace(each, why="it is a folder", source=b"") for each in handins]
+    assert all(any(Shard(number, 3).holds(each) for each in odd) for number in (1, 2, 3))
+
+
+@pytest.mark.parametrize("text", ["", "1", "0/3", "4/3", "1/0", "a/b", "1/3 ", "-1/3", "٣/٣", "1/9999999"])
+def test_what_is_no_shard_is_refused(text):
+    with pytest.raises(UsageError, match="is no shard; write --shard 3/20"):
+        Shard.read(text)
+    assert Shard.read("3/20") == Shard(3, 20)

@@ -1,0 +1,121 @@
+"""The cohort: which row counts, what the bars are of, who is stuck; and how it fits a screen."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+from classes import DEE, class_of, row, small_class
+
+from judge.report.cohort.lines import Glyphs, cohort_lines
+from judge.report.layout import cells
+from judge.report.screen import Screen
+
+
+def text(width, **asked):
+    """The cohort as it is read, without colours."""
+    stream = io.StringIO()
+    Screen(stream, colour=False, width=width).show(cohort_lines(small_class(), width, **asked))
+    return stream.getvalue()
+
+
+def test_the_table_and_who_is_in_it():
+    found = small_class()
+    assert [each.id for each in found.people] == ["ann", "bob", "cid", DEE, "eve", "zoe"]
+    assert [each.known for each in found.people] == [True] * 5 + [False]
+    assert found.problems == ("segment", "count")
+    mark = found.marks["ann", "count"]
+    assert (mark.accepted, mark.handins, mark.file, mark.score) == (True, 2, "ann/count-2.py", 90)
+    assert ("eve", "count") not in found.marks
+    assert found.marks["cid", "count"].doubt == "busy"
+    assert found.total("ann") == 90 + 30
+    assert (found.handins, found.unaccepted, found.silent) == (9, ("bob", "cid", DEE, "zoe"), ("eve",))
+    assert [(each.name, each.isolation, each.handins) for each in found.machines] == [
+        ("box", "full", 8),
+        ("lab", "strong", 1),
+    ]
+
+
+def test_mistakes_and_groups_of_what_counts():
+    segment, count = small_class().views
+    assert (count.handed_in, count.accepted) == (4, 1)
+    assert [(bar.label, bar.students) for bar in count.mistakes] == [
+        ("forgotten-abs", ("bob", "cid")),
+        ("tight-epsilon", ("zoe",)),
+    ]
+    assert [(bar.label, bar.named) for bar in segment.mistakes] == [
+        ("tangent-twice", True),
+        ("CE", False),
+        ("WA", False),
+    ]
+    assert [(bar.name, bar.failed, bar.run) for bar in segment.groups] == [("grid", 2, 2), ("tangent", 1, 2)]
+
+
+def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():
+    assert [(each.problem, each.mistake, each.students) for each in small_class().stuck] == [
+        ("count", "forgotten-abs", ("bob",))
+    ]
+    fails = ("grid",)
+    first, other = row("a", "count", "one", fails, at=1.0), row("a", "count", "two", fails, at=2.0)
+    last = row("a", "count", "one", ("grid", "tangent"), at=3.0)
+    assert class_of(first, other).stuck == ()
+    assert class_of(other, last, history=[first]).stuck == ()
+    assert len(class_of(last, history=[first]).stuck) == 1
+    assert class_of(last, history=[last]).stuck == ()  # one text, judged twice
+    unnamed = [row("a", "count", "", fails, file=name) for name in ("1.py", "2.py")]
+    assert class_of(*unnamed).stuck == ()
+
+
+def test_nobody_and_nothing():
+    empty = class_of(problems=())
+    assert (empty.people, empty.problems, empty.views, empty.handins) == ((), (), (), 0)
+    assert list(cohort_lines(empty, 80)) == []
+
+
+@pytest.mark.parametrize("width", [20, 40, 80, 200, None])
+@pytest.mark.parametrize("whole", [False, True])
+def test_it_fits_the_screen_and_nothing_in_it_steers(width, whole):
+    shown = text(width, whole=whole)
+    assert "\x1b" not in shown
+    assert r"dee\x1b[31m王" in shown.replace("\n", "").replace(" ", "")
+    assert "forgotten-abs" in shown
+    if width:
+        assert max(map(cells, shown.splitlines())) <= width
+    assert all(row == row.rstrip() for row in shown.splitlines())
+
+
+def test_what_it_says():
+    shown = text(80)
+    assert "count  4 of 6 handed in, 1 accepted\n" in shown
+    assert "  forgotten-abs          2 ▇▇ of 4\n" in shown
+    assert "  CE, does not compile   1 ▇ of 3\n" in shown
+    assert "groups failed  grid 2, tangent 1\n" in shown
+    assert "stuck  the same mistake in the last two hand-ins\n  count  forgotten-abs: bob" in shown
+    assert "nothing accepted  4 of 6 students\n  bob, cid, dee" in shown
+    assert "  count  identical after removing names, spacing and comments: bob, cid" in shown
+    assert "Short solutions are often alike" in shown
+
+
+def test_long_lists_are_folded():
+    fails = ("grid", "tangent")
+    many = [row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)]
+    folded = [*cohort_lines(class_of(*many), 80)]
+    whole = [*cohort_lines(class_of(*many), 80, whole=True)]
+    said = ["".join(span.text for span in each) for each in folded]
+    assert "  and 4 more mistakes or verdicts: --all" in said
+    assert any(each.endswith("and 82 more: --all") for each in said)
+    assert len(folded) < 20 < len(whole)
+    assert not any("--all" in span.text for each in whole for span in each)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "term", "bar"), [("ascii", "xterm", "#"), ("utf-8", "dumb", "#"), ("utf-8", "xterm", "▇")]
+)
+def test_a_plain_terminal_gets_plain_bars(encoding, term, bar, monkeypatch):
+    class Terminal(io.TextIOWrapper):
+        def isatty(self):
+            return True
+
+    monkeypatch.setenv("TERM", term)
+    screen = Screen.of(Terminal(io.BytesIO(), encoding=encoding))
+    assert Glyphs.of(screen).bar == bar

@@ -1,0 +1,135 @@
+"""What trusted programs answer wrongly: each different answer is decided once, as if each time."""
+
+from __future__ import annotations
+
+from decimal import Context, localcontext
+from fractions import Fraction
+
+import pytest
+from judging import make_data
+
+from judge.data.load import load_data
+from judge.mistakes import computed as module
+from judge.mistakes.computed import Computer, Program, computed
+from judge.mistakes.makers import read_makers
+from judge.problem.find import find_problem
+from judge.sandbox.encode import encode
+from judge.values import parse
+from judge.values.rightness import is_right, wrong_outline
+
+RIGHT = "def answer(n, P):\n    return int(n + P[0] + P[1])\n"
+
+
+def program(body):
+    return Program(f"def answer(n, P):\n    {body}\n".encode(), "here", trusted=True)
+
+
+@pytest.fixture
+def decided(monkeypatch):
+    """The answers that were decided, in order."""
+    found = []
+
+    def counting(type_, raw, *rest):
+        found.append(raw)
+        return wrong_outline(type_, raw, *rest)
+
+    monkeypatch.setattr(module, "wrong_outline", counting)
+    return found
+
+
+def test_an_answer_is_decided_once_for_all_programs(decided):
+    computer = Computer(make_data("one"))
+    first = computer.behaviour(program("return 7"))
+    second = computer.behaviour(program("return 3 + 4"))
+    assert first == second
+    assert {*first["one"].wrong.values()} == {("count", (7.0,))}
+    assert decided == [7] * 4
+
+
+def test_answers_of_other_types_are_others():
+    computer = Computer(make_data("one"))
+    bodies = ["7", "7.5", "7.0", "True", "Fraction(7)", "7", "(x for x in P)"]
+    told = []
+    for body in bodies:
+        source = f"from fractions import Fraction\ndef answer(n, P):\n    return {body}\n"
+        wrong = computer.behaviour(Program(source.encode(), "here"))["one"].wrong
+        told.append({form for form, _ in wrong.values()})
+    assert told == [
+        {"count"}, {"type float"}, {"type float"}, {"type bool"}, {"type float"}, {"count"},
+        {"type generator"},
+    ]  # fmt: skip
+
+
+def test_a_program_that_changes_its_lists_changes_no_other_ones():
+    data = load_data(find_problem("enter-exit"))
+    spoils = b"def all_hits(circles, O, D):\n    circles.clear()\n    return []\n"
+    keeps = b"def all_hits(circles, O, D):\n    return [(0.5, len(circles), 'touch')]\n"
+    computer = Computer(data)
+    alone = Computer(data).behaviour(Program(keeps, "keeps"))
+    computer.behaviour(Program(spoils, "spoils"))
+    assert computer.behaviour(Program(keeps, "keeps")) == alone
+    assert all(outline[1][1] > 0 for each in alone.values() for outline in each.wrong.values())
+
+
+def test_a_callers_precision_changes_no_answer():
+    source = b"from decimal import Decimal\n\n\ndef answer(n, P):\n    return str(Decimal(n) / 7)\n"
+    data = make_data("one")
+    alone = Computer(data).ended(Program(source, "sevenths"))
+    with localcontext(Context(prec=3)):
+        assert Computer(data).ended(Program(source, "sevenths")) == alone
+        assert Computer(data).behaviour(Program(source, "sevenths")) == alone[0]
+
+
+def test_some_cases_alone_are_answered_as_among_all():
+    data = make_data("one", "two")
+    only = {"two": [1, 3]}
+    whole = computed(data, program("return 7"))
+    some = computed(data, program("return 7"), only)
+    assert some["one"].wrong == {}
+    assert some["two"].wrong == {case: whole["two"].wrong[case] for case in only["two"]}
+
+
+def test_an_exception_is_a_wrong_answer():
+    found = computed(make_data("one"), program("return 1 // 0"))
+    assert {*found["one"].wrong.values()} == {("raised ZeroDivisionError", ())}
+
+
+@pytest.mark.parametrize("name", ["count", "crossings", "exact-segment"])
+def test_mistakes_of_a_kata_answer_as_each_does_by_itself(name):
+    problem = find_problem(name)
+    data = load_data(problem)
+    computer = Computer(data)
+    for maker in [each for each in read_makers(problem).all if each.program.trusted][::7]:
+        alone = Computer(data).behaviour(maker.program)
+        assert computer.behaviour(maker.program) == alone
+
+
+RAWS = [
+    None, 0, 1, 2, -1, 1.5, 0.0, True, "enter", [], [1], [0.5], [1, 2], (1.0, 2.0), [(1.0, 2.0)],
+    [[1.0, 2.0], [3.0]],
+    [(0.5, 1, "enter")], [(0.5, 1, "stay")], [(0.5, 1.0, "enter")], [(1, 0, "exit"), (2, 0, "touch")], {1: 2},
+    Fraction(1, 2), [None], [(1, None)], (1,), [[[1]]], 10**30, "x" * 60, float("inf"), [float("nan")],
+]  # fmt: skip
+NUMBER = (0.5, 1.5, 1.0, 0.0, 1e-16)
+TARGETS = {
+    "count": 1,
+    "int": 1,
+    "real": NUMBER,
+    "real?": NUMBER,
+    "vec2": (NUMBER, NUMBER),
+    "[(real, int, word(enter|touch|exit))]": [(NUMBER, 1, "enter")],
+    "[vec2; 0..2]": [(NUMBER, NUMBER)],
+}
+
+
+@pytest.mark.parametrize("text", TARGETS)
+def test_the_outline_is_that_of_an_answer_that_is_not_right(text):
+    type_, target = parse(text), TARGETS[text]
+
+    def exact():
+        raise ValueError  # nothing here lies so close to an end
+
+    for value in RAWS:
+        raw = encode(value)
+        wanted = None if is_right(type_, raw, target, exact) else type_.outline(raw)
+        assert wrong_outline(type_, raw, target, exact) == wanted, value

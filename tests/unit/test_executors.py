@@ -1,0 +1,216 @@
+"""What every executor holds to: kill a worker, lose nothing.
+
+An executor joins with a context manager in PLACES, which opens one of two or three workers. What these do is
+in tests/executed.py, which their processes must be able to import.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+import pytest
+from executed import work
+
+from judge.errors import ShortageError, UsageError
+from judge.judging import processes
+from judge.judging.executors import ATTEMPTS, Here, Threads, results
+from judge.judging.processes import Processes
+
+TESTS = Path(__file__).parents[1]
+
+
+def opened(executor):
+    return lambda: nullcontext(executor)
+
+
+@contextmanager
+def on_a_cluster():
+    pytest.importorskip("distributed")
+    from clusters import HERE, served
+
+    from judge.cluster.ring import Ring
+    from judge.cluster.where import Address
+
+    with served(HERE, "--scheduler", "-j", "3") as (told, _), Ring(Address.of(told["address"])) as ring:
+        yield ring
+
+
+PLACES = {
+    "here": opened(Here()),
+    "threads": opened(Threads(3)),
+    "processes": opened(Processes(2)),
+    "cluster": on_a_cluster,
+}
+
+
+@pytest.fixture(scope="module", params=PLACES)
+def place(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def executor(place):
+    with PLACES[place]() as opened:
+        yield opened
+
+
+@pytest.fixture(autouse=True)
+def _own_process(monkeypatch):
+    monkeypatch.setenv("EXECUTED_BY", str(os.getpid()))
+    monkeypatch.setitem(sys.modules, "__main__", ModuleType("__main__"))  # workers need not import pytest
+
+
+def lost(item, why):
+    return f"lost {item.split()[-1]}: {why}"
+
+
+def items(folder, *whats):
+    return [f"{folder} {what} n{place}" for place, what in enumerate(whats)]
+
+
+def test_each_item_once_with_its_place_and_in_order_where_that_is_asked_for(executor, place, tmp_path):
+    first = "well" if place == "here" else "first"  # which waits until a later one is done
+    given = items(tmp_path, first, *["later"] * 5)
+    found = list(executor.finished(work, given, lost))
+    assert sorted(found) == [(at, f"N{at}") for at in range(6)]
+    assert (found[0][0] == 0) == (place == "here")
+    assert list(results(executor, work, given, lost)) == [f"N{at}" for at in range(6)]
+    assert list(executor.finished(work, [], lost)) == []
+
+
+def test_killed_workers_lose_nothing_and_what_kills_all_costs_itself_alone(executor, place, tmp_path):
+    given = items(tmp_path, "well", "once", "always", "well", "faulty", "once", "well")
+    found = dict(executor.finished(work, given, lost))
+    assert sorted(found) == list(range(7))
+    assert [found[at] for at in (0, 1, 3, 5, 6)] == ["N0", "N1", "N3", "N5", "N6"]
+    assert found[2].startswith("lost n2: ")
+    assert f" {ATTEMPTS} times" in found[2]
+    assert place != "cluster" or found[2] == "lost n2: the machine died 3 times"
+    assert found[4] == f"lost n4: it was lost {ATTEMPTS} times: internal fault: ArithmeticError('n4')"
+
+
+def test_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):
+    with pytest.raises(UsageError, match="cannot be had here"):
+        list(executor.finished(work, items(tmp_path, "usage", "well"), lost))
+    found = results(executor, work, items(tmp_path, "well", "well", "usage", "well"), lost)
+    assert [next(found), next(found)] == ["N0", "N1"]
+    with pytest.raises(UsageError, match="cannot be had here"):
+        next(found)
+
+
+def test_workers_are_counted_while_there_are_any(executor, tmp_path):
+    counts = {executor.alive() for _ in executor.finished(work, items(tmp_path, *["well"] * 4), lost)}
+    assert counts <= {1, 2, 3}
+    assert counts
+
+
+# -- processes -----------------------------------------------------------------------------------------
+
+_PARENT = """
+import sys
+from executed import work
+from judge.judging.processes import Processes
+
+if __name__ == "__main__":
+    given = [f"{sys.argv[1]} {what} n{at}" for at, what in enumerate(["well", "forever", "forever"])]
+    for found in Processes(2).finished(work, given, lambda item, why: why):
+        print(found, flush=True)
+"""
+
+
+@contextmanager
+def parent(folder):
+    """A process whose two workers are in the middle of an item each, and their process ids."""
+    script = folder / "parent.py"
+    script.write_text(_PARENT)
+    done = folder / "done"
+    done.mkdir()
+    command = [sys.executable, str(script), str(done)]
+    found = subprocess.Popen(
+        command,
+        env=os.environ | {"PYTHONPATH": str(TESTS)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+    try:
+        began = waited(lambda: [*done.glob("n1.*"), *done.glob("n2.*")], 2)
+        yield found, {int(path.suffix[1:]) for path in began}
+    finally:
+        found.kill()
+        found.communicate()
+
+
+def waited(look, count):
+    """What `look` finds, once it is so much; looked for as long as a busy machine may need."""
+    for _ in range(6000):
+        found = look()
+        if len(found) == count:
+            return found
+        time.sleep(0.01)
+    raise AssertionError(f"{count} looked for, {len(found)} found")
+
+
+def living(pids):
+    """Those that are there, and no longer wait to be reaped."""
+    found = []
+    for pid in pids:
+        try:
+            state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            continue
+        found += [pid] if state not in "ZX" else []
+    return found
+
+
+@pytest.mark.parametrize("how", ["Ctrl-C", "SIGKILL"])
+def test_workers_end_with_who_gave_them_work(how, tmp_path):
+    with parent(tmp_path) as (process, pids):
+        assert len(pids) == 2
+        if how == "Ctrl-C":
+            os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        else:
+            process.kill()
+        printed, said = process.communicate(timeout=60)
+        waited(lambda: living(pids), 0)
+    assert printed == b"(0, 'N0')\n"
+    own = 1 if how == "Ctrl-C" else 0  # traceback, of the script itself
+    assert (said.count(b"Traceback"), said.count(b"KeyboardInterrupt\n")) == (own, own)
+
+
+class Kind(NamedTuple):
+    """An item that needs something to be warm."""
+
+    problem: str
+    place: int
+
+
+def worker_of(item):
+    time.sleep(0.01)
+    return os.getpid()
+
+
+def test_a_worker_stays_with_what_is_warm_there():
+    given = [Kind(name, at) for at in range(6) for name in "abcd"]
+    found = dict(Processes(2).finished(worker_of, given, lost))
+    assert len(found) == len(given)
+    workers = [{found[at] for at, item in enumerate(given) if item.problem == name} for name in "abcd"]
+    assert sum(map(len, workers)) <= 6  # the last one or two may be shared
+
+
+def test_where_no_process_can_be_started_that_is_one_line(tmp_path, monkeypatch):
+    class Full:
+        def __init__(self, *_):
+            raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(processes, "ProcessPoolExecutor", Full)
+    with pytest.raises(ShortageError, match="no further process"):
+        list(Processes(2).finished(work, items(tmp_path, "well", "well"), lost))

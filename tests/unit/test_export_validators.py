@@ -1,0 +1,181 @@
+"""The two validators that a package ships, beside the judge's own decisions on types of every kind."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import json
+import random
+import re
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import export_edges
+import pytest
+from export_edges import VALIDATOR, lines, theirs
+
+import judge.packs.export as export
+from judge.exact import Surd
+from judge.packs.export.forms import NoForm, accepted_form, answer_form
+from judge.values import Accepted, AnyOf, Enclosure, Judged, Real, Run, Tolerance, parse, vector
+
+FOLDER = Path(export.__file__).parent / "validators"
+ROOT2 = Surd(0, 1, 2)
+NARROW = Tolerance(ulps=Fraction(1))
+WIDE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
+ANSWERS = [  # of every kind, alone and within others
+    ("int", 7),
+    ("int?", None),
+    ("int?", -3),
+    ("word(lit|dark)?", "dark"),
+    ("real", Real(ROOT2)),
+    ("real", Real(Fraction(1, 3), 1)),
+    ("real", Real(0, 5)),
+    ("real?", None),
+    ("vec3?", vector((Surd(1, 1, 3, 2), Fraction(2), 0), 4)),
+    ("(real, vec2)?", (Real(Fraction(1, 2)), vector((ROOT2, -1)))),
+    ("[vec2; 0..2]?", [vector((ROOT2, 1)), vector((-1, Fraction(1, 7)))]),
+    ("[vec2; 0..2]", []),
+    ("[int]", [0, 5, 5, 12]),
+    ("[(real, int, word(in|out))]", [Run([(Real(1), 3, "out"), (Real(1), 5, "in")]), (Real(2), 3, "out")]),
+    ("[(int, real)?; 0..4]", [AnyOf([(1, Real(2)), (2, Real(2))]), None]),
+    ("int?", AnyOf([None, 4])),
+    ("enclosure", Enclosure(ROOT2, Fraction(1, 10**9))),
+    ("([enclosure; 1..2], int?)", ([Enclosure(Fraction(1, 3), 1)], None)),
+    ("[[int; 0..2]; 0..3]", [[1], [], [2, 3]]),
+]  # fmt: skip
+
+
+def disagreeing(check) -> tuple[int, int]:
+    """How many lines are decided otherwise, and how many there are."""
+    rng = random.Random(3)
+    differ = count = 0
+    for text, exact in ANSWERS:
+        for tolerance in (NARROW, WIDE):
+            type_ = parse(text)
+            target = type_.target(exact, tolerance)
+            form, wanted = answer_form(type_), accepted_form(type_, exact, tolerance)
+            for line in lines(form, json.loads(json.dumps(wanted)), type_.line(target), rng, 40):
+                outcome = type_.check_line(line, target, lambda exact=exact, own=tolerance: (exact, own))
+                differ += isinstance(outcome, Accepted) != check(form, line, wanted)
+                count += 1
+    return differ, count
+
+
+def test_every_line_is_decided_as_the_judge_does():
+    assert disagreeing(theirs) == (0, 1520)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("wanted[-1]", "wanted[-1] + 1"),
+        ("r, s, value) > 0", "r, s, value) >= 0"),
+        ("left.pop(found)", "pass"),
+        ('tokens.ahead() == "none"', 'tokens.ahead().lower() == "none"'),
+        ("if tokens.ahead():", "if False:"),
+        ("> most *", ">= most *"),
+    ],
+)
+def test_a_validator_with_a_fault_is_noticed(right, wrong, monkeypatch):
+    source = (FOLDER / "output_validator.py").read_text(encoding="utf-8")
+    assert right in source
+    names = {"__name__": "faulty"}
+    exec(compile(source.replace(right, wrong), "faulty.py", "exec"), names)
+    monkeypatch.setattr(export_edges, "VALIDATOR", names)
+    assert disagreeing(theirs)[0] > 0
+
+
+def test_what_no_table_can_say_is_left_out():
+    with pytest.raises(NoForm, match=r"problem\.py decides"):
+        accepted_form(parse("int"), Judged(lambda _value, _group: None, 1), NARROW)
+    with pytest.raises(NoForm, match="a line holds no array"):
+        answer_form(parse("[array(i8; 5)]"))
+
+
+@pytest.mark.parametrize("name", ["input_validator.py", "output_validator.py"])
+def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
+    tree = ast.parse((FOLDER / name).read_text(encoding="utf-8"), feature_version=(3, 6))
+    modules = {each.module for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
+    modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
+    assert modules <= {"fractions", "hashlib", "json", "os", "re", "sys", "typing"}
+
+
+FORMS = [
+    ["int", [-5, 1], [5, 1], [0, 1]],
+    ["real", [-3, 1], [3, 1], [1, 10**8]],
+    ["list", ["tuple", [["real", [0, 1], [5, 1], [0, 1]], ["real", [0, 1], [5, 1], [0, 1]]]], 0, 1],
+    ["optional", ["word", ["up", "down"]]],
+]
+GOOD = "3\n1 2.5 1 0 0 none\n-5 1e-07 0 up\n0 -0.0 1 5 0.5 down\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("3\n1", "2\n1"),
+        ("3\n1", "03\n1"),
+        ("3\n1", "3 \n1"),
+        ("1 2.5", "1  2.5"),
+        ("1 2.5", "01 2.5"),
+        ("1 2.5", "+1 2.5"),
+        ("1 2.5", "1.0 2.5"),
+        ("1 2.5", "1 2.50"),
+        ("1 2.5", "1 3.5"),
+        ("1 2.5", "6 2.5"),
+        ("1e-07", "1e-09"),
+        ("1e-07", "nan"),
+        ("1e-07 0 up", "1e-07 2 0 0 0 0 up"),
+        ("1e-07 0 up", "1e-07 -1 up"),
+        ("1e-07 0 up", "1e-07 1 0 up"),
+        (" up", " left"),
+        (" up", ""),
+        (" up", " up up"),
+        ("none", "None"),
+        ("down\n", "down"),
+        ("down\n", "down\n\n"),
+        ("down\n", "down\r\n"),
+        ("up", "\u00fcp"),
+    ],
+)
+def test_the_input_validator_wants_the_one_way_to_write_a_case(old, new, tmp_path):
+    source = (FOLDER / "input_validator.py").read_text(encoding="utf-8")
+    names = {"__name__": "validator"}
+    exec(compile(source.replace("PARAMETERS = []", f"PARAMETERS = {FORMS}"), "v.py", "exec"), names)
+    names["validate"](GOOD.encode())
+    assert old in GOOD
+    with pytest.raises(names["Invalid"]):
+        names["validate"](GOOD.replace(old, new, 1).encode())
+
+
+@pytest.mark.parametrize(
+    ("given", "printed", "status"),
+    [("2\n1\n2\n", "1\nnone\n", 42), ("2\n1\n2\n", "1\n2\n", 43), ("9\n", "1\nnone\n", 1)],
+)
+def test_it_ends_as_packages_ask(given, printed, status, tmp_path):
+    (tmp_path / "validate.py").write_bytes((FOLDER / "output_validator.py").read_bytes())
+    key = hashlib.sha256(b"2\n1\n2\n").hexdigest()
+    (tmp_path / "accepted.json").write_text(
+        json.dumps({"answer": ["optional", ["int"]], "files": {key: [1, None]}})
+    )
+    (tmp_path / "in").write_text(given)
+    (tmp_path / "ans").write_text("")
+    ended = subprocess.run(
+        [sys.executable, "validate.py", "in", "ans", f"{tmp_path}/"],
+        cwd=tmp_path,
+        input=printed,
+        capture_output=True,
+        text=True,
+    )
+    assert ended.returncode == status
+    assert ("export the package again" in ended.stderr) == (status == 1)
+    assert (tmp_path / "judgemessage.txt").exists() == (status == 43)
+
+
+def test_the_form_at_the_top_names_every_type():
+    head = VALIDATOR["__doc__"]
+    assert all(
+        re.search(rf'\["{name}"', head) for name in ("real", "int", "enclosure", "tuple", "list", "optional")
+    )

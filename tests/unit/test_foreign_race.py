@@ -1,0 +1,195 @@
+"""The race of a submission in another language: what its time is held to, and what noise can't decide."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+import pytest
+from foreign_boxes import START, Paper, raced
+from judging import make_data
+
+from judge.errors import JudgeError
+from judge.problem import TimeRule, Verdict
+from judge.run.foreign import LONG_SECONDS
+from judge.run.function import FunctionRunner
+from judge.run.laps import passes_for
+from judge.run.replies import Replies
+from judge.run.timing import Pair, decide
+from judge.sandbox.boundary import Reply, Stop, Usage
+
+LIMIT = 10.0
+RULE = TimeRule(LIMIT, "calls.py", references=MappingProxyType({"go": "reference.go"}))
+ONE = 0.0005  # seconds of a pass of the reference
+
+
+def steady(factor=1.0):
+    return lambda passes: factor * ONE * passes
+
+
+def warming(factor=1.0, cold=0.04):
+    """A compiler at run time: the first passes take longer than all later ones."""
+    return lambda passes: factor * ONE * passes + (cold if passes else 0.0)
+
+
+def race(mine, reference=None, rule=RULE, **more):
+    return raced(make_data("one"), rule, mine, {"reference.go": reference or Paper(steady())}, **more)
+
+
+@pytest.mark.parametrize("start", [0.0, START, 0.5])
+@pytest.mark.parametrize("cost", [steady, warming])
+def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, start):
+    reference = Paper(cost(), start=start)
+    decision, run = race(Paper(cost(), start=start), reference)
+    assert decision.ratio.median == pytest.approx(1.0, abs=0.01)
+    assert (decision.too_slow, decision.borderline, run.verdict) == (False, False, Verdict.AC)
+    assert cost()(max(reference.runs)) >= LONG_SECONDS
+    assert (decision.against.language, decision.against.why) == ("Go", "")
+
+
+def test_a_start_that_has_changed_since_it_was_first_measured_does_no_harm():
+    decision, _ = race(Paper(steady(3), start=0.2), Paper(steady(), start=0.2))
+    assert decision.ratio.median == pytest.approx(3.0, abs=0.01)
+
+
+@pytest.mark.parametrize(("factor", "too_slow"), [(0.1, False), (7.9, False), (14, True), (1000, True)])
+def test_what_is_clear_is_decided(factor, too_slow):
+    decision, _ = race(Paper(steady(factor)))
+    assert (decision.too_slow, decision.borderline) == (too_slow, False)
+    assert decision.ratio.median == pytest.approx(factor, rel=0.1)
+
+
+@pytest.mark.parametrize("noise", [0.3, 0.6])
+@pytest.mark.parametrize("factor", [9.0, 10.0, 11.0])
+def test_noise_around_the_limit_is_a_close_call_and_never_too_slow(factor, noise):
+    decision, _ = race(Paper(steady(factor), noise=noise), Paper(steady(), noise=noise))
+    assert (decision.too_slow, decision.borderline) == (False, True)
+
+
+def test_a_slow_one_makes_fewer_passes():
+    mine = Paper(steady(100))
+    decision, _ = race(mine)
+    assert decision.too_slow
+    assert max(mine.runs) * 100 * ONE < 3
+
+
+@pytest.mark.parametrize("first", [0.1, 0.4, 0.9])
+def test_who_remembers_answers_is_raced_by_first_passes(first):
+    mine = Paper(lambda passes: first + 0.00001 * passes if passes else 0.0)
+    decision, _ = race(mine)
+    assert decision.too_slow
+    assert max(mine.runs) == 1
+
+
+@pytest.mark.parametrize(("factor", "cold", "limit"), [(2, 0.1, 3.0), (1, 0.6, 10.0), (7, 0.3, 10.0)])
+def test_who_warms_up_is_no_slower_for_that(factor, cold, limit):
+    rule = TimeRule(limit, "calls.py", references=RULE.references)
+    decision, _ = race(Paper(warming(factor, cold)), Paper(warming(1, cold / 2)), rule)
+    assert not decision.too_slow
+    assert decision.ratio.median < limit
+
+
+@pytest.mark.parametrize(("factor", "too_slow"), [(1, False), (7, False), (60, True)])
+def test_what_does_not_survive_the_passes_is_raced_by_single_ones(factor, too_slow):
+    decision, run = race(Paper(steady(factor), bad=20))
+    assert decision.too_slow is too_slow
+    assert decision.ratio.median <= factor
+    assert run.verdict is Verdict.AC
+
+
+def test_a_function_that_answers_otherwise_in_a_later_pass_is_wrong():
+    decision, run = race(Paper(steady(), wrong=20))
+    assert (run.verdict, decision.too_slow) == (Verdict.WA, False)
+    assert "when it was run again to be timed" in run.failure.message
+
+
+def test_a_program_that_was_promised_fewer_cases_is_not_wrong():
+    rule = TimeRule(LIMIT, "calls.py", "program.py")
+    decision, run = raced(
+        make_data("one"), rule, Paper(steady(), wrong=20), {"program.py": OnPaper(0.001)}, program=True
+    )
+    assert run.verdict is Verdict.AC
+    assert decision.against.why == "no reference program in Go: held to Python's"
+
+
+class OnPaper:
+    """Python's reference: a call or line takes so many seconds."""
+
+    def __init__(self, seconds):
+        self.seconds = seconds
+
+
+@pytest.fixture(autouse=True)
+def python(monkeypatch):
+    """Python's own on paper too: it answers each case, and takes its time for each."""
+
+    def timed(self, box, cases, limits):
+        assert isinstance(box, OnPaper)
+        return Replies([Reply(Stop.ANSWERED, 0)] * len(cases), Usage(box.seconds * len(cases)))
+
+    monkeypatch.setattr(FunctionRunner, "timed", timed)
+    monkeypatch.setattr("judge.run.program.ProgramRunner.timed", timed)
+
+
+@pytest.mark.parametrize(("factor", "too_slow"), [(0.2, False), (7, False), (14, True)])
+def test_without_a_reference_in_its_language_it_is_held_to_pythons(factor, too_slow):
+    rule = TimeRule(LIMIT, "calls.py")
+    decision, _ = raced(make_data("one"), rule, Paper(steady(factor)), {"calls.py": OnPaper(ONE / 4)})
+    assert decision.ratio.median == pytest.approx(factor, rel=0.1)
+    assert decision.too_slow is too_slow
+    assert (decision.against.language, decision.against.why) == (
+        "Python",
+        "no reference in Go: held to Python's",
+    )
+
+
+def test_the_fallback_is_generous_where_the_language_warms_up(monkeypatch):
+    from judge.languages.model import language_called
+
+    assert {name: language_called(name).factor for name in ("go", "cpp", "java", "javascript", "pypy")} == {
+        "go": 1, "cpp": 1, "java": 5, "javascript": 3, "pypy": 5,
+    }  # fmt: skip
+
+
+def test_without_any_reference_nothing_is_raced():
+    decision, _ = raced(make_data("one"), TimeRule(LIMIT, "gone.py"), Paper(steady()), {})
+    assert (decision.ratio, decision.against) == (None, None)
+
+
+@pytest.mark.parametrize(
+    ("reference", "said"),
+    [
+        (Paper(steady(), fault="no semicolon"), "in Go does not compile: no semicolon"),
+        (Paper(steady(), bad=1), "cannot be timed: used more than 256 MB"),
+    ],
+)
+def test_a_reference_that_fails_is_no_fault_of_the_submission(reference, said):
+    with pytest.raises(JudgeError, match=said):
+        race(Paper(steady()), reference)
+
+
+def test_passes_are_enough_and_nothing_short_is_divided_by():
+    taken = []
+
+    def run(passes):
+        taken.append(passes)
+        return 0.0 if passes < 100 else 0.0001 * passes
+
+    assert passes_for(0.1, run, 10**6)[1] >= 0.1
+    assert len(taken) <= 6
+    assert passes_for(0.1, lambda passes: 0.0, 500) == (500, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("ratios", "too_slow", "borderline"),
+    [
+        ([20] * 9, True, False),  # every pair is clearly above
+        ([14, 30, 14, 30, 14, 30, 14, 30, 14], True, False),
+        ([11] * 9, True, True),
+        ([9, 9, 9, 9, 11, 11, 11, 11, 11], False, True),  # quartiles on both sides
+        ([10.5, 10.5, 10.5, 10.5, 12, 20, 20, 20, 20], False, True),  # and too far apart
+        ([5] * 9, False, False),
+    ],
+)
+def test_a_cautious_decision(ratios, too_slow, borderline):
+    decision = decide([Pair(0.1 * ratio, 0.1) for ratio in ratios], LIMIT, cautious=True)
+    assert (decision.too_slow, decision.borderline) == (too_slow, borderline)

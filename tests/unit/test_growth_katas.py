@@ -1,0 +1,123 @@
+"""The katas of many circles: naive loops are too slow by how they grow, and the rule is told."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.report.problems import detail_lines
+from judge.report.why import why_lines
+from judge.run.execute import run_submission
+from judge.run.result import Mode
+
+ROOT = Path(__file__).parents[2]
+GROWS = re.compile(r"it grows like n\^(\d\.\d), the reference like n\^(\d\.\d)")
+SIZES = {"n-500", "n-2000"}
+PROGRAM = """
+import sys
+from math import inf, sqrt
+
+def main():
+    numbers = iter(map(int, sys.stdin.read().split()))
+    for _ in range(next(numbers)):
+        circles = [(next(numbers), next(numbers), next(numbers)) for _ in range(next(numbers))]
+        ox, oy = next(numbers), next(numbers)
+        beams = [(next(numbers), next(numbers)) for _ in range(next(numbers))]
+        said = [str(len(beams))]
+        for dx, dy in beams:
+            a, best, found = dx * dx + dy * dy, inf, None
+            for i, (x, y, r) in enumerate(circles):
+                fx, fy = x - ox, y - oy
+                b = dx * fx + dy * fy
+                if b > 0:
+                    q = r * r * a - (dx * fy - dy * fx) ** 2
+                    if q >= 0 and b - sqrt(q) < best:
+                        best, found = b - sqrt(q), i
+            said.append("none" if found is None else f"{found} {best / a!r}")
+        print(*said)
+
+main()
+"""
+
+
+@pytest.fixture(scope="module")
+def judged(tmp_path_factory):
+    """Judges a program by nothing but its growth, on one case of each of the two small sizes."""
+    folder = tmp_path_factory.mktemp("growth")
+
+    def judge(name, source):
+        problem = folder / "problems" / name
+        if not problem.exists():
+            shutil.copytree(ROOT / "problems" / name, problem)
+            shutil.copytree(ROOT / "solutions" / name, folder / "solutions" / name)
+            (problem / "hashes.json").unlink()
+            text = (problem / "problem.toml").read_text(encoding="utf-8")
+            text = re.sub(r"\[groups\.time\]\nlimit = \d+\n", "[groups.time]\nlimit = 10000\n", text)
+            text = re.sub(
+                r"cpu_seconds = \d+(\nwall_seconds = \d+)?", "cpu_seconds = 60\nwall_seconds = 600", text
+            )
+            text = re.sub(r"(seed = 7[12]07\ncount =) \d+", r"\1 1", text)
+            text = text[: text.index('[[groups]]\nname = "n-8000"')].replace(', "n-8000", "n-32000"', "")
+            left = 100 - sum(map(int, re.findall(r"^points = (\d+)", text, re.MULTILINE)))
+            text = text.replace("points = 0\n", f"points = {left}\n", 1)
+            (problem / "problem.toml").write_text(text, encoding="utf-8")
+        loaded = load_problem(problem)
+        data = load_data(loaded, cache=False)
+        return run_submission(loaded, data, source, "naive.py", groups=SIZES)
+
+    return judge
+
+
+def check_too_steep(result):
+    assert result.verdict is Verdict.TLE
+    growth = result.time.growth
+    assert set(growth.groups) == SIZES
+    assert growth.exponent > growth.reference + growth.slope
+    assert GROWS.search(result.failure.message)
+    assert "its exponent may exceed that by 0.4" in result.failure.message  # and no other limit struck
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["nearest", "beams"])
+def test_the_naive_loop_is_too_slow_by_how_it_grows(name, judged):
+    source = (ROOT / "solutions" / name / "slow" / "quadratic.py").read_bytes()
+    check_too_steep(judged(name, source))
+
+
+@pytest.mark.slow
+def test_so_is_a_naive_program(judged):
+    result = judged("beams", PROGRAM.encode())
+    assert result.mode is Mode.PROGRAM
+    check_too_steep(result)
+
+
+def told(lines):
+    return "\n".join("".join(span.text for span in each) for each in lines)
+
+
+@pytest.mark.parametrize("name", ["nearest", "beams"])
+def test_the_rule_of_growth_is_told(name):
+    problem = find_problem(name)
+    rule = "at most n^0.4 faster than the reference, over n-500, n-2000, n-8000, n-32000"
+    assert f"growth      {rule}\n" in told(detail_lines(problem, None)) + "\n"
+    assert f"  CPU time may grow {rule}.\n" in told(why_lines(problem, problem.groups, {}, None))
+    (large,) = [group for group in problem.groups if group.name == "n-8000"]
+    (few,) = [group for group in problem.groups if group.name == "few"]
+    shown = told(why_lines(problem, [large], {}, None))
+    assert rule in shown
+    assert shown.endswith("\n  CPU time: at most 8 × the reference.")
+    assert "CPU time" not in told(why_lines(problem, [few], {}, None))
+
+
+def test_a_group_with_a_limit_of_its_own_says_so_without_growth():
+    problem = find_problem("vector")
+    shown = told(why_lines(problem, problem.groups, {}, None))
+    assert shown.count("CPU time: at most 4 × the reference.") == 1
+    assert "may grow" not in shown

@@ -1,0 +1,248 @@
+"""Measuring alone among all processes of a user: who is kept out, for how long, and where the locks lie."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+from sandboxed import call, require
+
+from judge.run.alone import VARIABLE, Admitted, Machine
+from judge.run.parallel import Turnstile
+
+OTHER = """
+import sys
+from judge.run.alone import Machine
+with getattr(Machine(), sys.argv[1])():
+    print("in", flush=True)
+    sys.stdin.read()
+"""
+LONG = 20.0  # seconds, for what ends at once where nothing is wrong
+
+
+@contextlib.contextmanager
+def another(how):
+    """A process that judges or measures until the block ends."""
+    command = [sys.executable, "-c", OTHER, how]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout.readline() == "in\n"
+            yield process
+        finally:
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """The locks of this test alone."""
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "locks"))
+    return tmp_path / "locks"
+
+
+def tried(how, patience=0.02):
+    """What a machine without patience gives."""
+    with getattr(Machine(patience=patience), how)() as place:
+        return place
+
+
+def test_another_process_that_judges_keeps_a_measurer_out_and_no_judge():
+    with another("judging"):
+        assert not tried("measuring").alone
+        assert tried("judging").waited < 0.02
+    assert tried("measuring").alone
+
+
+def test_another_process_that_measures_keeps_everyone_out():
+    with another("measuring"):
+        assert not tried("measuring").alone
+        assert tried("judging").waited >= 0.02
+    assert tried("measuring").alone
+
+
+def test_a_killed_process_gives_its_locks_back_at_once():
+    with another("measuring") as process, contextlib.ExitStack() as stack:
+        killer = threading.Timer(0.2, process.send_signal, [signal.SIGKILL])
+        killer.start()
+        assert stack.enter_context(Machine(patience=LONG).measuring()).alone
+        killer.join()
+        assert process.wait(LONG) == -signal.SIGKILL
+
+
+def test_a_stopped_process_keeps_nobody_for_ever_and_only_the_first_for_long():
+    with another("measuring") as process:
+        process.send_signal(signal.SIGSTOP)
+        ticks = iter(range(10**6))
+        machine = Machine(
+            patience=100.0, clock=lambda: 8.0 * next(ticks)
+        )  # eight seconds for each look at it
+        with machine.measuring() as place:
+            assert not place.alone
+            assert place.waited >= 100
+        with machine.measuring() as place:
+            assert not place.alone
+            assert place.waited < 50
+    with machine.measuring() as place:
+        assert place.alone
+
+
+def test_who_waits_is_told_for_how_long_at_most_and_who_need_not_wait_nothing():
+    told = []
+
+    @contextlib.contextmanager
+    def waiting():
+        yield lambda waited, most: told.append((waited, most))
+
+    ticks = iter(range(10**6))
+    machine = Machine(waiting=waiting, patience=5.0, clock=lambda: 0.25 * next(ticks))
+    with machine.judging():
+        assert not told
+    with another("judging"), machine.measuring() as place:
+        assert not place.alone
+    assert told == sorted(told)
+    assert told[0] == (0, told[-1][1])
+    assert 2 <= told[-1][0] <= told[-1][1] <= 5
+
+
+def test_ctrl_c_comes_through_while_waiting():
+    waiting = "print('go', flush=True)\nMachine().measuring().__enter__()"
+    with another("judging"):
+        command = [sys.executable, "-c", f"from judge.run.alone import Machine\n{waiting}"]
+        pipe = subprocess.PIPE
+        with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as process:
+            assert process.stdout.readline() == "go\n"
+            time.sleep(0.1)
+            process.send_signal(signal.SIGINT)
+            assert process.communicate(timeout=LONG)[1].endswith("KeyboardInterrupt\n")
+
+
+def test_who_comes_later_does_not_pass_a_waiting_measurer():
+    let_in = []
+
+    def measure():
+        with Machine(patience=LONG).measuring() as place:
+            let_in.append(place.alone)
+
+    measurer = threading.Thread(target=measure)
+    with another("judging"):
+        measurer.start()
+        until = time.monotonic() + LONG
+        while tried("judging").waited < 0.02:  # until the measurer is at the door
+            assert time.monotonic() < until
+        assert not let_in
+    measurer.join(LONG)
+    assert let_in == [True]
+
+
+def test_the_turnstiles_of_two_processes_are_one():
+    with another("judging"), Turnstile(Machine(patience=0.02)).measuring() as place:
+        assert not place.alone
+
+
+def test_the_locks_are_the_users_alone(folder):
+    assert tried("measuring") == Admitted(True, pytest.approx(0, abs=LONG))
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert {path.name: path.stat().st_mode & 0o777 for path in folder.iterdir()} == {
+        "door": 0o600,
+        "room": 0o600,
+    }
+
+
+def plant_link(folder: Path) -> None:
+    real = folder.with_name("real")
+    real.mkdir(mode=0o700)
+    folder.symlink_to(real)
+
+
+def plant_open_folder(folder: Path) -> None:
+    folder.mkdir()
+    folder.chmod(0o777)
+
+
+def plant_file(folder: Path) -> None:
+    folder.write_text("")
+
+
+def plant_pipes(folder: Path) -> None:
+    folder.mkdir(mode=0o700)
+    for name in ("door", "room"):
+        os.mkfifo(folder / name)
+
+
+def plant_links_in_it(folder: Path) -> None:
+    folder.mkdir(mode=0o700)
+    for name in ("door", "room"):
+        (folder / name).symlink_to(folder.with_name("elsewhere"))
+
+
+def plant_another_users(folder: Path) -> None:
+    folder.mkdir(mode=0o700)
+    if os.geteuid() == 0:
+        os.chown(folder, 65534, 65534)
+    else:
+        folder.chmod(0o500)
+
+
+@pytest.mark.parametrize(
+    "plant",
+    [plant_link, plant_open_folder, plant_file, plant_pipes, plant_links_in_it, plant_another_users],
+)
+def test_a_folder_that_somebody_planted_is_not_used(folder, plant):
+    plant(folder)
+    before = sorted(path.name for path in folder.parent.rglob("*"))
+    with Machine().judging(), Machine(patience=LONG).measuring() as place:  # nobody is kept out
+        assert place.alone
+    assert sorted(path.name for path in folder.parent.rglob("*")) == before
+
+
+def test_where_the_locks_lie(tmp_path, monkeypatch):
+    monkeypatch.delenv(VARIABLE)
+    runtime, temporary = tmp_path / "runtime", tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(temporary))
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(runtime))  # not there: as on a machine without one
+    assert tried("measuring").alone
+    assert [path.name for path in temporary.iterdir()] == [f"judge-locks-{os.geteuid()}"]
+    runtime.mkdir(mode=0o700)
+    assert tried("measuring").alone
+    assert sorted(path.name for path in (runtime / "judge").iterdir()) == ["door", "room"]
+
+
+LOOK = """
+import os
+def f(*paths):
+    files = []
+    for number in range(256):
+        try:
+            found = os.fstat(number)
+        except OSError:
+            continue
+        files.append([found.st_dev, found.st_ino])
+    opened = 0
+    for path in paths:
+        try:
+            os.close(os.open(path, os.O_RDONLY))
+        except OSError:
+            continue
+        opened += 1
+    return [files, opened]
+"""
+
+
+@pytest.mark.parametrize("level", ["full", "strong", "limits"])
+def test_a_box_that_is_opened_meanwhile_has_no_lock_in_it(folder, level):
+    require(level)
+    with Machine().measuring():
+        files, opened = call(LOOK, [(str(folder), str(folder / "door"))], level=level).replies[0].answer
+        locks = [path.stat() for path in folder.iterdir()]
+        assert len(locks) == 2
+        assert len(files) > 2
+        assert not [lock for lock in locks if [lock.st_dev, lock.st_ino] in files]
+        assert opened == (2 if level == "limits" else 0)  # that one hides no files at all
