@@ -196,13 +196,16 @@ def tools(tmp_path, monkeypatch):
 
 
 CLEAN = "WARNING License is 'unknown'\nmiddle tested: 0 errors, 1 warning"
+COLOURED = "\x1b[33mWARNING License is 'unknown'\x1b[0m\nmiddle tested: 0 errors, 1 warning"
 QUIET = "PROBLEM middle\nLOG: No dedicated answer validators found.\nInput validation: Done"
+QUIET_IN_A_BUILD = "\x1b[1mPROBLEM middle\x1b[0m\n\x1b[36mInput validation\x1b[0m: \x1b[32mDone\x1b[0m"
 
 
 @pytest.mark.parametrize(
     ("legacy", "new", "status", "ok"),
     [
         (CLEAN, (QUIET, 0), 0, [True, True]),
+        (COLOURED, (QUIET_IN_A_BUILD, 0), 0, [True, True]),
         ("ERROR No accepted\nmiddle tested: 1 error, 0 warnings", (QUIET, 0), 3, [False, True]),
         ("Traceback", (QUIET, 0), 3, [False, True]),
         (CLEAN, (f"{QUIET}\nInput validation: secret/02-whole  rejected", 0), 3, [True, False]),

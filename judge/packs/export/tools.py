@@ -23,6 +23,7 @@ from judge.packs.export.metadata import Version
 BESIDE = Path(sys.executable).parent  # where pip puts them
 PATIENCE = 3600.0  # seconds for one package
 NO_SETTINGS: Mapping[str, str] = MappingProxyType({})
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")  # in a build they colour what they write into a pipe
 _COUNTS = re.compile(r"tested: (\d+) errors?, (\d+) warnings?")
 _PARTS = ("config", "data", "graders", "validators")
 # What bt writes where nothing is wrong: any other line is a remark.
@@ -129,7 +130,7 @@ def _run(command: list[str], folder: Path, settings: Mapping[str, str] = NO_SETT
     except BaseException:
         _end(process)
         raise
-    return process.returncode, output.decode(errors="replace")
+    return process.returncode, _COLOUR.sub("", output.decode(errors="replace"))
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
