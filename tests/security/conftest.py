@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -19,7 +20,8 @@ from residents import Resident
 from judge.sandbox import levels
 
 PACKAGE = HERE.parent.parent / "judge"
-PLAIN_USER = "judge-attacker"
+PLAIN_USER = "judge-attacker" + os.environ.get("PYTEST_XDIST_WORKER", "")  # whoever made it removes it
+PATIENCE = 30.0  # seconds: another may hold /etc/passwd, and a dead process waits to be reaped
 
 
 @cache
@@ -69,20 +71,26 @@ def _plain(home: Path) -> Iterator[Attacker]:
     try:
         uid = pwd.getpwnam(PLAIN_USER).pw_uid
     except KeyError:
-        command = _administrators("useradd")
-        if command is None:
+        if _administrators("useradd") is None:
             pytest.skip("there is no useradd to make a plain user with")
-        subprocess.run(
-            [command, "--no-create-home", "--shell", "/bin/false", PLAIN_USER], check=True, timeout=20
-        )
+        _administer("useradd", "--no-create-home", "--shell", "/bin/false", PLAIN_USER)
         made, uid = True, pwd.getpwnam(PLAIN_USER).pw_uid
     try:
         yield Attacker("plain", _python_for(uid), home, uid)
     finally:
         if made:
-            subprocess.run(
-                [_administrators("userdel"), PLAIN_USER], check=True, timeout=20, capture_output=True
-            )
+            _administer("userdel", PLAIN_USER)
+
+
+def _administer(name: str, *words: str) -> None:
+    """Run an administrator's command, again where it is refused for what may pass."""
+    until = time.monotonic() + PATIENCE
+    while True:
+        done = subprocess.run([_administrators(name) or name, *words], timeout=20, capture_output=True)
+        if done.returncode == 0 or time.monotonic() > until:
+            break
+        time.sleep(0.5)
+    assert done.returncode == 0, done.stderr.decode(errors="replace")
 
 
 def _administrators(name: str) -> str | None:
