@@ -20,7 +20,8 @@ from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop, Usag
 
 MOST_INPUT = 24 << 20  # bytes of standard input: to read so many takes long enough by itself
 _MOST_CALLS = 20_000  # of Python in a turn
-_MORE_OUTPUT = 256  # bytes for each answer of each pass
+_MORE_OUTPUT = 256  # bytes for each answer of each pass, or twice what the first pass took
+_MOST_OUTPUT = 256 << 20  # bytes beyond what a single pass may write
 
 
 class Lap(NamedTuple):
@@ -70,6 +71,7 @@ class _Python:
 
     def __init__(self, runner: Runner, box: Box, cases: Sequence[Case]) -> None:
         self._runner, self._box, self._cases = runner, box, cases
+        self._once: Sequence[Reply] = ()  # of a single pass
 
     @property
     def most(self) -> int:
@@ -82,10 +84,11 @@ class _Python:
     def run(self, passes: int, limits: Limits) -> Lap:
         if not passes:
             return Lap(Usage(), 0)
-        replies = self._runner.timed(
-            self._box, list(self._cases) * passes, _longer(limits, self._cases, passes)
-        )
+        size = len(str([reply.answer for reply in self._once])) if passes > 1 else 0
+        longer = _longer(limits, self._cases, passes, size)
+        replies = self._runner.timed(self._box, list(self._cases) * passes, longer)
         once = replies._replace(replies=replies.replies[: len(self._cases)])
+        self._once = once.replies
         return Lap(replies.usage, passes, (once,), replies.trouble)
 
 
@@ -95,6 +98,7 @@ class _Foreign:
     def __init__(self, runner: Runner, box: Box, cases: Sequence[Case]) -> None:
         self._runner, self._cases = runner, cases
         self._box = cast(_Whole, box)
+        self._size = 0  # bytes that a pass wrote
         problem = runner.problem
         if runner.calls:
             self._head, self._body = b"", calls.text(problem.calls(cases))
@@ -111,12 +115,14 @@ class _Foreign:
 
     def run(self, passes: int, limits: Limits) -> Lap:
         head = b"" if self._runner.calls else b"%d\n" % (len(self._cases) * passes)
-        done = self._box.run_whole(head + self._body * passes, _longer(limits, self._cases, passes))
+        longer = _longer(limits, self._cases, passes, self._size)
+        done = self._box.run_whole(head + self._body * passes, longer)
         if done.stop is not Stop.ANSWERED:
             return Lap(done.usage, passes, trouble=done.detail or done.stop.value)
         if not passes:
             return Lap(done.usage, 0)
-        once = done.stdout[: len(done.stdout) // passes]
+        self._size = len(done.stdout) // passes
+        once = done.stdout[: self._size]
         count = len(self._cases)
         if once.count(b"\n") == count and done.stdout == once * passes:  # as nearly always
             return Lap(done.usage, passes, (self._read(once),))
@@ -135,8 +141,10 @@ class _Foreign:
         return Replies(found, Usage())
 
 
-def _longer(limits: Limits, cases: Sequence[Case], passes: int) -> Limits:
-    return limits._replace(output_bytes=limits.output_bytes + passes * len(cases) * _MORE_OUTPUT)
+def _longer(limits: Limits, cases: Sequence[Case], passes: int, size: int) -> Limits:
+    """Limits with room for the answers of so many passes, of which one is known to write `size` bytes."""
+    more = passes * max(len(cases) * _MORE_OUTPUT, 2 * size)
+    return limits._replace(output_bytes=limits.output_bytes + min(more, _MOST_OUTPUT))
 
 
 def passes_for(seconds: float, run: Callable[[int], float], most: int) -> tuple[int, float]:

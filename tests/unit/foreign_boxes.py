@@ -21,15 +21,16 @@ START = 0.05
 class Paper:
     """A program that answers rightly; a run on so many passes takes `start` + `seconds(passes)` of CPU time.
 
-    `bad` are numbers of passes from which on it is out of memory, `wrong` those from which on it answers 7.
+    `bad` are numbers of passes from which on it is out of memory, `wrong` those from which on it answers 7;
+    an answer is filled up with blanks to `width` characters.
     """
 
     isolation = "limits"
 
-    def __init__(self, seconds, *, start=START, noise=0.0, bad=10**9, wrong=10**9, fault="", language="Go"):
+    def __init__(self, seconds, *, start=START, noise=0.0, bad=10**9, wrong=10**9, width=0, fault="", language="Go"):
         self.seconds: Callable[[int], float] = seconds
         self.start, self.noise, self.bad, self.wrong = start, noise, bad, wrong
-        self.fault, self.language = fault, language
+        self.width, self.fault, self.language = width, fault, language
         self.idle = Usage(0.05, 0.05, 0)
         self.runs: list[int] = []
         self._random = Random(1)
@@ -59,7 +60,10 @@ class Paper:
         usage = Usage(took, took, 1 << 20)
         if passes >= self.bad:
             return ProgramResult(Stop.MEMORY, b"", b"", "used more than 256 MB", usage)
-        return ProgramResult(Stop.ANSWERED, "".join(f"{line}\n" for line in lines).encode(), b"", "", usage)
+        stdout = "".join(f"{line:{self.width}}\n" for line in lines).encode()
+        if len(stdout) > limits.output_bytes:
+            return ProgramResult(Stop.OUTPUT, b"", b"", "wrote too much", usage)
+        return ProgramResult(Stop.ANSWERED, stdout, b"", "", usage)
 
     def run_program(self, stdin, limits):
         done = self.run_whole(stdin, limits)

@@ -65,6 +65,15 @@ def test_noise_around_the_limit_is_a_close_call_and_never_too_slow(factor, noise
     assert (decision.too_slow, decision.borderline) == (False, True)
 
 
+def test_long_answers_have_room_in_every_pass():
+    data, width = make_data("one"), 10_000
+    reference = Paper(steady(), width=width)
+    decision, run = raced(data, RULE, Paper(steady(2), width=width), {"reference.go": reference})
+    wrote = max(reference.runs) * len(run.cases) * width
+    assert wrote > 2 * data.problem.limits.output_bytes
+    assert decision.ratio.median == pytest.approx(2.0, abs=0.1)
+
+
 def test_a_slow_one_makes_fewer_passes():
     mine = Paper(steady(100))
     decision, _ = race(mine)
