@@ -183,6 +183,18 @@ def lone(draw: Draw, *, beams: Sequence[int], size: int) -> Case:
     return _sorted_case([(x, y, abs(beside) * length)], origin, ways, apart=0)
 
 
+def ring(
+    draw: Draw, *, circles: int, beams: int, away: int, deep: int, radii: Sequence[int], clear: bool = True
+) -> Case:
+    """Circles on all sides of O and about equally far, `away` and up to `deep` more."""
+    scene = []
+    for _ in range(circles):
+        x, y = _way(draw, away)
+        length, far = isqrt(x * x + y * y), away + draw.integer(0, deep)
+        scene.append((x * far // length, y * far // length, draw.integer(*radii)))
+    return _case(draw, scene, (0, 0), beams, clear=clear)
+
+
 def _quartered(place: IntPoint, quarters: int) -> IntPoint:
     """The place turned about (0, 0) by so many quarters."""
     x, y = place
@@ -295,4 +307,5 @@ RECIPES: Mapping[str, object] = {
     "beside": beside,
     "short": short,
     "lone": lone,
+    "ring": ring,
 }
