@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import NORMAL, CircleLine, builders, line_alone
-from judge.topics.circles.recipes import feet
+from judge.topics.circles.recipes import bounds, feet
 from judge.values import Real
 
-BUILDERS = builders(feet.RECIPES, adapter=line_alone)
+BUILDERS = builders(feet.RECIPES, bounds.RECIPES, adapter=line_alone)
 TOPIC = NORMAL
 
 
