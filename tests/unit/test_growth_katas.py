@@ -49,7 +49,7 @@ main()
 
 @pytest.fixture(scope="module")
 def judged(tmp_path_factory):
-    """Judges a program by nothing but its growth, on one case of each of the two small sizes."""
+    """Judges a program by nothing but its growth, on cases of the two small sizes."""
     folder = tmp_path_factory.mktemp("growth")
 
     def judge(name, source):
@@ -63,7 +63,7 @@ def judged(tmp_path_factory):
             text = re.sub(
                 r"cpu_seconds = \d+(\nwall_seconds = \d+)?", "cpu_seconds = 60\nwall_seconds = 600", text
             )
-            text = re.sub(r"(seed = 7[12]07\ncount =) \d+", r"\1 1", text)
+            text = re.sub(r"(seed = 7[12]10\ncount =) \d+", r"\1 20", text)  # to count on a quick machine too
             text = text[: text.index('[[groups]]\nname = "n-8000"')].replace(', "n-8000", "n-32000"', "")
             left = 100 - sum(map(int, re.findall(r"^points = (\d+)", text, re.MULTILINE)))
             text = text.replace("points = 0\n", f"points = {left}\n", 1)
