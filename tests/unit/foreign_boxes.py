@@ -27,7 +27,9 @@ class Paper:
 
     isolation = "limits"
 
-    def __init__(self, seconds, *, start=START, noise=0.0, bad=10**9, wrong=10**9, width=0, fault="", language="Go"):
+    def __init__(
+        self, seconds, *, start=START, noise=0.0, bad=10**9, wrong=10**9, width=0, fault="", language="Go"
+    ):
         self.seconds: Callable[[int], float] = seconds
         self.start, self.noise, self.bad, self.wrong = start, noise, bad, wrong
         self.width, self.fault, self.language = width, fault, language
