@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import CHORD, Bands, CircleLine, builders
-from judge.topics.circles.recipes import chords, edges, endpoints, whole
+from judge.topics.circles.recipes import bounds, chords, edges, endpoints, whole
 from judge.values import Real
 
-BUILDERS = builders(endpoints.RECIPES, edges.LINES, whole.LINES, chords.RECIPES)
+BUILDERS = builders(endpoints.RECIPES, edges.LINES, whole.LINES, chords.RECIPES, bounds.RECIPES)
 TOPIC = CHORD
 
 

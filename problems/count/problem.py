@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from judge.topics.circles import LINE, Bands, CircleLine, builders
-from judge.topics.circles.recipes import counting, edges, whole
+from judge.topics.circles.recipes import bounds, chords, counting, edges, whole
 
-BUILDERS = builders(counting.RECIPES, edges.LINES, whole.LINES)
+BUILDERS = builders(chords.RECIPES, counting.RECIPES, edges.LINES, whole.LINES, bounds.RECIPES)
 TOPIC = LINE
 
 

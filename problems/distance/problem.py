@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import FOOT, CircleLine, builders, line_and_point
-from judge.topics.circles.recipes import feet
+from judge.topics.circles.recipes import bounds, feet
 from judge.values import Real
 
-BUILDERS = builders(feet.RECIPES, adapter=line_and_point)
+BUILDERS = builders(feet.RECIPES, bounds.RECIPES, adapter=line_and_point)
 TOPIC = FOOT
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import NORMAL, CircleLine, builders, line_alone
-from judge.topics.circles.recipes import feet
+from judge.topics.circles.recipes import bounds, chords, feet
 from judge.values import Real
 
-BUILDERS = builders(feet.RECIPES, adapter=line_alone)
+BUILDERS = builders(chords.RECIPES, feet.RECIPES, bounds.RECIPES, adapter=line_alone)
 TOPIC = NORMAL
 
 

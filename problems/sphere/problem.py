@@ -27,7 +27,18 @@ def along_an_axis(draw: Draw, *, octaves: Sequence[int], size: int, scales: Sequ
     return placed(draw, scene, poses=("axis",), scale=draw.choice(scales), stretch=(-high, -high)).case
 
 
-BUILDERS = {**spheres.BUILDERS, "along-an-axis": along_an_axis}
+def at_foot(
+    draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], scales: Sequence[int]
+) -> Case:
+    """A ray that touches 1e-6 to 1e-5 of the radius from its origin, ahead of it or behind."""
+    part = draw.integer(size // 2, size)
+    radius, away = part * 10**10, part * draw.integer(10**4, 10**5)
+    origin = (-away if draw.choice(where) == "ahead" else away, radius * draw.sign(), 0)
+    scene = Scene((0, 0, 0), radius, origin, (draw.integer(1, 6) << 40, 0, 0))
+    return placed(draw, scene, poses=poses, scale=draw.choice(scales)).case
+
+
+BUILDERS = {**spheres.BUILDERS, "at-foot": at_foot, "along-an-axis": along_an_axis}
 
 
 def solve(centre, radius, origin, direction, *, bands):

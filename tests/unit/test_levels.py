@@ -188,7 +188,7 @@ def test_the_report_has_both_levels_and_the_groups_below_them(own_history):
     outline = check_html(html)
     text = " ".join(outline.text.split())
     assert "Interview level passed on 1 Mar 2026" in text
-    assert f"Production level best {len(names(problem, PRODUCTION)) - 1} of 22 groups" in text
+    assert f"Production level best {len(names(problem, PRODUCTION)) - 1} of 23 groups" in text
     assert (
         text.index("Interview level passed") < text.index("grid passed") < text.index("Production level best")
     )

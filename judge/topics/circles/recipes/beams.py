@@ -16,7 +16,8 @@ from judge.topics.circles.cells import Cells, IntCircle, IntPoint
 from judge.topics.circles.many import FASTEST
 from judge.topics.circles.recipes.brushes import brushed, steep
 
-_TRIPLES = ((3, 4, 5), (4, 3, 5), (5, 12, 13), (15, 8, 17), (21, 20, 29), (0, 1, 1))
+_ROUNDED = (21, 20, 29)  # 20/29 as a double is more than it is
+_TRIPLES = ((3, 4, 5), (4, 3, 5), (5, 12, 13), (15, 8, 17), _ROUNDED, (0, 1, 1))
 _CLEAR = 3  # by which O is outside every disc at least
 
 
@@ -152,6 +153,48 @@ def beside(draw: Draw, *, circles: Sequence[int], beams: Sequence[int], size: in
     return _sorted_case(turned, _point(draw, size), [_quartered(way, quarters) for way in ways])
 
 
+def short(
+    draw: Draw, *, circles: Sequence[int], beams: Sequence[int], size: int, radii: Sequence[int]
+) -> Case:
+    """Directions of -2 to 2, so that a t of 1 is next to nothing, among circles on all sides of O."""
+    scene = [_beside(draw, size, radii) for _ in range(draw.integer(*circles))]
+    return _sorted_case(scene, _point(draw, size), [_way(draw, 2) for _ in range(draw.integer(*beams))])
+
+
+def lone(draw: Draw, *, beams: Sequence[int], size: int) -> Case:
+    """One circle that a beam touches, wide beside its distance from O or level with it.
+
+    O may be opposite of the centre, or the centre at (0, 0): neither a sum of the two is the extent, nor
+    one of them alone.
+    """
+    level = draw.boolean()  # with O, or just above it or below
+    p, q, length = _ROUNDED if level else draw.choice(_TRIPLES[:-1])
+    a, b = draw.choice([(p * draw.sign(), q * draw.sign()), (q * draw.sign(), p * draw.sign())])
+    if level:
+        k = 2 * draw.integer(size // 40, size // 20)
+        ahead, beside = draw.choice([(abs(a) * k, -b * _sign(a) * k), (abs(b) * k, a * _sign(b) * k)])
+    else:
+        ahead = 2 * draw.integer(1 + size // 20, size // 2)
+        beside = 2 * draw.integer(size // 2, size) * draw.sign()
+    x, y = a * ahead - b * beside, b * ahead + a * beside
+    origin = draw.choice([(-x // 2, -y // 2), (-x // 2, -y // 2), (-x, -y), _point(draw, size)])
+    times = draw.integer(1, 9)
+    ways = [(a * times, b * times), *(_way(draw, 99) for _ in range(draw.integer(*beams)))]
+    return _sorted_case([(x, y, abs(beside) * length)], origin, ways, apart=0)
+
+
+def ring(
+    draw: Draw, *, circles: int, beams: int, away: int, deep: int, radii: Sequence[int], clear: bool = True
+) -> Case:
+    """Circles on all sides of O and about equally far, `away` and up to `deep` more."""
+    scene = []
+    for _ in range(circles):
+        x, y = _way(draw, away)
+        length, far = isqrt(x * x + y * y), away + draw.integer(0, deep)
+        scene.append((x * far // length, y * far // length, draw.integer(*radii)))
+    return _case(draw, scene, (0, 0), beams, clear=clear)
+
+
 def _quartered(place: IntPoint, quarters: int) -> IntPoint:
     """The place turned about (0, 0) by so many quarters."""
     x, y = place
@@ -262,4 +305,7 @@ RECIPES: Mapping[str, object] = {
     "touching": touching,
     "brushing": brushing,
     "beside": beside,
+    "short": short,
+    "lone": lone,
+    "ring": ring,
 }

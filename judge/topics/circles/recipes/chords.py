@@ -32,6 +32,13 @@ def diameter(
     return posed(draw, figure, poses=poses, **pose)
 
 
+def from_centre(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
+    """A line from the centre to anywhere, or from there to the centre: A or B is the centre itself."""
+    ends = (0, 0), (draw.integer(1, 2 * size), 0)
+    figure = line((0, 0), draw.integer(1, size), *ends[:: -1 if draw.boolean() else 1])
+    return posed(draw, figure, poses=poses, **pose)
+
+
 def off_centre(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
     """A line past the centre by 1e-8 to 1e-2 of the radius, all magnitudes alike; A and B on either side."""
     radius = draw.integer(max(2, size // 2), size)
@@ -78,6 +85,7 @@ def touch_edge(draw: Draw, *, close: Sequence[int], ratio: Sequence[int], **para
 
 RECIPES: Mapping[str, Recipe] = {
     "diameter": diameter,
+    "from-centre": from_centre,
     "off-centre": off_centre,
     "spread": spread,
     "touch-edge": touch_edge,

@@ -103,16 +103,17 @@ def edge(
     edges: Sequence[str],
     scales: Sequence[int] = (0,),
     ratio: Sequence[int] = (),
+    slanted: bool = False,
     far: int = 0,
 ) -> Case:
     """Circles off a touch by most of the band ("snap") or little more than the promise ("clear").
 
-    With `ratio` (bounds) the line runs along an axis, A and B are so many sizes apart, and each circle is
-    close to one of them. All is moved by up to ±2**far, and then multiplied by 2**scale.
+    With `ratio` (bounds) the line runs along an axis, or is `slanted`, A and B are so many sizes apart, and
+    each circle is close to one of them. All is moved by up to ±2**far, and then multiplied by 2**scale.
     """
     (p, q, h), start, end = _line(draw, size)
     if ratio:
-        p, q, h = draw.choice(_TRIPLES[:2])
+        p, q, h = draw.choice(_TRIPLES[2:] if slanted else _TRIPLES[:2])
         times = draw.sign() * size * draw.integer(*ratio)
         end = start[0] + times * p, start[1] + times * q
     low, high, parts = _EDGES[draw.choice(edges)]
@@ -152,19 +153,31 @@ def none(draw: Draw, *, size: int) -> Case:
     return _columns([], start, end)
 
 
-def many(draw: Draw, *, count: int, radius: int) -> Case:
-    """So many circles anywhere on a grid of 2**16 places each way; all of it times a power of two."""
-    p, q, _ = draw.choice(_TRIPLES[2:])
+def many(draw: Draw, *, count: int, radius: int, every: int, far: int) -> Case:
+    """So many circles anywhere on a grid of 2**16 places each way; all of it times a power of two.
+
+    One of `every` so many touches the line, or is off that by 2e-7 to 1e-5 of its own extent. All is moved by
+    up to ±2**far, where single precision has no room for the figure.
+    """
+    p, q, h = draw.choice(_TRIPLES[2:])
     unit = 2.0 ** draw.integer(-9, 3)
-    xs, ys, rs = (_shorts(draw, count) for _ in range(3))
+    xs, ys, rs = [list(_shorts(draw, count)) for _ in range(3)]
     start = draw.integer(-9999, 9999), draw.integer(-9999, 9999)
     end = start[0] + 500 * p, start[1] + 500 * q
+    radii: list[float] = [abs(r) % radius for r in rs]
+    for place in range(draw.integer(0, every - 1), count, every):
+        along, off, side = draw.integer(-1000, 1000), draw.integer(1, 99), draw.sign()
+        x, y = start[0] + along * p - side * off * q, start[1] + along * q + side * off * p
+        extent = max(off * h, *(abs(v) for at in (start, end) for v in (at[0] - x, at[1] - y)))
+        share = draw.choice((0, draw.sign())) * draw.integer(20, 99) * 10.0 ** draw.integer(-8, -7)
+        xs[place], ys[place], radii[place] = x, y, off * h + share * extent
+    dx, dy = (draw.sign() * draw.integer((1 << far) // 2, 1 << far) for _ in range(2))
     return (
-        tuple([x * unit for x in xs]),
-        tuple([y * unit for y in ys]),
-        tuple([abs(r) % radius * unit for r in rs]),
-        (start[0] * unit, start[1] * unit),
-        (end[0] * unit, end[1] * unit),
+        tuple([(x + dx) * unit for x in xs]),
+        tuple([(y + dy) * unit for y in ys]),
+        tuple([r * unit for r in radii]),
+        ((start[0] + dx) * unit, (start[1] + dy) * unit),
+        ((end[0] + dx) * unit, (end[1] + dy) * unit),
     )
 
 

@@ -61,6 +61,25 @@ def tangent(
     return _finished(draw, tangent_off(draw, figure, _edge(draw, edges), _side(draw, sides, "hit", "miss")))
 
 
+def away(
+    draw: Draw,
+    *,
+    sides: Sequence[str],
+    edges: Sequence[str],
+    ratio: Sequence[int],
+    poses: Sequence[str],
+    size: int = 1000,
+    scales: Sequence[int] = (0,),
+    **pose: Any,
+) -> Figure:
+    """A line that is, or nearly is, a tangent; A and B are `ratio` radii away, and a radius apart at most."""
+    radius = _radius(draw, size)
+    height, start = radius * draw.sign(), radius * draw.integer(*ratio) * draw.sign()
+    end = start + draw.integer(radius // 8, radius) * draw.sign()
+    figure = _posed(draw, line((0, 0), radius, (start, height), (end, height)), poses, scales, pose)
+    return _finished(draw, tangent_off(draw, figure, _edge(draw, edges), _side(draw, sides, "hit", "miss")))
+
+
 def at_foot(
     draw: Draw,
     *,
@@ -113,6 +132,28 @@ def ray_tangent(
     figure = tangent_off(draw, figure, _edge(draw, edges), _side(draw, sides, "hit", "miss"))
     require(well_conditioned(1.0, 1.0 - 1e-7, -away / radius), "the first root is known well")
     return _finished(draw, stretched(figure, draw.integer(*stretch)))
+
+
+def ray_at_foot(
+    draw: Draw,
+    *,
+    where: Sequence[str],
+    poses: Sequence[str],
+    size: int = 1000,
+    stretch: Sequence[int] = (0, 0),
+    scales: Sequence[int] = (0,),
+    **pose: Any,
+) -> Figure:
+    """A tangent whose point of contact is 1e-6 to 1e-5 of the radius from the origin, ahead of it or behind:
+    the origin is within the band of the circle, that point is not within the band of the origin.
+    """
+    radius = _radius(draw, size)
+    start = draw.integer(_FOOT // 10, _FOOT) * radius
+    if _side(draw, where, "ahead", "behind") == "ahead":
+        start = -start
+    radius *= _FOOT * 100_000
+    figure = ray((0, 0), radius, (start, radius * draw.sign()), (draw.integer(1, _STEPS) << 40, 0))
+    return _finished(draw, stretched(_posed(draw, figure, poses, scales, pose), draw.integer(*stretch)))
 
 
 def end(
@@ -255,6 +296,7 @@ def _side(draw: Draw, sides: Sequence[str], *known: str) -> str:
 
 LINES: Mapping[str, Recipe] = {
     "tangent-edge": tangent,
+    "away": away,
     "at-foot": at_foot,
     "speck": partial(speck, counting.zero_radius),
 }
@@ -267,6 +309,7 @@ SEGMENTS: Mapping[str, Recipe] = {
 }
 RAYS: Mapping[str, Recipe] = {
     "tangent-edge": ray_tangent,
+    "at-foot": ray_at_foot,
     "origin-edge": origin,
     "speck": partial(speck, rays.point_circle),
 }

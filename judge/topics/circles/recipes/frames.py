@@ -14,6 +14,8 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.data.draw import Draw, require
 from judge.problem import Case
 from judge.problem.model import Number
@@ -81,17 +83,23 @@ def edge(
     size: int = 1000,
     scales: Sequence[int] = (0,),
     ratio: Sequence[int] = (),
+    long: int = 0,
     **pose: Any,
 ) -> Case:
     """Each frame is nearly at the threshold that counts there, on either side, by a share of its extent.
 
     `edges` names the ranges of shares (those of tangents); the first frame is off a touch by its promise.
-    With `ratio` (bounds) the circles are so many radii along the line.
+    With `ratio` (bounds) the circles are so many radii along the line. With `long` D is up to 2**long times
+    as long, by an odd number.
     """
     h = draw.choice(SHARES)
     level = _level(draw, ["in"] * draw.integer(*frames), size, False, h, wide=True, far=ratio)
     scale = draw.choice(scales)
     figure = posed(draw, level, poses=poses, numbers="float", scale=scale, **pose)
+    if long:
+        times = 2 * draw.integer(1 << long - 2, (1 << long - 1) - 1) + 1
+        ((dx, dy),) = figure.vectors
+        figure = replace(figure, vectors=((dx * times, dy * times),))
     circles, origin, way = _read(figure)
     shown, made = draw.boolean(), []
     for place, circle in enumerate(circles):

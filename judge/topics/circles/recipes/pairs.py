@@ -30,6 +30,7 @@ from judge.topics.circles.pair import CirclePair
 _BITS = 64  # of what is computed here below the unit of the figure
 _REACH = 1 << 27  # of whole numbers, so that figures fit into the bounds
 _BESIDE = ((900, 990), (991, 998))  # thousandths of the distance that a first radius is, next to a small one
+_TINY = (9997, 9998)  # ten-thousandths of it that a first radius is, next to the smallest ones that cross
 _SPECK = (45, 60)  # octaves below the extent of a radius that drowns in the band
 _CLOSE = 1000  # the centres are this part of the extent apart, at least
 
@@ -66,9 +67,10 @@ def edge(
     scales: Sequence[int] = (0,),
     **pose: Any,
 ) -> Figure:
-    """Circles that nearly touch (outer, beside, inner, around, close) or are nearly the same: the second
-    radius is more or less than that of a touch by a share of the extent. A speck is a circle of nearly no
-    radius on the other one.
+    """Circles that nearly touch (outer, beside, tiny, inner, around, close) or are nearly the same.
+
+    The second radius is more or less than that of a touch by a share of the extent. A speck is a circle of
+    nearly no radius on the other one.
     """
     kind = draw.choice(kinds)
     radius, away = _lengths(draw, kind, draw.integer(max(8, size // 2), size))
@@ -150,6 +152,8 @@ def _lengths(draw: Draw, kind: str, size: int) -> tuple[int, int]:
         return max(1, size * share // 1000), size
     if kind == "beside":  # a touch from outside of two circles of which one is very small
         return size * draw.integer(*draw.choice(_BESIDE)) // 1000, size
+    if kind == "tiny":
+        return size * draw.integer(*_TINY) // 10_000, size
     if kind == "inner":
         return size, max(1, size * share // 1000)
     if kind == "around":  # the second circle is the greater one
@@ -166,15 +170,19 @@ def _off(draw: Draw, figure: Figure, edge: Edge, kind: str) -> Figure:
     """The figure with a second radius that is longer or shorter than that of a touch by a share."""
     seen = pair_of(replace(figure, lengths=(0,)))
     radius, away = seen.r1 << _BITS, isqrt(seen.square << 2 * _BITS)
-    touch = {"outer": away - radius, "beside": away - radius, "around": radius + away, "same": radius}.get(
-        kind, radius - away
-    )
+    touch = {
+        "outer": away - radius,
+        "beside": away - radius,
+        "tiny": away - radius,
+        "around": radius + away,
+        "same": radius,
+    }.get(kind, radius - away)
     gap = draw.sign() * max(seen.extent << _BITS, touch) * edge.share(draw) // edge.units
     if touch + gap <= 0:
         draw.reject()
     changed = replace(figure, lengths=((touch + gap) / (1 << (seen.shift + _BITS)),))
     pair = pair_of(changed)
-    square, reach = pair.square, pair.reaches[0 if kind in ("outer", "beside") else 1]
+    square, reach = pair.square, pair.reaches[0 if kind in ("outer", "beside", "tiny") else 1]
     if kind == "same":
         square, reach = (pair.r1 - pair.r2) ** 2, 0
     require(

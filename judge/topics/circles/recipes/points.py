@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from judge.data.draw import Draw, require
-from judge.topics.circles.figures.figure import Figure, Recipe, draw_point, typed
+from judge.topics.circles.figures.figure import Figure, Recipe, draw_mirrored, draw_point, typed
 from judge.topics.circles.figures.numbers import off_by_one
 from judge.topics.circles.figures.posing import posed, rational_chord
 from judge.topics.circles.recipes.whole import BOUND, whole_segment
@@ -48,12 +48,15 @@ def whole(draw: Draw, *, kinds: Sequence[str] = _WHOLE) -> Figure:
     """Whole numbers up to the bounds: exactly on the circle, off by one in |f|² − r², or nearly on it.
 
     ones: off by one, and all of them ints; corners: P and the centre are opposite corners of the bounds, so
-    that |f|² alone leaves 64 bits.
+    that |f|² alone leaves 64 bits; reach: the circle reaches from one end of the bounds 2³⁰ beyond it.
     """
     kind = draw.choice(kinds)
     if kind == "corners":
         x, y = BOUND * draw.sign(), BOUND * draw.sign()
         return Figure((x, y), draw.choice((0, draw.integer(1, BOUND))), ((-x, -y),))
+    if kind == "reach":
+        away, (cy, y) = draw.integer(0, BOUND + BOUND // 2), draw_point(draw, BOUND // 2)
+        return draw_mirrored(draw, Figure((BOUND, cy), BOUND, ((BOUND - away, y),)))
     if kind not in ("one", "ones"):
         figure = whole_segment(draw, kinds=(kind,))
         on = [point for point in figure.points if _gap(figure, point) == 0 or kind == "point"]

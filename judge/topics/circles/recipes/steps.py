@@ -123,6 +123,16 @@ def right_angle(
     return _fitted(draw, 0, (first, second, (0, 0)), size, swap=draw.boolean())
 
 
+def opposite(draw: Draw, *, reach: Reach) -> Figure:
+    """A and B nearly in two corners of what is within reach; P anywhere, or nearly on the side opposite."""
+    size = _reach(draw, reach)
+    low, high = (-_nearly(draw, size), -_nearly(draw, size)), (-_nearly(draw, size), _nearly(draw, size))
+    p = _nearly(draw, size), draw.integer(-(size // 4), size // 4)
+    if draw.integer(0, 2) == 0:
+        p = draw_point(draw, size)
+    return draw_mirrored(draw, Figure((0, 0), 0, (low, high, p)))
+
+
 def level(draw: Draw, *, reach: Reach) -> Figure:
     """A and B on a level or upright line, and P anywhere."""
     size = _reach(draw, reach)
@@ -290,6 +300,7 @@ RECIPES: Mapping[str, Recipe] = {
     "beside_line": beside_line,
     "beside_circle": beside_circle,
     "right_angle": right_angle,
+    "opposite": opposite,
     "level": level,
     "level_rounded": level_rounded,
     "level_beyond": level_beyond,
