@@ -19,10 +19,8 @@ def work(item: str) -> str:
     place, what, name = item.split(" ")
     folder = Path(place)
     (folder / f"{name}.{os.getpid()}").touch()
-    if what == "first" and not (folder / "later").exists():
-        _wait_for(folder / "later")
-    elif what == "later":
-        (folder / "later").touch()
+    if what == "held":
+        _wait_for(folder / "release")
     elif what == "once" and not (folder / f"{name}.died").exists():
         (folder / f"{name}.died").touch()
         _die()

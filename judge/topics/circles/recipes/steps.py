@@ -32,10 +32,12 @@ def scattered(
     """So many points anywhere; with `circle` one about any centre, its radius at least 1.
 
     With `corners` those of every second figure are nearly in the corners of what is within reach, or about
-    its middle.
+    its middle; of three points the last is often on the side opposite to the others'.
     """
     size = _reach(draw, reach)
     if corners and draw.boolean():
+        if points == 3 and draw.boolean():
+            return _opposite(draw, size)
         return Figure((0, 0), 0, tuple(_corner(draw, size) for _ in range(points)))
     centre = draw_point(draw, size) if circle else (0, 0)
     radius = draw.integer(1, size) if circle else 0
@@ -121,16 +123,6 @@ def right_angle(
         u, v = _away(draw, first, off)
     second = v, -u  # a quarter turn makes a scalar product of the cross product
     return _fitted(draw, 0, (first, second, (0, 0)), size, swap=draw.boolean())
-
-
-def opposite(draw: Draw, *, reach: Reach) -> Figure:
-    """A and B nearly in two corners of what is within reach; P anywhere, or nearly on the side opposite."""
-    size = _reach(draw, reach)
-    low, high = (-_nearly(draw, size), -_nearly(draw, size)), (-_nearly(draw, size), _nearly(draw, size))
-    p = _nearly(draw, size), draw.integer(-(size // 4), size // 4)
-    if draw.integer(0, 2) == 0:
-        p = draw_point(draw, size)
-    return draw_mirrored(draw, Figure((0, 0), 0, (low, high, p)))
 
 
 def level(draw: Draw, *, reach: Reach) -> Figure:
@@ -246,6 +238,13 @@ def _nearly(draw: Draw, size: int) -> int:
     return size - draw.integer(0, size // _NEARLY)
 
 
+def _opposite(draw: Draw, size: int) -> Figure:
+    """A and B nearly in two corners of what is within reach, and P nearly on the side opposite."""
+    low, high = (-_nearly(draw, size), -_nearly(draw, size)), (-_nearly(draw, size), _nearly(draw, size))
+    p = _nearly(draw, size), draw.integer(-(size // 4), size // 4)
+    return draw_mirrored(draw, Figure((0, 0), 0, (low, high, p)))
+
+
 def _corner(draw: Draw, size: int) -> IntPoint:
     """Nearly a corner of the square from −size to size; or a point about its middle."""
     if draw.integer(0, 2) == 0:
@@ -300,7 +299,6 @@ RECIPES: Mapping[str, Recipe] = {
     "beside_line": beside_line,
     "beside_circle": beside_circle,
     "right_angle": right_angle,
-    "opposite": opposite,
     "level": level,
     "level_rounded": level_rounded,
     "level_beyond": level_beyond,
