@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from judge.topics.circles import builders
-from judge.topics.circles.recipes import counting, exact_signs
+from judge.topics.circles.recipes import counting, exact_signs, roundings
 from judge.topics.circles.seven import SEVEN, discriminant, seven
 
-BUILDERS = builders({"grid": counting.RECIPES["grid"]}, exact_signs.RECIPES, adapter=seven)
+BUILDERS = builders({"grid": counting.RECIPES["grid"]}, exact_signs.RECIPES, roundings.RECIPES, adapter=seven)
 TOPIC = SEVEN
 
 

@@ -76,6 +76,24 @@ def corner_on(draw: Draw, *, kinds: Sequence[str], poses: Sequence[str], **pose:
     return _posed(draw, h, _started(draw, [before, on, after, *rest]), poses, pose)
 
 
+def revisited(draw: Draw, *, poses: Sequence[str], **pose: Any) -> Figure:
+    """The boundary comes to one place of the circle twice: at a corner, and at another or within an edge."""
+    p, q, h = pythagorean(draw, 40)
+    on = draw.choice(((p, q), (q, p), (h, 0)))
+    x, y = on
+    out = [(2 * x - y, 2 * y + x), (2 * x + y, 2 * y - x)]
+    if draw.boolean():
+        ahead, aside = x - y // 2, y + x // 2
+        second = [(x - ahead, y - aside), (x + ahead, y + aside)]
+    else:
+        second = [
+            on,
+            (x // 2 - y // 4, y // 2 + x // 4),
+            (-draw.integer(0, h // 2), draw.integer(-h, h) // 2),
+        ]
+    return _posed(draw, h, _started(draw, [on, *out[:: draw.sign()], *second]), poses, pose)
+
+
 def closing(draw: Draw, *, poses: Sequence[str], **pose: Any) -> Figure:
     """The edge from the last corner to the first crosses: alone, twice, or once as one of two."""
     h = pythagorean(draw, 40)[2]
@@ -287,6 +305,7 @@ RECIPES: Mapping[str, Recipe] = {
     "star": star,
     "twice": twice,
     "corner-on": corner_on,
+    "revisited": revisited,
     "closing": closing,
     "touch": touch,
     "apart": apart,
