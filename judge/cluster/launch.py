@@ -20,6 +20,7 @@ from judge.cluster.keys import Keys
 from judge.errors import JudgeError
 
 _END = 10.0  # seconds for a process to end by itself
+_LAST = 1.0  # seconds to read what it wrote last; what it has started may hold its output open for longer
 
 
 class Helper:
@@ -82,8 +83,9 @@ class Helper:
             with suppress(subprocess.TimeoutExpired):
                 self._process.wait(_END)
                 break
-        for stream in (self._process.stdout, self._process.stderr):
-            if stream is not None and not any(reader.is_alive() for reader in self._readers):
+        for stream, reader in zip((self._process.stdout, self._process.stderr), self._readers, strict=True):
+            reader.join(_LAST)
+            if stream is not None and not reader.is_alive():
                 stream.close()
 
     def _read(self, stream: IO[bytes]) -> None:
