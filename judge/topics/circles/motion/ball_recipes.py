@@ -102,8 +102,8 @@ def edge(
     spans: Sequence[Sequence[int]] = _SPANS,
     **pose: Any,
 ) -> Figure:
-    """Discs that nearly graze each other (graze), nearly touch at the start (start) or at the end (end): r is
-    more or less than that takes by a share of the extent.
+    """Discs that nearly graze each other (graze), nearly touch at the start (start), at the end (end) or
+    all the time (rest): r is more or less than that takes by a share of the extent.
 
     The way to a graze and the way on are up to so many times `size` as one of `spans` says; 0 is hardly any.
     """
@@ -184,6 +184,8 @@ def _edge_level(draw: Draw, kind: str, size: int, span: Sequence[int]) -> tuple[
     # An end next to the other disc, the way there not too oblique.
     place = -draw.integer(max(1, height // (_OBLIQUE - 1)), 2 * size)
     height *= draw.choice((0, 1, -1))
+    if kind == "rest":
+        return 1, height, place, place
     if kind == "start":
         return 1, height, place, place + draw.integer(1, 2 * size) * draw.sign()
     require(kind == "end", f"{kind!r} is an edge of two moving discs")
@@ -224,7 +226,7 @@ def _off(draw: Draw, figure: Figure, edge: Edge, kind: str) -> Figure:
     share, wider = edge.share(draw), draw.sign()
     if kind == "graze":
         touch = isqrt((line.k * line.k << 2 * _BITS) // line.a)
-    elif kind == "start":
+    elif kind in ("start", "rest"):
         touch = isqrt(seen.apart << 2 * _BITS)
     else:
         return _ending(draw, figure, seen, edge, share * wider)

@@ -37,7 +37,7 @@ _BITS = 64  # of what is computed here below the unit of the figure
 _REACH = 1 << 27  # of whole numbers, so that figures fit into the bounds
 _STEPS = 12  # bounds a way's direction, in both coordinates
 _FAST = (20, 400)
-_FLAT = (100, 4000)  # how far a disc goes along the wall while it nears it by 1
+_FLAT = (100, 9900)  # how far a disc goes along the wall while it nears it by 1
 _SPANS = ((1, 9, 1), (1, 9, 1), (9, 40, 1), (0, 1, 1), (1, 0, 1), (0, 0, 9))
 _FACTOR = 8  # bounds how much larger than the smallest triple a disc is
 
@@ -64,6 +64,7 @@ def wall(
     poses: Sequence[str],
     scales: Sequence[int] = (0,),
     ratio: Sequence[int] = _FAST,
+    broad: Sequence[int] = (),
     **pose: Any,
 ) -> Figure:
     """A disc that hits the wall (hit, straight, flat, fast), stops before it (short), leaves it (away), or
@@ -72,10 +73,11 @@ def wall(
     (graze-behind); that slides along it (slide); or that passes beside it and would hit its line (beside).
 
     `at` is where that happens: at a side, at a cap around an end, or at a post, a wall that is a point. A
-    fast disc goes as many steps of its way before and after as `ratio` bounds.
+    fast disc goes as many steps of its way before and after as `ratio` bounds. With `broad` the radius of one
+    that touches a side is so many times the wall's length.
     """
     kind, place = draw.choice(kinds), draw.choice(at)
-    touch = _touch(draw, place, size)
+    touch = _touch(draw, place, size, broad)
     start, end = _way(draw, kind, touch, ratio)
     _, _, radius, length = touch
     ends = ((0, 0), (length, 0))
@@ -103,15 +105,15 @@ def edge(
     spans: Sequence[Sequence[int]] = _SPANS,
     **pose: Any,
 ) -> Figure:
-    """A disc that nearly grazes an end (graze), nearly touches at the start (start) or at the end of its way
-    (end): r is more or less than that takes by a share of the extent.
+    """A disc that nearly grazes an end (graze), nearly touches at the start (start), at the end of its way
+    (end) or all the time (rest): r is more or less than that takes by a share of the extent.
 
     The way before and after the touch is so many steps as one of `spans` says, to ten times as many; its last
     number is how many times longer than this the wall is, but for 1.
     """
     kind, name = draw.choice(kinds), draw.choice(edges)
     require(name in EDGES, f"{name!r} is an edge, one of {', '.join(EDGES)}")
-    require(kind in ("graze", "start", "end"), f"{kind!r} is an edge of a disc and a wall")
+    require(kind in ("graze", "start", "end", "rest"), f"{kind!r} is an edge of a disc and a wall")
     place = draw.choice(at)
     if kind == "graze" and place == "side":
         place = "cap"
@@ -126,10 +128,12 @@ def edge(
         first, last = 0, (last or 1) * draw.sign()
     elif kind == "end":
         first, last = first or 1, 0
-    if first + last == 0:
+    elif kind == "rest":
+        first = last = 0
+    elif first + last == 0:
         draw.reject()
     if longer > 1:
-        length = longer * (first + last) * max(map(abs, direction))
+        length = longer * max(1, first + last) * max(map(abs, direction))
     start, end = _step(spot, direction, -first), _step(spot, direction, last)
     ends = ((0, 0), (length, 0))
     figure = Figure(start, radius, (end, *(ends if draw.boolean() else ends[::-1])))
@@ -153,10 +157,12 @@ def whole(draw: Draw) -> Figure:
     return as_ints(_whole(draw))
 
 
-def _touch(draw: Draw, place: str, size: int) -> _Touch:
+def _touch(draw: Draw, place: str, size: int, broad: Sequence[int] = ()) -> _Touch:
     """A disc that touches the level wall from above or before its first end."""
     if place == "side":
         radius, length = draw.integer(1, size), draw.integer(1, 3 * size)
+        if broad:
+            radius = length * draw.integer(*broad)
         foot = 0 if draw.integer(0, 5) == 0 else draw.integer(0, length)  # at 0 side and cap meet
         return (foot, radius), (0, 1), radius, length
     require(place in ("cap", "post"), f"{place!r} is a part of a wall")

@@ -93,14 +93,21 @@ def specks(
     size: int,
     poses: Sequence[str],
     count: Sequence[int] = (1, 3),
+    cut: Sequence[int] = (),
     **pose: Any,
 ) -> Figure:
-    """A large circle ahead, and circles 2**-octaves (bounds) of its size that are touched."""
+    """A large circle ahead, and circles 2**-octaves (bounds) of its size that are touched.
+
+    With `cut` (bounds) they are so many billionths of its size, and the ray cuts them through the middle.
+    """
     radius = draw.integer(size // 2, size)
     circles: list[LevelCircle] = [(2 * radius, draw.integer(-radius // 2, radius // 2), radius)]
     for _ in range(draw.integer(*count)):
         speck = max(1, radius >> draw.integer(*octaves))
-        circles.append((draw.integer(3 * radius // 2, 4 * radius), speck * draw.sign(), speck))
+        offset = speck * draw.sign()
+        if cut:
+            speck, offset = radius * draw.integer(*cut) // 10**9, 0
+        circles.append((draw.integer(3 * radius // 2, 4 * radius), offset, speck))
     return posed(draw, level_figure(draw, circles, 1, shuffled=False), poses=poses, **pose)
 
 
@@ -153,18 +160,22 @@ def edge(
     stretch: Sequence[int] = (0, 0),
     count: Sequence[int] = (0, 2),
     ratio: Sequence[int] = (),
+    around: Sequence[int] = (),
     **pose: Any,
 ) -> Figure:
     """Circles of which one is at the very edge of what is decided, by a share of the extent.
 
     The ray cuts it ("hit") or misses it ("miss"); it has a hit just "ahead" of the origin or "behind" it; or
-    just "before" or "after" a hit of another circle. `count` bounds how many others there are.
+    just "before" or "after" a hit of another circle. `count` bounds how many others there are. With `ratio`
+    one more is so many sizes behind the origin, with `around` the radius of one about it is so many.
     """
     side = draw.choice(sides)
     circles = _special(draw, side, size)
     circles += [_one(draw, "ahead", size, circles) for _ in range(draw.integer(*count))]
     if ratio:
         circles.append((-size * draw.integer(*ratio), draw.integer(-size, size), draw.integer(1, size)))
+    if around:
+        circles.append((*draw_point(draw, size), size * draw.integer(*around)))
     figure = level_figure(draw, circles, 1, shuffled=False)
     figure = posed(draw, figure, poses=poses, numbers="float", scale=draw.choice(scales), **pose)
     name = draw.choice(edges)

@@ -118,15 +118,20 @@ def ray_tangent(
     size: int = 1000,
     stretch: Sequence[int] = (0, 0),
     scales: Sequence[int] = (0,),
+    ratio: Sequence[int] = (),
     **pose: Any,
 ) -> Figure:
-    """A ray that is, or nearly is, a tangent, its point of contact well ahead."""
+    """A ray that is, or nearly is, a tangent, its point of contact well ahead, by `ratio` radii if given."""
     radius = _radius(draw, size)
-    away = {
-        "near": draw.integer(radius // 4, radius * 2 // 5),
-        "by": draw.integer(radius, 3 * radius),
-        "far": draw.integer(radius, 9 * radius) * 10 ** draw.integer(1, 2),
-    }[draw.choice(("near", "by", "far"))]
+    away = (
+        radius * draw.integer(*ratio)
+        if ratio
+        else {
+            "near": draw.integer(radius // 4, radius * 2 // 5),
+            "by": draw.integer(radius, 3 * radius),
+            "far": draw.integer(radius, 9 * radius) * 10 ** draw.integer(1, 2),
+        }[draw.choice(("near", "by", "far"))]
+    )
     figure = ray((0, 0), radius, (-away, radius * draw.sign()), (draw.integer(1, _STEPS), 0))
     figure = _posed(draw, figure, poses, scales, pose)
     figure = tangent_off(draw, figure, _edge(draw, edges), _side(draw, sides, "hit", "miss"))

@@ -41,11 +41,15 @@ _KINDS = {  # what the light is to the point that is hit
     "room": Shade.LIT,
     "back": Shade.BACK,
     "wall": Shade.OWN,
+    "level-wall": Shade.OWN,
     "blocked": Shade.BLOCKED,
     "gap": Shade.BLOCKED,
     "around-light": Shade.BLOCKED,
     "around-point": Shade.BLOCKED,
     "skin": Shade.BLOCKED,
+    "pillar": Shade.BLOCKED,
+    "moat": Shade.BLOCKED,
+    "court": Shade.LIT,
     "outdoors": Shade.BACK,
     "level-open": Shade.LIT,
     "level-back": Shade.BACK,
@@ -70,9 +74,11 @@ def lamp(
     """A light that shines freely (open), from within the room of the circle (room), on the other side (back),
     through the circle's own wall (wall); one that is blocked by a circle or by a tiny one close to the point
     (gap), by one that holds the light (around-light) or the way to the point (around-point), perhaps just so
-    (skin); one outside of the room, close to the wall that is hit (outdoors); one that is nearly level with
-    the surface, above it (level-open) or below it (level-back); one with a circle beyond it, or behind the
-    point (behind). Of miss nothing is hit.
+    (skin); by the smaller (pillar) or the larger (moat) of two circles about one centre, or not by one that
+    holds everything (court); one outside of the room, close to the wall that is hit (outdoors); one that is
+    nearly level with the surface, above it (level-open), below it (level-back) or, from within the room,
+    through the wall right beside the point (level-wall); one with a circle beyond it, or behind the point
+    (behind). Of miss nothing is hit.
 
     `others` bounds how many circles stand about, `stretch` the power of two that D is multiplied by, exactly.
     With `whole` all is in ints, up to the bounds.
@@ -116,10 +122,16 @@ def close(
     poses: Sequence[str],
     edges: Sequence[str],
     scales: Sequence[int] = (0,),
+    apart: Sequence[int] = (),
     **pose: Any,
 ) -> Figure:
-    """A circle beside the way to the light, which nearly touches it, on either side."""
+    """A circle beside the way to the light, which nearly touches it, on either side.
+
+    With `apart` (bounds) its centre is so many sizes farther from the way.
+    """
     circles, light = _laid(draw, "blocked", size)
+    if apart:
+        circles[1] = _beside(draw, circles, light, size * draw.integer(*apart))
     figure = level_figure(draw, circles[::-1], 1, light, shuffled=False)
     figure = posed(draw, figure, poses=poses, numbers="float", scale=draw.choice(scales), **pose)
     edge = EDGES[draw.choice(edges)]
@@ -135,6 +147,15 @@ def close(
     if _shade(figure) not in (Shade.LIT, Shade.BLOCKED):
         draw.reject()
     return typed(draw, figure, "any")
+
+
+def _beside(draw: Draw, circles: Sequence[LevelCircle], light: Spot, away: int) -> LevelCircle:
+    """The second circle, moved so far across the way from the point where the ray meets the first."""
+    (cx, cy, r), (x, y, radius) = circles
+    vx, vy = light[0] - cx + isqrt(r * r - cy * cy), light[1]
+    length = max(1, isqrt(vx * vx + vy * vy))
+    away *= draw.sign()
+    return x - away * vy // length, y + away * vx // length, radius
 
 
 def _shade(figure: Figure) -> Shade | None:
@@ -168,17 +189,31 @@ def _laid(draw: Draw, kind: str, size: int) -> tuple[list[LevelCircle], Spot]:
         radius = draw.integer(2, size)
         offset = draw.integer(1 - radius, radius - 1)
         half = isqrt(radius * radius - offset * offset)
-    if kind in ("room", "wall", "outdoors"):
+    if kind in ("room", "wall", "outdoors", "level-wall"):
         # The ray begins inside, `back` behind the wall that it hits.
         back = draw.integer(1, max(1, 2 * half - 1))
         circle = back - half, offset, radius
+        if kind == "level-wall":
+            along = draw.integer(2, 4) * draw.sign()
+            return [circle], (back + along * offset - draw.integer(1, 9), along * half)
         reach = radius if kind == "room" else 3 * size
         return [circle], (circle[0] + draw.integer(-reach, reach), circle[1] + draw.integer(-reach, reach))
+    if kind == "pillar":
+        x = draw.integer(1, max(1, 2 * half - 1)) - half
+        share = draw.integer(20, 90)
+        light = x - half * share // 100, offset + offset * share // 100
+        return [(x, offset, radius), (x, offset, draw.integer(1, max(1, abs(offset) - 1)))], light
     at = draw.integer(1, 2 * size)
     circle = at + half, offset, radius
+    if kind == "moat":
+        wall = isqrt(circle[0] ** 2 + offset**2) + draw.integer(2, size)
+        return [circle, (*circle[:2], wall)], (-draw.integer(0, 9 * size), draw.integer(-9 * size, 9 * size))
     light = at + draw.integer(-2 * size, size), draw.integer(-2 * size, 2 * size)
     if kind in ("open", "back"):
         return [circle], light
+    if kind == "court":
+        about = draw.choice((circle[:2], draw_point(draw, size)))
+        return [circle, (*about, draw.integer(7 * size, 9 * size))], light
     if kind in ("level-open", "level-back"):
         along, inward = draw.integer(2, 4) * draw.sign(), 1 if kind == "level-back" else -1
         up = (offset > 0) - (offset < 0)
