@@ -103,11 +103,9 @@ def specks(
     radius = draw.integer(size // 2, size)
     circles: list[LevelCircle] = [(2 * radius, draw.integer(-radius // 2, radius // 2), radius)]
     for _ in range(draw.integer(*count)):
-        speck = max(1, radius >> draw.integer(*octaves))
-        offset = speck * draw.sign()
-        if cut:
-            speck, offset = radius * draw.integer(*cut) // 10**9, 0
-        circles.append((draw.integer(3 * radius // 2, 4 * radius), offset, speck))
+        speck = radius * draw.integer(*cut) // 10**9 if cut else max(1, radius >> draw.integer(*octaves))
+        place = draw.integer(3 * radius // 2, 4 * radius)
+        circles.append((place, 0 if cut else speck * draw.sign(), speck))
     return posed(draw, level_figure(draw, circles, 1, shuffled=False), poses=poses, **pose)
 
 
