@@ -62,9 +62,15 @@ def remedy(language: Language) -> str:
 
 
 def why_not(language: Language) -> str:
-    """Why nothing in it can be run here: `no g++ (apt-get install g++)`; "" where its tools are there."""
+    """Why nothing in it can be run here: `no g++ (apt-get install g++)`; "" where its tools answer."""
     lacking = missing(language)
-    return f"no {' and '.join(lacking)} ({remedy(language)})" if lacking else ""
+    if lacking:
+        return f"no {' and '.join(lacking)} ({remedy(language)})"
+    try:
+        toolchain(language)
+    except JudgeError as fault:  # such as a chooser of versions that has none to choose
+        return f"{fault.what} ({fault.remedy})"
+    return ""
 
 
 class Found(NamedTuple):
@@ -202,6 +208,6 @@ def _asked(language: Language, command: Iterable[str]) -> str:
         raise JudgeError(f"{words[0]} does not answer: {fault}", remedy=remedy(language)) from None
     if done.returncode:
         said = (done.stderr or done.stdout).strip().splitlines()
-        what = f"{' '.join(words)} fails" + (f": {said[-1][:200]}" if said else "")
+        what = f"{' '.join(words)} fails" + (f": {said[0][:200]}" if said else "")
         raise JudgeError(what, remedy=f"repair it, or {remedy(language)}")
     return done.stdout

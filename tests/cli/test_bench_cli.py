@@ -20,7 +20,7 @@ CPP = "// Mean.\ndouble middle(double a, double b) { return (a + b) / 2; }\n"
 @pytest.fixture
 def two_languages(tmp_path, monkeypatch):
     """The problem `middle` with a reference in C++."""
-    if find.missing(language_called("cpp")):
+    if find.why_not(language_called("cpp")):
         pytest.skip("no C++ here")
     shutil.copytree(PACK, tmp_path / "two")
     (tmp_path / "two" / "solutions" / "middle" / "accepted" / "reference.cpp").write_text(CPP)

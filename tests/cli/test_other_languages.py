@@ -31,7 +31,7 @@ PROGRAM = (
 
 def need(name):
     language = language_called(name)
-    if find.missing(language):
+    if find.why_not(language):
         pytest.skip(f"no {language.name} here: {find.remedy(language)}")
     return language
 

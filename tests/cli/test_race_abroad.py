@@ -41,7 +41,7 @@ PROGRAM = (
 
 
 def need(name):
-    if find.missing(language_called(name)):
+    if find.why_not(language_called(name)):
         pytest.skip(f"no {name} here")
 
 

@@ -58,7 +58,7 @@ def test_a_group_says_the_bits_that_its_cases_need(name):
 @pytest.fixture
 def cpp():
     language = language_called("cpp")
-    if find.missing(language):
+    if find.why_not(language):
         pytest.skip(f"no C++ here: {find.remedy(language)}")
 
 

@@ -22,7 +22,7 @@ FOUND: dict[tuple[str, str], dict[str, Any]] = {}
 def recipe() -> dict[str, Any]:
     language = language_called("c")
     assert language is not None
-    if find.missing(language):
+    if find.why_not(language):
         pytest.skip(find.remedy(language))
     made = recipe_of(find.toolchain(language))._asdict()
     return {**made, "empty": [made["empty"][0], made["empty"][1].decode()]}

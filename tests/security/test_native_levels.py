@@ -37,7 +37,7 @@ FOUND: dict[tuple[str, str], dict[str, Any]] = {}
 
 
 def installed() -> list[str]:
-    return [name for name in ADDING if not find.missing(language_called(name))]
+    return [name for name in ADDING if not find.why_not(language_called(name))]
 
 
 def outcomes(attacker, level: str) -> dict[str, Any]:

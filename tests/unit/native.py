@@ -20,7 +20,7 @@ def need(name: str) -> None:
     """Skip the test where the language is not installed here."""
     language = language_called(name)
     assert language is not None
-    if find.missing(language):
+    if find.why_not(language):
         pytest.skip(f"no {language.name} here: {find.remedy(language)}")
 
 

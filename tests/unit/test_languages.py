@@ -210,11 +210,16 @@ def test_what_is_kept_of_tools_goes_with_what_it_names(monkeypatch, tmp_path):
     assert packages.exists()
 
 
-def test_a_tool_that_fails_is_told(monkeypatch, tmp_path):
+def test_a_tool_chain_that_does_not_answer_is_none(monkeypatch, tmp_path):
+    """Such as rustup's `rustc` under a home that has no default."""
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    script(tmp_path / "go", "echo broken >&2; exit 3")
-    with pytest.raises(JudgeError, match=r"go env GOROOT fails: broken; repair it, or "):
-        find.toolchain(model.language_called("go"))
+    script(tmp_path / "go", "echo no default is set >&2; echo ' 13: <unknown>' >&2; exit 3")
+    go = model.language_called("go")
+    with pytest.raises(JudgeError, match=r"go env GOROOT fails: no default is set; repair it, or "):
+        find.toolchain(go)
+    assert not find.missing(go)
+    assert "go env GOROOT fails: no default is set (repair it" in find.why_not(go)
+    assert find.found(go).missing.endswith("go env GOROOT fails: no default is set")
 
 
 def test_python_alone_reads_no_description():
