@@ -9,16 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from heapq import nsmallest
 from itertools import combinations, islice
 from math import gcd
 
-from judge.diagnose.simplicity import numbers_of, with_numbers
+from judge.diagnose.simplicity import items_of, numbers_of, with_numbers
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group, Problem
 from judge.problem.model import Number
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first
+_WORK = 1_000_000  # values that the candidates of a round may have together: a list of hundreds has few
 _HUGE = 400  # bits, beyond which numbers are only cut
 
 
@@ -62,15 +64,26 @@ def _rounder(signed: Number) -> Iterator[int]:
 
 
 def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
-    simpler = {repr(case): case for case in cases if trial.measure(case) < best.measure}
-    chosen = sorted(simpler.values(), key=trial.measure)
-    for first in range(0, min(len(chosen), _MOST), 100):
+    most = max(_MOST, _WORK // (1 + items_of(best.case)))
+    simpler = (case for case in islice(cases, most) if trial.measure(case) < best.measure)
+    chosen = nsmallest(_MOST, _distinct(simpler), key=trial.measure)
+    for first in range(0, len(chosen), 100):
         if trial.budget.spent:
             break
-        found = trial.simplest(chosen[first : min(first + 100, _MOST)], group)
+        found = trial.simplest(chosen[first : first + 100], group)
         if found is not None:
             return found
     return best
+
+
+def _distinct(cases: Iterable[Case]) -> Iterator[Case]:
+    """Each case once; 1 and 1.0 are two."""
+    seen = set()
+    for case in cases:
+        text = hash(repr(case))
+        if text not in seen:
+            seen.add(text)
+            yield case
 
 
 def _steps(problem: Problem, case: Case) -> Iterator[Case]:
