@@ -53,7 +53,7 @@ def load_data(
     groups = tuple(build(problem, module, seed, progress))
     borders = borders_of(problem, module)
     note = store.write(_as_plain(groups, borders)) if store is not None else None
-    return ProblemData(problem, groups, (note,) if note else (), module, borders, built=True)
+    return ProblemData(problem, groups, (note,) if note else (), module, borders)
 
 
 def _as_plain(groups: tuple[GroupData, ...], borders: tuple[Border, ...]) -> dict[str, Any]:

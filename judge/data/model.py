@@ -35,11 +35,10 @@ class GroupData(Struct, frozen=True):
 class ProblemData:
     """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    `borders` are those whose thresholds can be measured; `built` says that they were built just now, and not
-    read from the cache.
+    `borders` are those whose thresholds can be measured.
     """
 
-    __slots__ = ("_module", "borders", "built", "groups", "notes", "problem")
+    __slots__ = ("_module", "borders", "groups", "notes", "problem")
 
     def __init__(
         self,
@@ -48,10 +47,7 @@ class ProblemData:
         notes: tuple[str, ...] = (),
         module: ProblemModule | None = None,
         borders: tuple[Border, ...] = (),
-        *,
-        built: bool = False,
     ) -> None:
-        self.built = built
         self.problem = problem
         self.borders = borders
         self.groups = groups

@@ -13,8 +13,7 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.problem import Problem, Verdict
-from judge.problem.solutions import MISTAKES
+from judge.problem import Verdict
 from judge.run.result import Result
 from judge.run.settings import Progress, Settings
 
@@ -26,11 +25,6 @@ Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar f
 
 NAMED = (Verdict.WA, Verdict.RTE)
 _MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many
-
-
-def has_choices(problem: Problem) -> bool:
-    """Whether a problem's mistakes can be computed together with its data."""
-    return (problem.solutions / MISTAKES).is_file()
 
 
 class Naming:
@@ -46,9 +40,10 @@ class Naming:
         self._bars = bars
         self._lock = threading.Lock()
         self._namer: Namer | None = None
+        self._label = f"learning the mistakes of {data.problem.id}, once"
 
     def learn(self) -> None:
-        """Find what the mistakes answer while the data are new; what goes wrong is told when it is needed."""
+        """Find what the mistakes answer, and keep it; what goes wrong is told when it is needed."""
         with suppress(Exception):
             self._ready().learn()
 
@@ -56,7 +51,9 @@ class Naming:
         """The result with its pitfall where there is one; what goes wrong with that is only a note."""
         if result.verdict not in NAMED:
             return result
-        namer = self._ready()
+        # Whoever waits for the learning sees the verdict meanwhile.
+        label = f"{result.verdict.value}  {result.submission}; {self._label}"
+        namer = self._ready(label)
         try:
             result = namer.named(result, source, partial(self._fails_alone, source, result.submission))
         except Exception as fault:  # the verdict is known, and worth more
@@ -80,14 +77,12 @@ class Naming:
         namer = self._ready()
         return namer.matrix(), tuple(namer.notes)
 
-    def _ready(self) -> Namer:
+    def _ready(self, label: str = "") -> Namer:
         from judge.mistakes.namer import Namer
 
         with self._lock:
             if self._namer is None:
                 workers = self._jobs if self._jobs > 1 else min(_MOST_AT_ONCE, os.cpu_count() or 1)
-                label = f"learning the mistakes of {self._data.problem.id}"
-                self._namer = Namer(
-                    self._data, self._seed, self._settings, workers, lambda: self._bars(label)
-                )
+                bar = partial(self._bars, label or self._label)
+                self._namer = Namer(self._data, self._seed, self._settings, workers, bar)
             return self._namer

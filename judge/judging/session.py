@@ -21,7 +21,7 @@ from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
 from judge.judging.diagnosis import diagnosed, with_thresholds
 from judge.judging.job import Job, Terms
-from judge.judging.naming import Bars, Naming, has_choices
+from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
 from judge.run.alone import Machine
 from judge.run.execute import judge_fault, run_in
@@ -115,13 +115,7 @@ class Session:
             if self._data is None:
                 with self.bars(f"building {self.problem.id}") as advance:
                     self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
-                new = self._data.built
-            else:
-                new = False
-            data = self._data
-        if new and self.terms.named and self.terms.seed is None and has_choices(self.problem):
-            self.naming.learn()
-        return data
+            return self._data
 
     def judge(self, source: bytes, name: str) -> Result:
         """Judge one submission as the terms say.
