@@ -43,8 +43,11 @@ def pytest_sessionstart() -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark as slow what whole folders are for: attacks, distributions, changed solutions, invented input."""
+    """Mark as slow what whole folders are for: attacks, distributions, changed solutions, invented input;
+    and what only the nightly run does."""
     for item in items:
+        if item.get_closest_marker("nightly"):
+            item.add_marker(pytest.mark.slow)
         if item.path.is_relative_to(_TESTS) and item.path.relative_to(_TESTS).parts[0] in _SLOW:
             item.add_marker(pytest.mark.slow)
 

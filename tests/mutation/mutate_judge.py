@@ -49,7 +49,7 @@ ALLOWED = (
     "kill",
     "process_vm_readv",
     "bpf",
-)  # one more in seccomp's list of calls
+)  # one more system call each
 SUITES = {"daily": [], "nightly": ["-m", ""]}
 SECONDS = 3600  # for a run of the tests; one that takes longer has noticed
 

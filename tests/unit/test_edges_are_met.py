@@ -20,47 +20,9 @@ from judge.problem.load import load_problem
 from judge.values import Accepted
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-ENTRIES = {"count": programs.count, "segment": programs.segment, "ray-nearest": programs.ray}
 ENOUGH = 5
 ROUNDS = 2  # of fresh cases: less than `judge stress` makes in a second
-TIGHT, LOOSE = (5e-13, 9e-13), (1.2e-7, 1.5e-7, 2e-7)
-
-
-def thresholds(*names, of=(*TIGHT, *LOOSE)):
-    return [{name: threshold} for name in names for threshold in of]
-
-
-WRONG = {
-    "count": [
-        *thresholds("hit", "miss"),
-        {"null": 1e-6},
-        {"upright": 1e-9},
-        {"floor": True},
-        {"bits": 64},
-        {"bits": 32},
-        {"least": 1e-29},
-    ],
-    "segment": [
-        *thresholds("hit", "miss", "before", "point"),
-        {"inside": 1.2e-7},
-        {"null": 1e-6},
-        {"upright": 1e-9},
-        {"bits": 64},
-        {"bits": 32},
-        {"least": 1e-29},
-    ],
-    "ray-nearest": [
-        *thresholds("hit", "miss", "behind"),
-        *thresholds("ahead", of=LOOSE),  # a shorter one is right: where t is 0, the band's width is allowed
-        {"skip": 1e-6},
-        {"skip_t": 1e-6},
-        {"upright": 1e-9},
-        {"bits": 64},
-        {"bits": 32},
-        {"least": 1e-29},
-    ],
-}
-MISTAKES = [(name, wrong) for name, several in WRONG.items() for wrong in several]
+MISTAKES = [(name, wrong) for name, several in programs.WRONG.items() for wrong in several]
 
 
 class Data:
@@ -108,28 +70,28 @@ def data_of():
     return of
 
 
-@pytest.mark.parametrize("name", ENTRIES)
+@pytest.mark.parametrize("name", programs.ENTRIES)
 def test_the_program_itself_is_right(data_of, name):
     data = data_of(name)
-    assert data.rejected(data.pinned, ENTRIES[name]) == 0
-    assert data.rejected(data.fresh, ENTRIES[name]) == 0
+    assert data.rejected(data.pinned, programs.ENTRIES[name]) == 0
+    assert data.rejected(data.fresh, programs.ENTRIES[name]) == 0
 
 
 @pytest.mark.parametrize(("name", "wrong"), MISTAKES)
 def test_a_wrong_one_is_rejected_by_some_cases_and_by_fresh_ones(data_of, name, wrong):
     data = data_of(name)
-    function = partial(ENTRIES[name], **wrong)
+    function = partial(programs.ENTRIES[name], **wrong)
     assert data.rejected(data.pinned, function) >= ENOUGH
     assert data.rejected(data.fresh, function) >= 1
 
 
-@pytest.mark.parametrize("name", ENTRIES)
+@pytest.mark.parametrize("name", programs.ENTRIES)
 @pytest.mark.parametrize("left_out", range(5))
 @pytest.mark.parametrize("memory", [programs.forgetful, programs.stale])
 def test_a_memory_that_leaves_an_argument_out_is_met(data_of, name, left_out, memory):
     data = data_of(name)
-    assert data.rejected(data.pinned, memory(ENTRIES[name], left_out)) >= ENOUGH
-    assert data.rejected(data.fresh, memory(ENTRIES[name], left_out)) >= 1
+    assert data.rejected(data.pinned, memory(programs.ENTRIES[name], left_out)) >= ENOUGH
+    assert data.rejected(data.fresh, memory(programs.ENTRIES[name], left_out)) >= 1
 
 
 SIDES = {"ax": 0, "ay": 1, "bx": 2, "by": 3}
@@ -169,5 +131,5 @@ def test_a_witness_tells_the_wrong_program_from_the_right_one(data_of, name, wro
     exact, broken = data.solve(*case)
     assert broken is None
     target = data.problem.answer.target(exact, group.tolerance)
-    assert data.accepts(answer(ENTRIES[name], case), target, case, group)
-    assert not data.accepts(answer(partial(ENTRIES[name], **wrong), case), target, case, group)
+    assert data.accepts(answer(programs.ENTRIES[name], case), target, case, group)
+    assert not data.accepts(answer(partial(programs.ENTRIES[name], **wrong), case), target, case, group)

@@ -7,7 +7,6 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
-from everyday_programs import NAMED
 
 from judge.batch.equal import LEAST, equal_files
 from judge.batch.model import Handin
@@ -140,11 +139,13 @@ def test_what_cannot_be_read_is_equal_to_its_own_bytes_alone(source):
 
 def independent():
     """By problem, programs that were written apart: accepted ones in each language, textbooks', people's."""
-    found = [(problem, f"{at}.py", source.encode()) for at, (problem, _, source) in enumerate(NAMED)]
-    for path in (ROOT / "solutions").glob("*/accepted/*"):
-        found.append((path.parts[-3], f"{path.parts[-3]}/{path.name}", path.read_bytes()))
-    for path in (ROOT / "tests" / "fixtures" / "textbook").glob("*/*.py"):
-        found.append((path.parts[-2], f"textbook/{path.parts[-2]}/{path.name}", path.read_bytes()))
+    found = [
+        (path.parts[-3], f"{path.parts[-3]}/{path.name}", path.read_bytes())
+        for path in (ROOT / "solutions").glob("*/accepted/*")
+    ]
+    for kind in ("everyday", "textbook"):
+        for path in (ROOT / "tests" / "fixtures" / "programs" / kind).glob("*/*.py"):
+            found.append((path.parts[-2], f"{kind}/{path.parts[-2]}/{path.name}", path.read_bytes()))
     return [Handin(name, problem, name, source) for problem, name, source in found]
 
 
@@ -158,7 +159,7 @@ def test_functions_that_people_write_alike_are_far_below_the_least():
     """Whole programs that short are left out. Longer ones that agree were carried over by one author."""
     found = {}
     for each in independent():
-        if each.file.startswith("textbook/") or each.file[:1].isdigit():
+        if each.file.startswith(("textbook/", "everyday/")):
             for node in ast.walk(ast.parse(each.source)):
                 if isinstance(node, ast.FunctionDef):
                     form = normal_form(ast.unparse(node).encode(), "a.py")

@@ -1,0 +1,3 @@
+double middle(double a, double b) {
+    return (long long)((a + b) / 2);
+}

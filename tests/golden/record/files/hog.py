@@ -1,0 +1,2 @@
+def middle(a, b):
+    return [0] * 10**9

@@ -1,0 +1,3 @@
+class Solution:
+    def middle(self, a, b):
+        return (a + b) / 2

@@ -1,0 +1,2 @@
+def ray_nearest(cx, cy, r, O, D):
+    return None

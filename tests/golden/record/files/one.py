@@ -1,0 +1,2 @@
+def line_count(cx, cy, r, A, B):
+    return 1

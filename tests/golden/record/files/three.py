@@ -1,0 +1,2 @@
+def middle(a, b, c):
+    return (a + b) / 2
