@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
+from unittest.mock import patch
 
 import edge_programs
 
+from judge.diagnose.trial import Guard
 from judge.errors import ProblemError
 from judge.judging import Session, Terms
 from judge.languages import find, is_program, language_of
@@ -49,6 +51,7 @@ def record(kata: str, chosen: Iterable[Program] | None = None) -> dict[str, dict
     """What the judge says of each program of a kata, by key; those that cannot be judged here are missing."""
     found, problem = {}, find_problem(kata)
     with (
+        patch.object(Guard, "over", False),  # the calls alone end a search, however busy the machine is
         Session(problem, Terms(timed=False)) as plain,
         Session(problem, Terms(diagnosed=False, named=False)) as timed,
     ):
@@ -56,8 +59,10 @@ def record(kata: str, chosen: Iterable[Program] | None = None) -> dict[str, dict
             language = language_of(program.name)
             if language and find.why_not(language):
                 continue
-            session = timed if "/slow/" in program.key else plain
-            found[program.key] = told(session.judge(program.source, program.name))
+            result = (timed if "/slow/" in program.key else plain).judge(program.source, program.name)
+            if "/slow/" in program.key and result.verdict is Verdict.AC:  # a close race on a busy machine
+                result = timed.judge(program.source, program.name)
+            found[program.key] = told(result)
     return found
 
 
