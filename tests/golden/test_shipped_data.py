@@ -1,4 +1,4 @@
-"""The shipped problems' data: pinned, and good for any seed. The setter's gate asks whether each case is proved."""
+"""The shipped problems' data: pinned, and good for any seed. The gate asks whether each case is proved."""
 
 from __future__ import annotations
 
