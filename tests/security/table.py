@@ -258,6 +258,7 @@ ATTACKS = [
     *_tries(READING),
     *_tries({"stat_answers": "os.stat(target['secret'])"}, open_at=ONLY_FULL),  # landlock lets it: imports
     *_tries(OWN, open_at=ALWAYS),
+    *_tries({"be_root": "if os.getuid(): raise OSError('a plain user')"}, open_at=ALWAYS, control="root"),
     *_tries(WRITING),
     *_tries({"setxattr_file": "os.setxattr(target['victim'], 'user.judge', b'x')"}, control="maybe"),
     *_tries(TALKING),

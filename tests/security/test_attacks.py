@@ -21,7 +21,8 @@ HIGHEST = ("read_answers", "list_root", "tcp_connect", "kill_everybody", "write_
 def _by_day() -> Iterator[tuple[str, str, str]]:
     for turn, attack in enumerate(ATTACKS):
         lowest = "full" if attack.open_at == ONLY_FULL else "strong" if attack.open_at else "limits"
-        yield attack.name, LEVELS[turn % 3] if attack.ends else lowest, USERS[turn % len(USERS)]
+        user = USERS[-1] if attack.control == "root" else USERS[turn % len(USERS)]
+        yield attack.name, LEVELS[turn % 3] if attack.ends else lowest, user
     for name in HIGHEST:
         yield name, "full", USERS[-1]
 

@@ -44,7 +44,11 @@ ADDING = {  # the sum of two numbers on a line
 }
 CONTAINED = ("full", "strong")
 HIGHEST = ("read_answers", "connect", "signal_all", "make_file", "program_in_memory")
-LOWEST = {(name, "strong", USERS[turn % len(USERS)]) for turn, name in enumerate([*RUN, *COMPILE])}
+OF_ROOT = ("privileged", "read_shadow")  # which a plain user may not do anyway
+LOWEST = {
+    (name, "strong", USERS[-1 if name in OF_ROOT else turn % len(USERS)])
+    for turn, name in enumerate([*RUN, *COMPILE])
+}
 CONTROLLED = ("read_answers", "connect", "fork")
 
 

@@ -167,6 +167,8 @@ def test_a_limit_on_the_judge_is_named_with_its_remedy_and_blames_no_submission(
     assert all("internal fault" not in text for text in found.messages())
 
 
+@pytest.mark.nightly
+@pytest.mark.parametrize("user", USERS)
 def test_too_few_descriptors_for_a_single_container_are_named(resident: Resident, rights: list[str]) -> None:
     said: set[str] = set()
     for most in (12, 14, 17):
@@ -236,10 +238,8 @@ def test_bubblewrap_fails_and_nothing_drops_in_silence(
         assert all("use a smaller -j, or raise the limit on processes" in text for text in found.messages())
 
 
-@pytest.mark.parametrize(
-    ("user", "level"),
-    [each if each == ("plain", "full") else nightly(*each) for each in product(USERS, LEVELS[:2])],
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize(("user", "level"), product(USERS, LEVELS[:2]))
 def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_one(
     attacker: Attacker, level: str
 ) -> None:
