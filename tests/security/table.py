@@ -87,6 +87,10 @@ READING = {
     "readlink_answers": "os.readlink(target['link'])",
     "change_folder": "os.chdir(target['folder'])",
 }
+EXISTENCE = {  # which landlock does not govern, and imports need: here nothing but what is mounted counts
+    "stat_answers": "os.stat(target['secret'])",
+    "stat_passwd": "os.stat('/etc/passwd')",
+}
 OWN = {
     "read_own_environment": "if 'JUDGE_TEST_SECRET' not in os.environ: raise OSError('nothing is there')",
     "inherited_descriptors": """
@@ -256,7 +260,7 @@ SHARED = {
 
 ATTACKS = [
     *_tries(READING),
-    *_tries({"stat_answers": "os.stat(target['secret'])"}, open_at=ONLY_FULL),  # landlock lets it: imports
+    *_tries(EXISTENCE, open_at=ONLY_FULL),
     *_tries(OWN, open_at=ALWAYS),
     *_tries({"be_root": "if os.getuid(): raise OSError('a plain user')"}, open_at=ALWAYS, control="root"),
     *_tries(WRITING),

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import time
 from collections.abc import Iterator
+from itertools import product
 
 import pytest
 from attackers import LEVELS, USERS, Attacker, by_turns
@@ -22,6 +23,10 @@ SEED = int(os.environ.get("JUDGE_KILLS_SEED", "1"))
 SECONDS_EACH = 40
 
 
+@pytest.mark.parametrize(
+    ("level", "user"),  # by day where it can fork
+    [each if each == ("limits", "plain") else nightly(*each) for each in product(LEVELS, USERS)],
+)
 def test_a_daemon_dies_with_its_run(attacker: Attacker, level: str) -> None:
     attacker.require(level)
     (found,) = attacker.run("outlive.py", "daemon", level)
