@@ -239,7 +239,7 @@ def test_bubblewrap_fails_and_nothing_drops_in_silence(
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize(("user", "level"), product(USERS, LEVELS[:2]))
+@pytest.mark.parametrize(("user", "level"), [*product(USERS, LEVELS[:2])])
 def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_one(
     attacker: Attacker, level: str
 ) -> None:
