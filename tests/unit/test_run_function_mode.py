@@ -7,6 +7,7 @@ from judging import GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
 from judge.problem import Verdict
+from judge.report.places import fault_place
 from judge.run import Mode
 from judge.run.budget import MOST_LOSSES, Budget
 from judge.run.function import FunctionRunner
@@ -19,11 +20,6 @@ def test_an_accepted_submission():
     progress = []
     result = judged(GOOD, make_data("one", "two"), on_progress=lambda *done: progress.append(done))
     assert (result.verdict, result.mode, result.failure) == (Verdict.AC, Mode.FUNCTION, None)
-    assert (result.score, result.points, int(result.exit_code)) == (100, 100, 0)
-    assert [(group.name, group.passed, group.cases) for group in result.groups] == [
-        ("one", 4, 4),
-        ("two", 4, 4),
-    ]
     assert progress == [(4, 8), (8, 8)]
     assert result.isolation == next(level.name for level in levels() if level.available)
     assert 0 <= result.time.cpu_seconds < 0.5  # next to nothing, and so is the start
@@ -40,16 +36,6 @@ def test_the_time_of_all_calls_is_told():
     assert result.time.cpu_seconds == sum(group.cpu_seconds for group in result.groups)
 
 
-def test_a_wrong_answer_shows_the_first_failing_case():
-    result = judged("def answer(n, P): return n")
-    assert (result.verdict, result.score, int(result.exit_code)) == (Verdict.WA, 0, 1)
-    assert result.groups[0].passed == 3
-    failure = result.failure
-    assert (failure.group, failure.case) == ("one", 2)
-    assert failure.input == {"n": 0, "P": (0.5, 0.5)}
-    assert (failure.expected, failure.got) == ("1", "0")
-
-
 def test_all_groups_run_and_the_first_failing_one_decides():
     data = make_data("one", "two", "three", "four", step=10)
     source = """
@@ -62,12 +48,6 @@ def answer(n, P):
     assert [group.verdict.value for group in result.groups] == ["AC", "WA", "RTE", "AC"]
     assert (result.verdict, result.score) == (Verdict.WA, 50)
     assert (result.failure.group, result.failure.case) == ("two", 2)
-
-
-def test_only_the_groups_asked_for():
-    result = judged(GOOD, make_data("one", "two"), groups={"two"})
-    assert [group.name for group in result.groups] == ["two"]
-    assert (result.verdict, result.score, result.points) == (Verdict.AC, 50, 50)
 
 
 @pytest.mark.parametrize(
@@ -88,13 +68,6 @@ def test_each_way_to_fail_has_its_verdict(body, verdict, message):
     assert result.groups[0].passed == (2 if verdict is Verdict.TLE else 3)
 
 
-def test_a_group_is_given_up_after_three_losses():
-    result = judged(
-        "import os\ndef answer(n, P): os._exit(0)", make_data("one", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
-    )
-    assert (result.verdict, result.failure.case, result.groups[0].passed) == (Verdict.RTE, 1, 0)
-
-
 def test_a_submission_is_given_up_after_ten_losses_in_all():
     data, told = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9), []
     source = "import os\ndef answer(n, P): os._exit(0)"
@@ -109,21 +82,6 @@ def ended(stop, usage=Usage()):  # noqa: B008 - it is frozen
     return Replies([Reply(stop, None, "x")], usage, stop, lost=stop is not Stop.ANSWERED)
 
 
-def test_what_is_given_up_says_why_and_never_decides():
-    data = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9)
-    budget = Budget(data.problem)
-    runs = [GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups]
-    for _ in range(MOST_LOSSES):
-        assert budget.over is None
-        budget.booked(ended(Stop.TAMPERED))
-    runs[0].give_up(*budget.over)
-    runs[1].failed(0, Verdict.WA, "wrong")
-    runs[1].give_up(*budget.over)
-    assert [run.given_up for run in runs[:2]] == [True, False]
-    assert runs[0].failure.message == "not run: its process was lost 10 times"
-    assert [run.verdict for run in runs[:2]] == [Verdict.RTE, Verdict.WA]
-
-
 @pytest.mark.parametrize(
     ("stops", "verdict"),
     [
@@ -133,10 +91,18 @@ def test_what_is_given_up_says_why_and_never_decides():
     ],
 )
 def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, verdict):
-    budget = Budget(make_data("a").problem)
+    data = make_data(*"ab")
+    budget = Budget(data.problem)
     for stop in stops:
+        assert budget.over is None
         budget.booked(ended(stop))
     assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
+    never, wrong = (GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups)
+    never.give_up(*budget.over)
+    wrong.failed(0, Verdict.WA, "wrong")
+    wrong.give_up(*budget.over)
+    assert (never.given_up, never.failure.message) == (True, "not run: its process was lost 10 times")
+    assert (wrong.given_up, wrong.verdict) == (False, Verdict.WA), "what was decided stays"
 
 
 SLEEPER = "import time\ndef answer(n, P):\n    time.sleep(0.05)\n    return int(n + P[0] + P[1])\n"
@@ -177,27 +143,16 @@ def test_who_has_waited_too_long_is_told_so():
     assert budget.booked(ended(Stop.WALL)).trouble == "x"
 
 
-def test_a_first_call_that_never_ends_ends_the_run():
+@pytest.mark.parametrize(("loops", "ran"), [("True", 1), ("n == 2", 2)])
+def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loops, ran):
+    """The groups after it would cost as much again."""
     limits = replace(LIMITS, cpu_seconds=0.2)
-    result = judged("def answer(n, P):\n    while True: pass\n", make_data("a", "b", limits=limits))
-    assert [group.verdict for group in result.groups] == [Verdict.TLE] * 2
-    assert [group.cpu_seconds > 0 for group in result.groups] == [True, False]
-
-
-def test_an_endless_loop_ends_the_run_after_two_groups():
-    limits = replace(LIMITS, cpu_seconds=0.2)
-    source = "def answer(n, P):\n    while n == 2: pass\n    return int(n + P[0] + P[1])\n"
+    source = f"def answer(n, P):\n    while {loops}: pass\n    return int(n + P[0] + P[1])\n"
     result = judged(source, make_data("a", "b", "c", "d", limits=limits))
     assert [group.verdict for group in result.groups] == [Verdict.TLE] * 4
-    assert [group.cpu_seconds > 0 for group in result.groups] == [True, True, False, False]
+    assert sum(group.cpu_seconds > 0 for group in result.groups) == ran
     assert result.failure.group == "a"
-
-
-@pytest.mark.parametrize("answer", ["True", "'1'", "1.0", "float('nan')", "[1]", "(1,)", "lambda: 1", "1j"])
-def test_wrong_types_are_wrong_answers_with_a_reason(answer):
-    result = judged(f"def answer(n, P): return {answer}")
-    assert result.verdict is Verdict.WA
-    assert result.failure.message
+    assert fault_place(result).line == 2
 
 
 def test_worst_ulps_of_accepted_numbers():
@@ -209,10 +164,6 @@ def test_worst_ulps_of_accepted_numbers():
 @pytest.mark.parametrize(
     ("source", "message"),
     [
-        (
-            b"def answer(n, P)\n    return 1",
-            "SyntaxError: expected ':' (line 1, column 17): def answer(n, P)",
-        ),
         (b"x = 1\ny = '\xe9'\n", "the file is not UTF-8: byte 0xe9 (line 2); save it as UTF-8"),
         (b"x = 1\0", "source code string cannot contain null bytes"),
     ],
@@ -223,6 +174,7 @@ def test_what_does_not_compile(source, message):
     assert result.failure.message.endswith(message)
 
 
+@pytest.mark.nightly
 def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
     """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
     data = make_data(
