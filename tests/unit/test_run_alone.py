@@ -47,23 +47,38 @@ def folder(tmp_path, monkeypatch):
     return tmp_path / "locks"
 
 
-def tried(how, patience=0.02):
+def tried(how):
     """What a machine without patience gives."""
-    with getattr(Machine(patience=patience), how)() as place:
+    with getattr(Machine(patience=0.02), how)() as place:
         return place
+
+
+def waits(how):
+    """Whether who asks so has to wait for another."""
+    waited = []
+
+    @contextlib.contextmanager
+    def waiting():
+        waited.append(True)
+        yield None
+
+    with getattr(Machine(waiting=waiting, patience=0.02), how)():
+        return bool(waited)
 
 
 def test_another_process_that_judges_keeps_a_measurer_out_and_no_judge():
     with another("judging"):
         assert not tried("measuring").alone
-        assert tried("judging").waited < 0.02
+        assert not waits("judging")
+        with Turnstile(Machine(patience=0.02)).measuring() as place:  # as judging asks for it
+            assert not place.alone
     assert tried("measuring").alone
 
 
 def test_another_process_that_measures_keeps_everyone_out():
     with another("measuring"):
         assert not tried("measuring").alone
-        assert tried("judging").waited >= 0.02
+        assert waits("judging")
     assert tried("measuring").alone
 
 
@@ -134,16 +149,11 @@ def test_who_comes_later_does_not_pass_a_waiting_measurer():
     with another("judging"):
         measurer.start()
         until = time.monotonic() + LONG
-        while tried("judging").waited < 0.02:  # until the measurer is at the door
+        while not waits("judging"):  # until the measurer is at the door
             assert time.monotonic() < until
         assert not let_in
     measurer.join(LONG)
     assert let_in == [True]
-
-
-def test_the_turnstiles_of_two_processes_are_one():
-    with another("judging"), Turnstile(Machine(patience=0.02)).measuring() as place:
-        assert not place.alone
 
 
 def test_the_locks_are_the_users_alone(folder):
@@ -155,47 +165,34 @@ def test_the_locks_are_the_users_alone(folder):
     }
 
 
-def plant_link(folder: Path) -> None:
-    real = folder.with_name("real")
-    real.mkdir(mode=0o700)
-    folder.symlink_to(real)
-
-
-def plant_open_folder(folder: Path) -> None:
-    folder.mkdir()
-    folder.chmod(0o777)
-
-
-def plant_file(folder: Path) -> None:
-    folder.write_text("")
-
-
-def plant_pipes(folder: Path) -> None:
-    folder.mkdir(mode=0o700)
-    for name in ("door", "room"):
-        os.mkfifo(folder / name)
-
-
-def plant_links_in_it(folder: Path) -> None:
-    folder.mkdir(mode=0o700)
-    for name in ("door", "room"):
-        (folder / name).symlink_to(folder.with_name("elsewhere"))
-
-
-def plant_another_users(folder: Path) -> None:
-    folder.mkdir(mode=0o700)
-    if os.geteuid() == 0:
-        os.chown(folder, 65534, 65534)
+def plant(what: str, folder: Path) -> None:
+    """What somebody might have put in the folder's place before it is first asked for."""
+    elsewhere = folder.with_name("elsewhere")
+    if what == "a link":
+        elsewhere.mkdir(mode=0o700)
+        folder.symlink_to(elsewhere)
+    elif what == "a file":
+        folder.write_text("")
     else:
+        folder.mkdir(mode=0o700)
+    if what == "another user's folder" and os.geteuid() == 0:
+        os.chown(folder, 65534, 65534)
+    elif what == "another user's folder":
         folder.chmod(0o500)
+    elif what == "an open folder":
+        folder.chmod(0o777)
+    for name in ("door", "room"):
+        if what == "pipes":
+            os.mkfifo(folder / name)
+        elif what == "links in it":
+            (folder / name).symlink_to(elsewhere)
 
 
 @pytest.mark.parametrize(
-    "plant",
-    [plant_link, plant_open_folder, plant_file, plant_pipes, plant_links_in_it, plant_another_users],
+    "what", ["a link", "an open folder", "a file", "pipes", "links in it", "another user's folder"]
 )
-def test_a_folder_that_somebody_planted_is_not_used(folder, plant):
-    plant(folder)
+def test_a_folder_that_somebody_planted_is_not_used(folder, what):
+    plant(what, folder)
     before = sorted(path.name for path in folder.parent.rglob("*"))
     with Machine().judging(), Machine(patience=LONG).measuring() as place:  # nobody is kept out
         assert place.alone

@@ -115,10 +115,6 @@ def test_where_threads_are_few_they_do_all_of_it(few_threads, count):
 
     share("abcdef", 8, work)
     assert sorted(seen) == list(enumerate("abcdef"))
-
-
-def test_an_exception_in_the_only_thread_comes_in_place_of_its_result(few_threads):
-    few_threads(0)
     results = in_order([1, 0], 2, lambda item: 1 // item)
     assert next(results) == 1
     with pytest.raises(ZeroDivisionError):
