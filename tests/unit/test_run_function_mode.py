@@ -53,16 +53,18 @@ def answer(n, P):
 @pytest.mark.parametrize(
     ("body", "verdict", "message"),
     [
-        ("1 / 0", Verdict.RTE, "ZeroDivisionError: division by zero (line 3)"),
-        ("import os; os._exit(0)", Verdict.RTE, "exit status 0"),
-        ("bytes(1 << 40)", Verdict.MLE, "MemoryError (line 3)"),
-        ("while True: pass", Verdict.TLE, "used more than 0.5 s of CPU time (line 3)"),
+        ("1 / 0", Verdict.RTE, "ZeroDivisionError: division by zero (line 4)"),
+        ("os._exit(0)", Verdict.RTE, "exit status 0"),
+        ("bytes(1 << 40)", Verdict.MLE, "MemoryError (line 4)"),
+        ("while True: pass", Verdict.TLE, "used more than 0.2 s of CPU time (line 4)"),
+        ("time.sleep(60)", Verdict.TLE, "took more than 2 s, waiting at the end (line 4)"),
         ("while True: print('x' * 999)", Verdict.OLE, "wrote more than 1 MB"),
     ],
 )
 def test_each_way_to_fail_has_its_verdict(body, verdict, message):
-    source = f"def answer(n, P):\n    if n == 2:\n        {body}\n    return int(n + P[0] + P[1])\n"
-    result = judged(source, make_data("one", limits=replace(LIMITS, cpu_seconds=0.5)))
+    source = f"import os, time\ndef answer(n, P):\n    if n == 2:\n        {body}\n    return n + int(sum(P))"
+    limits = replace(LIMITS, cpu_seconds=0.2, wall_seconds=2.0)
+    result = judged(source, make_data("one", limits=limits))
     assert (result.verdict, result.failure.message) == (verdict, message)
     assert (result.failure.case, result.failure.expected, result.failure.got) == (3, "2", "no answer")
     assert result.groups[0].passed == (2 if verdict is Verdict.TLE else 3)

@@ -56,18 +56,9 @@ def test_a_syntax_error_has_its_place():
     assert (fault.line, fault.text) == (2, "def f(:")
 
 
-@pytest.mark.parametrize(
-    "source",
-    [b"x = '\xff'", b"a = 1\0", b"(" * 10**5, b"-" * 10**6 + b"1", b"# coding: klingon\n", b"if x:\nreturn"],
-)
-def test_sources_that_do_not_compile_are_faults(source):
-    assert inspect(source).fault.message
-
-
 def test_an_empty_source_compiles_and_binds_nothing():
     inspection = inspect(b"")
-    assert inspection.fault is None
-    assert inspection.names == ()
+    assert (inspection.fault, inspection.names) == (None, ())
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are told by /proc")
@@ -108,12 +99,6 @@ def test_an_interpreter_that_does_not_start_is_one_clear_error(python, level, mo
     assert caught.value.what.startswith(what)
     assert "\n" not in caught.value.what
     assert children() == before
-
-
-def test_the_child_sees_only_a_minimal_environment(monkeypatch):
-    monkeypatch.setenv("JUDGE_SECRET", "answer")
-    with open_box(b"import os\ndef f(): return [len(os.environ.get('JUDGE_SECRET', ''))]", "my.py") as box:
-        assert box.call_many("f", [()], LIMITS).replies[0].answer == [0]
 
 
 def test_the_interpreter_is_the_judges_own():
