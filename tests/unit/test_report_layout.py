@@ -1,6 +1,10 @@
+"""Text on a screen of any width: wrapped, in columns, in tables; values as a person reads them."""
+
 from __future__ import annotations
 
+import json
 from datetime import UTC, datetime
+from fractions import Fraction
 
 import pytest
 
@@ -19,6 +23,7 @@ from judge.report.layout import (
     printable,
     wrap,
 )
+from judge.report.values import arguments, bound, counted, seconds, size, with_points
 from judge.run.result import Mode
 
 
@@ -72,52 +77,31 @@ def test_a_hanging_indent():
 def test_a_remark_goes_below_where_there_is_no_room_beside():
     assert texts(beside(Span("name"), "remark", None)) == ["name  remark"]
     assert texts(beside(Span("name"), "remark", 12)) == ["name  remark"]
-    assert texts(beside(Span("name"), "remark", 11)) == ["name", "remark"]
+    assert texts(beside(Span("  two mistakes: one + other"), "likely, score 0.87", 20)) == [
+        "  two mistakes: one",
+        "  + other",
+        "  likely, score 0.87",
+    ]
 
 
 COLUMNS = (Column("name"), Column("cases", right=True), Column("about", flexible=True))
 ROWS = [["tangent-turned", "60", "rounding has moved every number a little"], [Span("grid"), "343", "small"]]
-
-
-def test_a_table_with_room():
-    assert texts(Table(COLUMNS, ROWS).lines(None)) == [
-        "  name            cases  about",
-        "  tangent-turned     60  rounding has moved every number a little",
-        "  grid              343  small",
-    ]
-
-
-def test_prose_is_wrapped_in_its_column():
-    assert texts(Table(COLUMNS, ROWS).lines(50)) == [
+LAID = {
+    50: [
         "  name            cases  about",
         "  tangent-turned     60  rounding has moved every",
         "                         number a little",
         "  grid              343  small",
-    ]
-
-
-def test_prose_goes_below_its_row():
-    assert texts(Table(COLUMNS, ROWS).lines(30)) == [
+    ],
+    30: [
         "  name            cases",
         "  tangent-turned     60",
         "    rounding has moved every",
         "    number a little",
         "  grid              343",
         "    small",
-    ]
-
-
-def test_names_are_broken():
-    assert texts(Table(COLUMNS[:2], [row[:2] for row in ROWS]).lines(17)) == [
-        "  name      cases",
-        "  tangent-     60",
-        "  turned",
-        "  grid        343",
-    ]
-
-
-def test_at_last_a_row_is_a_paragraph():
-    assert texts(Table(COLUMNS, ROWS).lines(16)) == [
+    ],
+    16: [
         "  tangent-",
         "  turned",
         "    cases 60",
@@ -128,22 +112,13 @@ def test_at_last_a_row_is_a_paragraph():
         "  grid",
         "    cases 343",
         "    small",
-    ]
+    ],
+}
 
 
-def test_a_mark_without_a_title_is_no_gap_in_a_paragraph():
-    columns = (Column("row"), Column(""), Column("drill with"), Column("question", flexible=True))
-    rows = [["Q1", "", "judge init exact-count", "How many?"], ["Q2", "✓", "judge init foot", "Where is it?"]]
-    assert texts(Table(columns, rows).lines(26)) == [
-        "  Q1",
-        "    drill with judge init",
-        "    exact-count",
-        "    How many?",
-        "  Q2",
-        "    ✓, drill with judge",
-        "    init foot",
-        "    Where is it?",
-    ]
+@pytest.mark.parametrize("width", LAID)
+def test_prose_is_wrapped_then_goes_below_its_row_and_at_last_a_row_is_a_paragraph(width):
+    assert texts(Table(COLUMNS, ROWS).lines(width)) == LAID[width]
 
 
 def test_no_table_is_wider_than_its_room():
@@ -156,25 +131,18 @@ def test_a_table_keeps_styles_and_ends_no_line_in_spaces():
     assert lines == [(Span(""), Span("a", Style.BAD))]
 
 
-def test_a_remark_that_has_no_room_stands_below_its_head_and_as_far_in():
-    laid = beside(Span("  two mistakes: one + other"), "likely, score 0.87", 20)
-    rows = ["".join(span.text for span in each) for each in laid]
-    assert rows == ["  two mistakes: one", "  + other", "  likely, score 0.87"]
-
-
-def past_run(number, problem, file, verdict, mistake, *, when=datetime(2026, 3, 1, 9, tzinfo=UTC)):
-    score = 100 if verdict is Verdict.AC else 88
-    failed = () if verdict is Verdict.AC else ("grid",)
-    ratio = 12.3 if verdict is Verdict.AC else None
+def past_run(number, problem, file, verdict, mistake, year=2026):
+    accepted = verdict is Verdict.AC
     return Run(
-        number, when, problem, file, "", verdict, score, Mode.FUNCTION, "", mistake, ratio, (), failed, b""
-    )
+        number, datetime(year, 3, 1, 9, tzinfo=UTC), problem, file, "", verdict, 100 if accepted else 88,
+        Mode.FUNCTION, "", mistake, 12.3 if accepted else None, (), () if accepted else ("grid",), b"",
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("file", ["mine.py", "ray_nearest.py"])
-def test_a_run_of_the_history_is_one_row_of_80_columns(file):
+def test_a_run_of_the_history_is_one_row_of_80_columns_and_one_of_another_year_shows_it(file):
     runs = [
-        past_run(998, "segment", "segment.py", Verdict.AC, None),
+        past_run(998, "segment", "segment.py", Verdict.AC, None, year=2024),
         past_run(999, "ray-nearest", file, Verdict.WA, "absolute-epsilon"),
     ]
     rows = texts(history_lines(runs, 80))
@@ -182,14 +150,7 @@ def test_a_run_of_the_history_is_one_row_of_80_columns(file):
     assert max(map(len, rows)) <= 80
     assert rows[1].endswith("AC 12 ×")
     assert ("file" in rows[0]) == (file == "mine.py"), "a usual name says nothing"
-
-
-def test_a_run_of_another_year_shows_it():
-    runs = [
-        past_run(1, "count", "count.py", Verdict.AC, None, when=datetime(2024, 3, 1, 9, tzinfo=UTC)),
-        past_run(2, "count", "count.py", Verdict.AC, None),
-    ]
-    assert [row.split()[1] for row in texts(history_lines(runs, 80))[1:]] == ["2024-03-01", "03-01"]
+    assert [row.split()[1] for row in rows[1:]] == ["2024-03-01", "03-01"]
 
 
 @pytest.mark.parametrize("width", [100, 101, 140, 400])
@@ -201,3 +162,51 @@ def test_no_paragraph_runs_past_a_hundred_columns(width):
         *beside(Span(text), text, width),
     ]
     assert 90 < max(map(len, texts(paragraphs))) <= 100
+
+
+# -- values in words -----------------------------------------------------------------------------------------
+
+
+def test_arguments_are_written_in_full():
+    values = {"cx": 0, "r": 0.1, "A": (10**40, -2.5), "B": [(1, 2), (3, 4)], "w": "lit"}
+    assert arguments(values) == f"cx=0, r=0.1, A=({10**40}, -2.5), B=[(1, 2), (3, 4)], w='lit'"
+    assert arguments(with_points(json.loads(json.dumps(values)))) == arguments(values)
+    assert arguments({"xs": [0] * 41}).endswith("0, …] (41 items)")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (Fraction(0), "0"),
+        (Fraction(-1000), "-1000"),
+        (Fraction(2**30), "2^30"),
+        (Fraction(-(2**30)), "-2^30"),
+        (Fraction(10**120), "10^120"),
+        (Fraction(-(10**6000)), "-10^6000"),
+        (Fraction(123456), "123,456"),
+        (Fraction(10**5000 + 1), "1" + "0" * 4999 + "1"),
+        (Fraction(1, 10**12), "1e-12"),
+        (Fraction(1, 2**40), str(Fraction(1, 2**40))),
+        (Fraction(1, 3), "1/3"),
+        (Fraction(5, 2), "2.5"),
+    ],
+)
+def test_bounds(value, text):
+    assert bound(value) == text
+
+
+def test_amounts():
+    assert [counted(number, "case") for number in (0, 1, 2, 1240)] == [
+        "0 cases",
+        "1 case",
+        "2 cases",
+        "1,240 cases",
+    ]
+    assert [seconds(value) for value in (0.0, 0.0004, 0.0123, 0.9, 2.5)] == [
+        "0.0 ms",
+        "0.4 ms",
+        "12 ms",
+        "900 ms",
+        "2.50 s",
+    ]
+    assert size(256 * 2**20) == "256 MB"

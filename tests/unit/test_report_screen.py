@@ -32,22 +32,23 @@ LINES = [line("a ", Span("b", Style.GOOD), Span(" ", Style.BAD))]
 
 
 @pytest.mark.parametrize(
-    ("stream", "settings", "colour", "width"),
+    ("stream", "settings", "colour", "links", "width"),
     [
-        (Terminal(), {}, True, 80),
-        (Terminal(), {"NO_COLOR": ""}, True, 80),
-        (Terminal(), {"NO_COLOR": "1"}, False, 80),
-        (Terminal(), {"TERM": "dumb"}, False, 80),
-        (Terminal(), {"COLUMNS": "50"}, True, 50),
-        (Terminal(), {"COLUMNS": "1"}, True, 20),
-        (Terminal(), {"COLUMNS": "wide"}, True, 80),
-        (io.StringIO(), {}, False, None),
-        (io.StringIO(), {"COLUMNS": "50"}, False, 50),
+        (Terminal(), {}, True, True, 80),
+        (Terminal(), {"NO_COLOR": ""}, True, True, 80),
+        (Terminal(), {"NO_COLOR": "1"}, False, False, 80),
+        (Terminal(), {"TERM": "dumb"}, False, False, 80),
+        (Terminal(), {"TERM": "linux"}, True, False, 80),
+        (Terminal(), {"COLUMNS": "50"}, True, True, 50),
+        (Terminal(), {"COLUMNS": "1"}, True, True, 20),
+        (Terminal(), {"COLUMNS": "wide"}, True, True, 80),
+        (io.StringIO(), {}, False, False, None),
+        (io.StringIO(), {"COLUMNS": "50"}, False, False, 50),
     ],
 )
-def test_what_a_stream_can_take(stream, settings, colour, width):
+def test_what_a_stream_can_take(stream, settings, colour, links, width):
     screen = Screen.of(stream, settings)
-    assert (screen.colour, screen.width) == (colour, width)
+    assert (screen.colour, screen.links, screen.width) == (colour, links, width)
 
 
 def test_colours_only_where_they_serve():
@@ -69,20 +70,6 @@ def test_a_closed_stream_is_nobodys():
     stream = io.StringIO()
     stream.close()
     assert not is_terminal(stream)
-
-
-@pytest.mark.parametrize(
-    ("stream", "settings", "links"),
-    [
-        (Terminal(), {}, True),
-        (Terminal(), {"NO_COLOR": "1"}, False),
-        (Terminal(), {"TERM": "dumb"}, False),
-        (Terminal(), {"TERM": "linux"}, False),
-        (io.StringIO(), {}, False),
-    ],
-)
-def test_who_can_be_clicked_on(stream, settings, links):
-    assert Screen.of(stream, settings).links is links
 
 
 def shown(laid, *, links):

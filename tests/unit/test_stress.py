@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import json
 from itertools import count
 
 import pytest
+from jsonschema import Draft202012Validator
+from sampling import nightly
 
 from judge.data import ProblemData
 from judge.data.fresh import Fresh
 from judge.data.module import load_module
+from judge.judging import Session, Terms
+from judge.judging.stressing import Stressing
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report.stress import stress_lines
 from judge.run.result import Mode
 from judge.run.stress import stress
 from judge.sandbox import open_box
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -110,7 +116,7 @@ def test_a_failures_case_is_counted_in_all_cases_of_its_group():
     [
         ("return 1 // 0", Verdict.RTE, "ZeroDivisionError"),
         ("import os; os._exit(3)", Verdict.RTE, "exit status 3"),
-        ("while True: pass", Verdict.TLE, "more than"),
+        nightly("while True: pass", Verdict.TLE, "more than"),
     ],
 )
 def test_a_call_that_gives_no_answer_breaks_it(body, verdict, words):
@@ -148,19 +154,37 @@ def test_an_interrupt_keeps_what_was_counted():
     assert "\ninterrupted  nothing broke:" in text_of(found)
 
 
-def test_the_object_has_the_published_keys():
-    found = stressed(EXACT, seconds=1.0).as_json()
-    assert list(found) == [
-        "schema", "problem", "submission", "mode", "verdict", "cases", "built", "seconds", "cases_per_second",
-        "seed", "interrupted", "groups", "failure", "counterexample", "pitfall", "thresholds", "memory_bytes",
-        "isolation",
-    ]  # fmt: skip
-    assert list(found["groups"][0]) == ["name", "verdict", "cases", "passed", "worst_ulps", "cpu_seconds"]
-    assert found["verdict"] == "AC"
-    assert found["cases_per_second"] > 0
-
-
-@pytest.mark.parametrize("width", [40, 80, 200])
-def test_the_report_keeps_to_the_screen(width):
-    for found in (stressed(EXACT, seconds=1.0), stressed(WRONG)):
+@pytest.mark.parametrize("source", [EXACT, WRONG])
+def test_the_report_keeps_to_the_screen(source):
+    found = stressed(source, seconds=1.0)
+    for width in (40, 80, 200):
         assert all(len(line) <= width for line in text_of(found, width).splitlines())
+
+
+def told_by_session(near, **terms):
+    """What `judge stress` finds of a program with that threshold, and the JSON it writes."""
+    problem = find_problem("count")
+    source = (problem.solutions / "accepted" / "geometric.py").read_text()
+    source = source.replace("THRESHOLD * extent", near).encode()
+    with Session(problem, Terms(named=False, **terms)) as session:
+        found = Stressing(source, "mine.py", problem.groups, 7, 1.0).run(session)
+    written = json.loads(json.dumps(found.as_json()))
+    Draft202012Validator(schema_of("stress")).validate(written)
+    return found, written
+
+
+@pytest.mark.parametrize(
+    ("near", "verdict", "told"),
+    [
+        ("1e-9", "WA", "for a tangency: 1e-9 at size 1, 4e-3 of it at size 2e-7; it does not grow"),
+        ("1e-10 * extent", "AC", "for a tangency: 1e-10 of the extent; that is between 1e-12 and 1e-7"),
+    ],
+)
+def test_the_submissions_own_threshold_is_told_as_by_a_run(near, verdict, told):
+    found, written = told_by_session(near)
+    assert (written["verdict"], written["thresholds"][0]["decision"]) == (verdict, "a tangency")
+    assert f"threshold  {told}" in text_of(found, None)
+
+
+def test_without_the_smallest_case_there_is_no_threshold():
+    assert told_by_session("1e-9", diagnosed=False)[1]["thresholds"] == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
+from sampling import nightly
 
 import judge
 from judge.data import load_data
@@ -28,6 +29,9 @@ def line_count(cx, cy, r, A, B):
 """
 
 
+pytestmark = pytest.mark.slow
+
+
 def judged(source, **options):
     return judge.judge("count", source, timed=False, named=False, **options)
 
@@ -35,32 +39,20 @@ def judged(source, **options):
 def test_an_accepted_submission_is_told_of_one_border():
     (found,) = judged(RIGHT.replace("IN_THE_GAP", "pass")).thresholds
     assert (found.decision, found.mistake, found.follows_its_size) == ("a tangency", None, True)
-    assert found.law.factor == pytest.approx(1e-10, rel=0.3)
     assert len(found.figures) == 9
     assert all(flip.low <= 1e-10 * flip.size <= flip.high for flip in found.figures)
-
-
-def test_a_wrong_one_is_told_of_all():
-    wrong = RIGHT.replace("IN_THE_GAP", "pass").replace("1e-10 * extent", "1e-9")
-    result = judged(wrong)
-    assert result.verdict is Verdict.WA
-    assert [(each.decision, each.mistake) for each in result.thresholds] == [
-        ("a tangency", "absolute-epsilon"),
-        ("a tangency from inside", "absolute-epsilon"),
-        ("no line", None),
-    ]
 
 
 @pytest.mark.parametrize(
     "harm",
     [
-        "raise SystemExit",
+        nightly("raise SystemExit"),
         "import os; os._exit(0)",
-        "import time; time.sleep(60)",
-        "while True: pass",
-        "x = 'x' * (1 << 40)",
-        "print('x' * (1 << 24))",
-        "return 'one'",
+        nightly("import time; time.sleep(60)"),
+        nightly("while True: pass"),
+        nightly("x = 'x' * (1 << 40)"),
+        nightly("print('x' * (1 << 24))"),
+        nightly("return 'one'"),
         "import random; return random.choice((0, 1, 2))",
     ],
 )
