@@ -15,6 +15,7 @@ from judge.batch.results import advice_of, batch_junit, results_of
 from judge.problem.find import find_problem
 from judge.problem.level import KataLevel
 from judge.problem.verdict import Verdict
+from judge.run import exit_code
 from judge.run.execute import judge_fault
 from judge.run.published import result_of
 from judge.run.result import Against, LevelResult, Pitfall, Timing
@@ -64,6 +65,12 @@ def test_a_row_that_cannot_be_read_is_a_fault_of_its_own():
     broken = replace(ROWS[0], json='{"result": {"verdict": "??"}}')
     (result,) = results_of([broken], {})
     assert (result.verdict, result.submission) == (Verdict.JE, "ann/count-1.py")
+
+
+def test_exit_codes_of_several():
+    accepted, wrong, fault = outcome(verdict=Verdict.AC), outcome(), judge_fault("count", "b.py", "broken")
+    found = [exit_code(each) for each in ([], [accepted] * 2, [accepted, wrong], [wrong, fault, accepted])]
+    assert [int(each) for each in found] == [0, 0, 1, 3]
 
 
 def test_a_suite_for_each_hand_in():

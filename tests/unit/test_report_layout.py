@@ -69,56 +69,8 @@ def test_columns(text, columns):
     assert cells(pad(text, 6)) == cells(pad(text, 6, right=True)) == 6
 
 
-def test_a_hanging_indent():
-    lines = hanging(Span("why"), Span("one two three"), 16, indent=2, column=8)
-    assert texts(lines) == ["  why   one two", "        three"]
-
-
-def test_a_remark_goes_below_where_there_is_no_room_beside():
-    assert texts(beside(Span("name"), "remark", None)) == ["name  remark"]
-    assert texts(beside(Span("name"), "remark", 12)) == ["name  remark"]
-    assert texts(beside(Span("  two mistakes: one + other"), "likely, score 0.87", 20)) == [
-        "  two mistakes: one",
-        "  + other",
-        "  likely, score 0.87",
-    ]
-
-
 COLUMNS = (Column("name"), Column("cases", right=True), Column("about", flexible=True))
 ROWS = [["tangent-turned", "60", "rounding has moved every number a little"], [Span("grid"), "343", "small"]]
-LAID = {
-    50: [
-        "  name            cases  about",
-        "  tangent-turned     60  rounding has moved every",
-        "                         number a little",
-        "  grid              343  small",
-    ],
-    30: [
-        "  name            cases",
-        "  tangent-turned     60",
-        "    rounding has moved every",
-        "    number a little",
-        "  grid              343",
-        "    small",
-    ],
-    16: [
-        "  tangent-",
-        "  turned",
-        "    cases 60",
-        "    rounding has",
-        "    moved every",
-        "    number a",
-        "    little",
-        "  grid",
-        "    cases 343",
-        "    small",
-    ],
-}
-
-
-@pytest.mark.parametrize("width", LAID)
-def test_prose_is_wrapped_then_goes_below_its_row_and_at_last_a_row_is_a_paragraph(width):
-    assert texts(Table(COLUMNS, ROWS).lines(width)) == LAID[width]
 
 
 def test_no_table_is_wider_than_its_room():

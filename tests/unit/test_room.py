@@ -79,33 +79,21 @@ def groups(tmp_path, monkeypatch):
     return make
 
 
-def test_the_bounds_of_control_groups_of_either_version(groups):
-    assert groups("0::/user/mine", user__mine=(100, 40), user=("max", 50), top=(300, 10)) == [
-        (100, 60),
-        (300, 290),
-    ]
-
-
-def test_an_older_control_group(groups):
-    assert groups("8:pids:/docker/abc", pids__docker__abc=(64, 4)) == [(64, 60)]
-
-
-def test_a_path_that_the_container_does_not_show(groups):
-    assert groups("8:pids:/docker/abc", pids=(64, 4)) == [(64, 60)]
-
-
-def test_no_bound_that_can_be_read_is_none(groups):
-    assert groups("0::/mine", mine=("max", 3), top=("what", "ever")) == []
-
-
-def test_more_descriptors_are_taken_where_they_may_be():
-    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    try:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (min(soft, 200), hard))
-        room.raise_descriptors()
-        assert resource.getrlimit(resource.RLIMIT_NOFILE) == (min(hard, room.MOST_FILES), hard)
-    finally:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+@pytest.mark.parametrize(
+    ("row", "bounds", "found"),
+    [
+        (
+            "0::/user/mine",
+            {"user__mine": (100, 40), "user": ("max", 50), "top": (300, 10)},
+            [(100, 60), (300, 290)],
+        ),
+        ("8:pids:/docker/abc", {"pids__docker__abc": (64, 4)}, [(64, 60)]),  # an older version
+        ("8:pids:/docker/abc", {"pids": (64, 4)}, [(64, 60)]),  # a path that the container does not show
+        ("0::/mine", {"mine": ("max", 3), "top": ("what", "ever")}, []),
+    ],
+)
+def test_the_bounds_of_control_groups_of_either_version(groups, row, bounds, found):
+    assert groups(row, **bounds) == found
 
 
 def test_memory_that_may_not_be_had_is_a_shortage():

@@ -1,4 +1,4 @@
-"""TOML files are parsed once: what is read from the cache is what the parser gave."""
+"""TOML files are parsed once, and what is kept is what the parser gave; each key has its line."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import pytest
 import judge.problem.toml as toml_file
 from judge.errors import ProblemError
 from judge.problem.find import shipped_problems
+from judge.problem.lines import key_lines, line_of
 from judge.problem.toml import read_toml
 
 ODD = """
@@ -28,14 +29,6 @@ wide = -0.0
 @pytest.fixture(autouse=True)
 def _cache(tmp_path, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
-
-
-@pytest.fixture
-def _parsed_no_more(monkeypatch):
-    def fail(*_args, **_named):
-        raise AssertionError("it is parsed again")
-
-    monkeypatch.setattr(toml_file, "toml_of", fail)
 
 
 def shipped():
@@ -56,12 +49,15 @@ def same(one, other):
 
 
 @pytest.mark.parametrize("exact", [False, True])
-@pytest.mark.parametrize("text", [ODD, *(path.read_text(encoding="utf-8") for path in shipped())])
-def test_what_is_read_is_what_was_parsed(text, exact, request):
-    wanted = tomllib.loads(text, parse_float=Decimal if exact else float)
-    assert same(read_toml(Path("/here"), text, "it", exact=exact), wanted)
-    request.getfixturevalue("_parsed_no_more")
-    assert same(read_toml(Path("/here"), text, "it", exact=exact), wanted)
+def test_what_is_read_is_what_was_parsed(exact, monkeypatch):
+    texts = [ODD, *(path.read_text(encoding="utf-8") for path in shipped())]
+    parsed = [tomllib.loads(text, parse_float=Decimal if exact else float) for text in texts]
+    assert len(parsed) > 40
+    for again in (False, True):
+        if again:
+            monkeypatch.setattr(toml_file, "toml_of", lambda *_, **__: pytest.fail("it is parsed again"))
+        for place, text in enumerate(texts):
+            assert same(read_toml(Path(f"/{place}"), text, "it", exact=exact), parsed[place]), text
 
 
 def test_an_infinity_and_none_of_numbers_come_back():
@@ -103,3 +99,41 @@ def test_a_fault_is_told_each_time():
 def test_a_cache_that_cannot_be_written_costs_nothing(monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", "/dev/null/none")
     assert read_toml(Path("/here"), "a = 1", "it") == {"a": 1}
+
+
+TEXT = '''title = "a"
+summary = """
+entry = "not a key"
+[[groups]]
+"""
+[limits]  # of a group
+cpu_seconds = 1
+
+[[groups]]
+name = "first"
+
+  [groups.tolerance]
+  ulps = 4
+
+[[groups]]
+"name" = "second"
+parameters = { size = 3 }
+tolerance.relative = 1
+'''
+
+
+@pytest.mark.parametrize(
+    ("path", "line"),
+    [
+        (("summary",), 2),
+        (("entry",), 1),  # only text inside a string: the file itself
+        (("limits", "cpu_seconds"), 7),
+        (("groups", 0, "tolerance", "ulps"), 13),
+        (("groups", 1, "name"), 16),
+        (("groups", 1, "parameters", "size"), 17),  # inside an inline table: its key
+        (("groups", 1, "tolerance", "relative"), 18),
+        (("groups", 1, "seed"), 15),  # missing: its table
+    ],
+)
+def test_line_of_a_path(path, line):
+    assert line_of(path, key_lines(TEXT)) == line
