@@ -16,34 +16,18 @@ from judge.problem.solutions import Kind, parted, read_solutions
 from judge.run.verify import verify_problem
 
 
-def test_the_table_is_read(tmp_path):
+def test_the_table_is_read_and_no_description_of_a_language_for_it(tmp_path, monkeypatch):
+    monkeypatch.setattr("judge.languages.model.languages", lambda: pytest.fail("a language was read"))
     problem = referenced(tmp_path, "cpp", "js")
     assert dict(problem.time.references) == {"cpp": "reference.cpp", "javascript": "reference.js"}
     assert dict(referenced(tmp_path / "none").time.references) == {}
 
 
-@pytest.mark.parametrize(
-    ("more", "said"),
-    [
-        ({"jova": "a.java"}, "there is no language 'jova'; did you mean 'java'?"),
-        ({"python": "mean.py"}, "there is no language 'python'; there are c, cpp, go"),
-        ({"go": "../a.go"}, "'../a.go' is no solution's file; name a file of the accepted solutions"),
-    ],
-)
-def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):
-    with pytest.raises(ProblemError) as raised:
-        referenced(tmp_path, **more)
-    assert said in str(raised.value)
-    assert "problem.toml:" in str(raised.value)
-    assert "\n" not in str(raised.value)
-
-
-def test_no_description_of_a_language_is_read_for_the_table(tmp_path, monkeypatch):
-    def never():
-        raise AssertionError("a language was read")
-
-    monkeypatch.setattr("judge.languages.model.languages", never)
-    assert referenced(tmp_path, "go").time.references["go"] == "reference.go"
+def test_python_is_none_of_the_other_languages(tmp_path):
+    with pytest.raises(
+        ProblemError, match=r"^middle/problem.toml:.* there is no language 'python'; there are"
+    ):
+        referenced(tmp_path, python="mean.py")
 
 
 @pytest.mark.parametrize(
@@ -85,6 +69,7 @@ def test_mistakes_are_made_from_python_alone(tmp_path):
 
 def test_approaches_of_all_languages_python_first(tmp_path):
     problem = referenced(tmp_path, "java", "cpp", "go")
+    (problem.solutions / "accepted" / "whole.cpp").write_text("// Whole.\nint main() {}\n")  # no function
     models = approaches(problem)
     assert [each.call for each in models] == ["mean", "reference.cpp", "reference.go", "reference.java"]
     cpp = chosen_approach(problem, models, None, "c++")
@@ -100,14 +85,8 @@ def test_approaches_of_all_languages_python_first(tmp_path):
         chosen_approach(problem, models, None, "cobol")
 
 
-def test_a_file_without_the_function_is_no_approach(tmp_path):
-    problem = referenced(tmp_path)
-    (problem.solutions / "accepted" / "whole.cpp").write_text("// Whole.\nint main() {}\n")
-    assert [each.call for each in approaches(problem)] == ["mean"]
-
-
 @pytest.mark.slow
-def test_verify_judges_them(tmp_path):
+def test_verify_judges_them_or_says_that_it_did_not(tmp_path, monkeypatch):
     need("cpp")
     problem = referenced(tmp_path, "cpp")
     (problem.solutions / "wrong" / "floor-division.cpp").write_text(
@@ -119,18 +98,14 @@ def test_verify_judges_them(tmp_path):
     verdicts = {each.file: each.verdict for each in report.solutions}
     assert verdicts["accepted/reference.cpp"] is Verdict.AC
     assert verdicts["wrong/floor-division.cpp"] is Verdict.WA
-
-
-@pytest.mark.slow
-def test_verify_says_what_is_not_judged_here(tmp_path, monkeypatch):
-    problem = referenced(tmp_path, "cpp")
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
     monkeypatch.setattr(find, "remedy", lambda language: "apt-get install g++")
     report = verify_problem(problem, update_pins=True)
-    (cpp,) = [each for each in report.solutions if each.file.endswith(".cpp")]
-    assert (cpp.verdict, cpp.ok) == (None, True)
-    assert cpp.unjudged == "not judged here: no g++ (apt-get install g++)"
     assert report.ok, report.faults
+    for each in report.solutions:
+        if each.file.endswith(".cpp"):
+            assert (each.verdict, each.ok) == (None, True)
+            assert each.unjudged == "not judged here: no g++ (apt-get install g++)"
 
 
 @pytest.mark.slow

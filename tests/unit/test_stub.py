@@ -53,10 +53,20 @@ def test_every_stub_fails_its_problem_and_says_why(name, built, monkeypatch):
 
 
 @every
-def test_the_doctests_are_the_statements_examples_and_fail_as_unwritten(problem):
-    failed, tried, said = doctested(make_stub(problem))
+def test_it_holds_the_contract_with_its_numbers_and_the_examples_as_doctests_that_fail(problem):
+    stub = make_stub(problem)
+    failed, tried, said = doctested(stub)
     assert failed == tried == _doctests(problem)
     assert said.count(f"NotImplementedError: {problem.entry} is still to be written") == failed
+    text = " ".join(stub.split())
+    assert " ".join(problem.summary.split()) in text
+    assert "{{" not in stub
+    for word in ("stdin", "as a program", "Function or program", "Write a function"):
+        assert word not in stub
+    for width in problem.bands.values():
+        assert f"{float(width):g}".replace("e-0", "e-") in text
+    assert max(map(len, stub.splitlines())) <= 88
+    assert stub.count("def ") == 1 + bool(problem.answer.rounded and problem.parameters)
 
 
 def _doctests(problem):
@@ -79,20 +89,6 @@ def test_the_doctests_pass_with_every_accepted_solution(problem):
         tree.body[place : place + 1] = documented.body
         failed, tried, said = doctested(ast.unparse(tree))
         assert (failed, tried) == (0, _doctests(problem)), (path, said)
-
-
-@every
-def test_it_holds_the_contract_with_its_numbers_filled_in(problem):
-    stub = make_stub(problem)
-    text = " ".join(stub.split())
-    assert " ".join(problem.summary.split()) in text
-    assert "{{" not in stub
-    for word in ("stdin", "as a program", "Function or program", "Write a function"):
-        assert word not in stub
-    for width in problem.bands.values():
-        assert f"{float(width):g}".replace("e-0", "e-") in text
-    assert max(map(len, stub.splitlines())) <= 88
-    assert stub.count("def ") == 1 + bool(problem.answer.rounded and problem.parameters)
 
 
 @pytest.mark.parametrize("tool", [["ruff", "check"], ["ruff", "format", "--check"], ["mypy", "--strict"]])

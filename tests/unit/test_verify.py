@@ -39,32 +39,13 @@ def faults(pack):
     return [str(fault) for fault in verified(pack).faults]
 
 
-def test_a_sound_problem():
-    report = verify_problem(load_problem(FIXTURES / "problems" / "root-count"))
-    assert report.ok
-    assert report.faults == ()
-    assert (report.problem, report.groups, report.cases, report.pins) == ("root-count", 2, 7, "matching")
-    accepted, wrong = report.solutions
-    assert (accepted.file, accepted.name, accepted.verdict) == ("accepted/signs.py", "signs", Verdict.AC)
-    assert (wrong.file, wrong.name, wrong.verdict) == (
-        "wrong/sign-forgotten.py",
-        "sign-forgotten",
-        Verdict.WA,
-    )
-    assert "small" in wrong.failed
-
-
-def test_progress_names_what_is_done(pack):
-    steps = []
-    verified(pack, progress=lambda *step: steps.append(step))
-    assert ("building data", 7, 7) in steps
-    assert steps[-1] == ("judging solutions", 2, 2)
-
-
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
-    report = verified(pack)
+    steps = []
+    report = verified(pack, progress=lambda *step: steps.append(step))
+    assert ("building data", 7, 7) in steps
+    assert steps[-1] == ("judging solutions", 2, 2)
     assert report.pins == "differing"
     assert [str(fault) for fault in report.faults] == [
         (
@@ -117,56 +98,37 @@ ONE_OFF = "def root_count(c):\n    return 2 if c == -1 else (c > 0) - (c < 0) + 
 LOOP = "def root_count(c):\n    while True:\n        pass\n"
 
 
-@pytest.mark.parametrize(
-    ("file", "text", "fault"),
-    [
-        ("accepted/zero.py", f'"""zero"""\n{ZERO}', "accepted/zero.py: gets WA where AC is wanted"),
-        (
-            "accepted/unnamed.py",
-            FINE,
-            "accepted/unnamed.py: it has no docstring; begin it with the name of its idea",
-        ),
-        ("accepted/broken.py", '"""broken"""\ndef', "accepted/broken.py: no Python: "),
-        ("accepted/binary.py", '"""a\x00b"""', "accepted/binary.py: no Python: "),
-        (
-            "accepted/deep.py",
-            "-" * 20_000 + "1",
-            "accepted/deep.py: no Python: it is nested too deeply; repair it",
-        ),
-        (
-            "wrong/sign-forgotten-2.py",
-            f'"""sign-forgotten"""\n{FINE}',
-            "wrong/sign-forgotten-2.py: gets AC where a rejection is wanted",
-        ),
-        (
-            "wrong/sign-forgotten-3.py",
-            f'"""sign-forgotten"""\n{ONE_OFF}',
-            "wrong/sign-forgotten-3.py: it fails no group that names 'sign-forgotten'; it fails examples",
-        ),
-        ("wrong/zero.py", f'"""zero"""\n{ZERO}', "wrong/zero.py: no group's kills name 'zero'"),
-        (
-            "wrong/zero.py",
-            f'"""sign-forgotten"""\n{ZERO}',
-            "wrong/zero.py: its docstring names the mistake 'sign-forgotten', its file 'zero'",
-        ),
-        ("slow/fast.py", f'"""fast"""\n{FINE}', "slow/fast.py: gets AC where TLE is wanted"),
-    ],
-)
-def test_a_solution_that_breaks_its_folders_word(pack, file, text, fault):
+def test_solutions_that_break_their_folders_word(pack):
     problem = pack / "problems" / "root-count"
     toml = (problem / "problem.toml").read_text().replace("reach = 9", "reach = 9, least = 0")
     (problem / "problem.toml").write_text(toml)
-    module = (problem / "problem.py").read_text()
-    module = module.replace("(draw, reach)", "(draw, reach, least)").replace(
-        "integer(-reach", "integer(least"
-    )
-    (problem / "problem.py").write_text(module)
+    module = (problem / "problem.py").read_text().replace("(draw, reach)", "(draw, reach, least)")
+    (problem / "problem.py").write_text(module.replace("integer(-reach", "integer(least"))
     add(pack, "wrong/sign-forgotten.py", f'"""sign-forgotten"""\n{ZERO}')
     verified(pack, update_pins=True)
     assert faults(pack) == []
-    add(pack, file, text)
-    (line,) = faults(pack)
-    assert line.startswith(f"root-count/{fault}")
+    broken = {
+        "accepted/zero.py": ("zero", ZERO, "gets WA where AC is wanted"),
+        "slow/fast.py": ("fast", FINE, "gets AC where TLE is wanted"),
+        "wrong/one.py": (
+            "sign-forgotten",
+            ZERO,
+            "its docstring names the mistake 'sign-forgotten', its file",
+        ),
+        "wrong/sign-forgotten-2.py": ("sign-forgotten", FINE, "gets AC where a rejection is wanted"),
+        "wrong/sign-forgotten-3.py": (
+            "sign-forgotten",
+            ONE_OFF,
+            "it fails no group that names 'sign-forgotten'; it fails examples",
+        ),
+        "wrong/zero.py": ("zero", ZERO, "no group's kills name 'zero'"),
+    }
+    for file, (name, program, _) in broken.items():
+        add(pack, file, f'"""{name}"""\n{program}')
+    said = sorted(faults(pack))
+    assert len(said) == len(broken)
+    for line, (file, (_, _, fault)) in zip(said, sorted(broken.items()), strict=True):
+        assert line.startswith(f"root-count/{file}: {fault}")
 
 
 def test_a_slow_program_is_one_that_runs_out_of_time(pack):
