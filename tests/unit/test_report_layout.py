@@ -11,18 +11,7 @@ import pytest
 from judge.kata.history import Run
 from judge.problem import Verdict
 from judge.report.history import history_lines
-from judge.report.layout import (
-    Column,
-    Span,
-    Style,
-    Table,
-    beside,
-    cells,
-    hanging,
-    pad,
-    printable,
-    wrap,
-)
+from judge.report.layout import Column, Span, Style, Table, beside, cells, hanging, pad, printable, wrap
 from judge.report.values import arguments, bound, counted, seconds, size, with_points
 from judge.run.result import Mode
 
@@ -148,17 +137,8 @@ def test_bounds(value, text):
 
 
 def test_amounts():
-    assert [counted(number, "case") for number in (0, 1, 2, 1240)] == [
-        "0 cases",
-        "1 case",
-        "2 cases",
-        "1,240 cases",
-    ]
-    assert [seconds(value) for value in (0.0, 0.0004, 0.0123, 0.9, 2.5)] == [
-        "0.0 ms",
-        "0.4 ms",
-        "12 ms",
-        "900 ms",
-        "2.50 s",
-    ]
+    numbers = [counted(number, "case") for number in (0, 1, 2, 1240)]
+    assert numbers == ["0 cases", "1 case", "2 cases", "1,240 cases"]
+    times = [seconds(value) for value in (0.0, 0.0004, 0.0123, 0.9, 2.5)]
+    assert times == ["0.0 ms", "0.4 ms", "12 ms", "900 ms", "2.50 s"]
     assert size(256 * 2**20) == "256 MB"

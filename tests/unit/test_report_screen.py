@@ -1,3 +1,5 @@
+"""What a stream can take: colours, links, a width; and what is written where it can take little."""
+
 from __future__ import annotations
 
 import io
@@ -7,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from judge.report.layout import Column, Link, Span, Style, Table, line
-from judge.report.screen import Screen, is_terminal, note
+from judge.report.screen import Screen, note
 from judge.report.terminal import height
 
 
@@ -64,12 +66,6 @@ def test_a_stream_of_a_small_alphabet_is_written_all_the_same():
     stream = io.TextIOWrapper(raw, encoding="ascii")
     Screen(stream, False, None).show([line("Δ ≤ 1")])
     assert raw.getvalue() == b"\\u0394 \\u2264 1\n"
-
-
-def test_a_closed_stream_is_nobodys():
-    stream = io.StringIO()
-    stream.close()
-    assert not is_terminal(stream)
 
 
 def shown(laid, *, links):

@@ -69,7 +69,7 @@ def test_judging_the_accepted_file_again_is_no_review(watched):
     assert len(watched.sittings()) == 2
 
 
-def test_what_is_no_attempt(watched):
+def test_a_stub_is_no_attempt(watched):
     watched.judge(NOTHING, NOTHING)
     assert watched.sittings() == []
     assert watched.reviews() == []

@@ -21,19 +21,6 @@ def done(status=0, reason=wire.NOT_KILLED, cpu=0.0, peak=0):
     return Done(status, reason, round(cpu * 1e9), 0, peak, 1)
 
 
-def test_replies_of_both_kinds():
-    data = GOOD + b'[1,"no (line 3)"],\n[0,[[1.5,null],{"type":"bool"}]],\n'
-    assert parse_replies(data, 3) == (
-        [
-            Reply(Stop.ANSWERED, 1),
-            Reply(Stop.EXCEPTION, None, "no (line 3)"),
-            Reply(Stop.ANSWERED, [[1.5, None], {"type": "bool"}]),
-        ],
-        True,
-    )
-    assert parse_replies(b"", 3) == ([], True)
-
-
 @pytest.mark.parametrize(
     "line",
     [
@@ -60,13 +47,10 @@ def test_long_replies_are_held_to_the_same_form(line):
     assert not parse_replies(long[:-1], 1)[1]
 
 
-def test_more_replies_than_calls_are_not_the_form():
-    assert parse_replies(GOOD * 4, 3) == ([Reply(Stop.ANSWERED, 1)] * 3, False)
-
-
 @pytest.mark.parametrize("length", range(1, len(GOOD)))
-def test_a_reply_cut_short_is_none(length):
+def test_a_reply_cut_short_is_none_nor_one_more_than_there_are_calls(length):
     assert parse_replies(GOOD + GOOD[:length], 3) == ([Reply(Stop.ANSWERED, 1)], False)
+    assert parse_replies(GOOD * 4, 3) == ([Reply(Stop.ANSWERED, 1)] * 3, False)
 
 
 def test_the_text_of_an_exception_is_one_printable_line():

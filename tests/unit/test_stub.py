@@ -108,12 +108,6 @@ def test_tools_find_nothing_in_any_of_them(tool, tmp_path):
     assert ended.returncode == 0, ended.stdout + ended.stderr
 
 
-def test_a_file_is_named_so_that_python_can_import_it():
-    names = {file_name(problem) for problem in PROBLEMS}
-    assert {"count.py", "segment.py", "ray_nearest.py", "exact_count.py"} <= names
-    assert all(name.removesuffix(".py").isidentifier() for name in names)
-
-
 def test_words_that_would_end_the_docstring_do_not(tmp_path):
     folder = tmp_path / "problems" / "middle"
     shutil.copytree(MIDDLE.folder, folder)
@@ -140,10 +134,3 @@ def test_a_long_signature_is_broken_as_formatters_do():
 def test_a_name_that_is_no_python_is_the_setters_fault():
     with pytest.raises(ProblemError, match=r"no stub can be made of it.*write entry and parameters"):
         make_stub(replace(MIDDLE, entry="mid dle", examples=(), statement=""))
-
-
-def test_a_small_band_is_written_as_the_file_writes_it():
-    (text,) = (each.statement for each in all_problems() if each.id == "shadow")
-    assert "1e-6·e²" in text
-    assert "0.0001·e" in text
-    assert "0.000001" not in text

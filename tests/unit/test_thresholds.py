@@ -33,13 +33,13 @@ class Here:
 
     def __init__(self, function, stops=()):
         self.function = function
-        self.stops = list(stops)  # how series end that do not come to their end
+        self.stops = list(stops)  # how the first series end
         self.series = []
 
     def call_many(self, entry, calls, limits):
         self.series.append(len(calls))
-        if self.stops:
-            return CallsResult((Reply(self.stops.pop(0)),), Usage())
+        if self.stops and (stop := self.stops.pop(0)) is not Stop.ANSWERED:
+            return CallsResult((Reply(stop),), Usage())
         return CallsResult(tuple(self._reply(call) for call in calls), Usage())
 
     def _reply(self, call):
@@ -257,22 +257,15 @@ def test_a_problem_without_bands_has_no_borders():
     assert measured((), FunctionRunner(find_problem("exact-count")), Here(None)) == ()
 
 
-@pytest.fixture
-def segment():
-    """The entry function of an accepted solution."""
+def test_it_takes_two_series_however_many_borders_there_are():
     problem, names = find_problem("segment"), {}
     exec((problem.solutions / "accepted" / "quadratic.py").read_bytes(), names)
-    return names[problem.entry]
-
-
-def test_it_takes_two_series_however_many_borders_there_are(segment):
-    box = Here(segment)
+    box, short = Here(names[problem.entry]), Here(names[problem.entry])
     found = thresholds("segment", None, box=box)
     assert list(found) == [border.about for border in borders("segment") if not border.mistaken]
     assert {each.mistake for each in found.values()} == {None}
     assert len(box.series) == 2
     assert sum(box.series) < 1300
-    short = Here(segment)
     thresholds("segment", None, box=short, first_only=True)
     assert sum(short.series) < 180
 
@@ -280,66 +273,29 @@ def test_it_takes_two_series_however_many_borders_there_are(segment):
 @pytest.mark.parametrize("stop", [each for each in Stop if each not in (Stop.ANSWERED, Stop.EXCEPTION)])
 @pytest.mark.parametrize("before", [0, 1])
 def test_a_submission_that_is_stopped_has_no_thresholds_and_is_not_asked_again(stop, before):
-    box = Stopping(counting(USUAL), stop, before)
+    box = Here(counting(USUAL), stops=[Stop.ANSWERED] * before + [stop])
     assert thresholds("count", None, box=box) == {}
     assert len(box.series) == before + 1
-
-
-class Stopping(Here):
-    """Ends the series after so many of them."""
-
-    def __init__(self, function, stop, before):
-        super().__init__(function)
-        self.stop, self.before = stop, before
-
-    def call_many(self, entry, calls, limits):
-        if len(self.series) == self.before:
-            self.stops = [self.stop]
-        return super().call_many(entry, calls, limits)
-
-
-@pytest.mark.parametrize("name", ["count", "segment", "ray-nearest"])
-def test_the_edge_of_a_probe_is_exact_and_its_gaps_are_rounded_once(name):
-    for border in borders(name):
-        assert len(border.probes) == 9
-        for probe in border.probes:
-            if border.within:
-                assert Fraction(probe.edge) ** 2 in squares(name, probe.case)
-            for share in (1e-16, 3e-12, 2e-7, probe.widest):
-                case, gap = probe.at(share * probe.size)
-                moved = case
-                for place in probe.place:
-                    moved = moved[place]
-                assert gap == float(abs(Fraction(moved) - Fraction(probe.edge)))
-
-
-def squares(name, case):
-    """The squares of the lengths at which the radius may be at an edge, exactly."""
-    cx, cy, _, (ax, ay), (bx, by) = case
-    cx, cy, ax, ay, bx, by = map(Fraction, (cx, cy, ax, ay, bx, by))
-    if name == "ray-nearest":
-        bx, by = ax + bx, ay + by
-    fx, fy, dx, dy = ax - cx, ay - cy, bx - ax, by - ay
-    found = [fx * fx + fy * fy, (bx - cx) ** 2 + (by - cy) ** 2]
-    if dx or dy:
-        found.append((dx * fy - dy * fx) ** 2 / (dx * dx + dy * dy))
-    return found
 
 
 @pytest.mark.parametrize("name", ["count", "segment", "ray-nearest"])
 def test_the_exact_answer_turns_at_the_band_and_has_turned_at_the_promise(name):
     problem = find_problem(name)
     solve = load_module(problem).solve
-    for border in borders(name):
+    for border, probe in ((border, probe) for border in borders(name) for probe in border.probes):
+        for share in (1e-16, 3e-12, 2e-7, probe.widest):  # a gap is rounded once
+            moved, gap = probe.at(share * probe.size)
+            for place in probe.place:
+                moved = moved[place]
+            assert gap == float(abs(Fraction(moved) - Fraction(probe.edge)))
         if not border.within:
             continue
-        for probe in border.probes:
-            for share, form in ((border.within * 0.8, probe.near), (border.beyond * 1.1, probe.far)):
-                case, gap = probe.at(share * probe.size)
-                answer, broken = solve(*case)
-                target = problem.answer.target(answer, problem.groups[0].tolerance)
-                assert (broken, probe.form(problem.answer.right(target), gap)) == (None, form)
-            assert solve(*probe.at(1e-9 * probe.size)[0]).broken is not None
+        for share, form in ((border.within * 0.8, probe.near), (border.beyond * 1.1, probe.far)):
+            case, gap = probe.at(share * probe.size)
+            answer, broken = solve(*case)
+            target = problem.answer.target(answer, problem.groups[0].tolerance)
+            assert (broken, probe.form(problem.answer.right(target), gap)) == (None, form)
+        assert solve(*probe.at(1e-9 * probe.size)[0]).broken is not None
 
 
 def test_borders_come_back_from_plain_values_as_they_were():
@@ -347,30 +303,25 @@ def test_borders_come_back_from_plain_values_as_they_were():
     assert from_plain(plain) == borders("segment")
 
 
-def probe(widest):
-    """A line through the centre of a circle that grows: it never misses."""
-    return Probe((0, 0, 1.0, (-1, 0), (1, 0)), (2,), 1.0, 1, {"size": 1.0}, widest)
-
-
-def leaving():
-    """A line that touches a circle, and crosses it when it grows."""
-    return Probe((0, 0, 1.0, (-1, 1), (1, 1)), (2,), 1.0, 1, {"size": 1.0}, 0.1)
+def probe(widest, height=0):
+    """A circle about 0 that grows up to `widest`, and a line that high above its centre."""
+    return Probe((0, 0, 1.0, (-1, height), (1, height)), (2,), 1.0, 1, {"size": 1.0}, widest)
 
 
 @pytest.mark.parametrize(
     ("made", "what"),
     [
-        (lambda _: 1 / 0, "the topic's borders cannot be made: ZeroDivisionError"),
-        (lambda _: [Border("it", 0, 0, (probe(widest=0.1),))], "answered 'count 2' on both sides"),
-        (lambda _: [Border("it", 0, 0, (probe(widest=1e30),))], "is invalid: r has 1e\\+30"),
+        (lambda: 1 / 0, "the topic's borders cannot be made: ZeroDivisionError"),
+        (lambda: Border("it", 0, 0, (probe(0.1),)), "answered 'count 2' on both sides"),
+        (lambda: Border("it", 0, 0, (probe(1e30),)), "is invalid: r has 1e\\+30"),
         (
-            lambda _: [Border("it", 0, 0, (leaving(),), mistaken="none")],
+            lambda: Border("it", 0, 0, (probe(0.1, height=1),), mistaken="none"),
             "answered 'count 1' and then 'count 2'",
         ),
     ],
 )
 def test_a_fault_in_a_topics_borders_is_the_problems(made, what):
     problem = find_problem("count")
-    module = load_module(problem)
+    topic = Topic(borders=lambda _: [made()])
     with pytest.raises(ProblemError, match=what):
-        borders_of(problem, replace(module, topic=Topic(borders=made)))
+        borders_of(problem, replace(load_module(problem), topic=topic))

@@ -21,14 +21,11 @@ from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode
 from judge.diagnose.shrink import shrink
-from judge.drawing import Picture
-from judge.problem.find import find_problem
 from judge.problem.load import load_problem
-from judge.problem.topic import Shown, Topic
+from judge.problem.topic import Topic
 from judge.run import Settings, run_submission
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
-from judge.topics import circles
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 MIDDLE = FIXTURES / "pack" / "problems" / "middle"
@@ -127,18 +124,6 @@ def test_bands_go_to_who_asks_for_them(tmp_path):
     text = source.read_text().replace("def solve(c)", "def solve(c, *, bands)")
     source.write_text(text.replace("+ 1, None", '+ 1, str(bands["snap"])'))
     assert load_module(load_problem(folder)).solve(4).broken == str(Fraction(1, 4))
-
-
-def test_a_topic_draws_what_it_is_shown():
-    problem = find_problem("count")
-    module = load_module(problem)
-    case = {"cx": 0, "cy": 0, "r": 5, "A": [-7, 1], "B": [1, 7]}
-    exact = module.solve(0, 0, 5, (-7, 1), (1, 7)).answer
-    picture = module.topic.picture(Shown(problem, case, exact, "1", "2", 2, "a case"))
-    assert isinstance(picture, Picture)
-    assert (picture.title, picture.heading) == (problem.title, "a case")
-    assert module.topic == circles.LINE
-    assert len((problem.folder / "problem.py").read_text(encoding="utf-8").splitlines()) <= 45
 
 
 PAGE = Path(judge.__file__).parent / "manual" / "problem-py.md"
