@@ -20,14 +20,12 @@ from msgspec.structs import replace
 from record.parts import Item, kept, keys
 from sampling import nightly
 
-from judge.data.draw import SeededDraw
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
-from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import digits, measure, numbers_of
 from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
@@ -36,7 +34,6 @@ from judge.run import Reference, Settings, run_submission
 from judge.run.function import FunctionRunner
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
-from judge.topics.circles.simpler import levelled
 
 pytestmark = pytest.mark.slow
 
@@ -64,7 +61,7 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
             result.verdict,
             result.failure,
             reference=lambda: problem.time and reference.open(runner.reference(problem.time)),
-            budget=budget,
+            budget=budget or SearchBudget(guard=Guard(cpu=600.0, wall=600.0)),  # of a busy machine
         )
     return problem, result, found
 
@@ -110,12 +107,10 @@ def test_every_recorded_smallest_case_keeps_the_promise_and_is_no_larger_than_th
 STATED = [
     ("segment", "no-clamp", "", 2),
     ("count", "coordinate-epsilon", "extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))", 6),
-    nightly("ray-nearest", "loose-origin", "slack = 1e-4 * extent", 6),
     nightly("segment", "degenerate-epsilon-absolute", "point = 1e-9", 6),
     nightly("ray-nearest", "parameter-epsilon", "slack = 1e-7 * hypot(dx, dy)", 8),
     nightly("exact-count", "overflow-64", "", 10),
     nightly("exact-count", "float-coordinates", "given = [each(value, lambda x: int(float(x)))", 16),
-    nightly("exact-count", "float-arithmetic", "disc = r - abs(k) / sqrt(a)", 8),
 ]
 
 
@@ -196,21 +191,6 @@ def test_the_clocks_only_guard_the_search(guard):
 
 # Programs that are wrong in numbers that are long, or just beyond a threshold of theirs: the size of the
 # smallest case is what `measure` says, that of its lists (4) included.
-DECIMALS = """
-from decimal import Decimal, getcontext
-
-getcontext().prec = 100
-
-
-def exact_count(cx, cy, r, A, B):
-    cx, cy, r, ax, ay, bx, by = map(Decimal, (cx, cy, r, *A, *B))
-    dx, dy = bx - ax, by - ay
-    if dx == dy == 0:
-        return None
-    cross = dx * (ay - cy) - dy * (ax - cx)
-    d = r * r * (dx * dx + dy * dy) - cross * cross
-    return 1 + (d > 0) - (d < 0)
-"""
 WINDOW = """
 def exact_count(cx, cy, r, A, B):
     dx, dy = B[0] - A[0], B[1] - A[1]
@@ -242,7 +222,6 @@ def line_count(cx, cy, r, A, B):
 @pytest.mark.parametrize(
     ("name", "source", "size"),
     [
-        nightly("exact-count", DECIMALS, 110),
         nightly("exact-count", WINDOW.format("10**30 < max(map(abs, (*A, *B))) < 2 * 10**30"), 40),
         nightly("exact-count", WINDOW.format("10**14 < abs(cx) < 10**16"), 25),
         nightly("exact-count", WINDOW.format("abs(d) * 10**60 < dx * dx + dy * dy"), 40),
@@ -338,24 +317,6 @@ def test_what_is_right_when_called_alone_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.as_json()["input"] == result.failure.input
-
-
-@pytest.mark.parametrize("name", ["root-count", "middle", "count", "exact-count"])
-def test_there_are_simple_cases_of_every_step_for_a_problem_with_and_without_points(name):
-    problem = find_problem(name, PACKS)
-    for rung in (rung for step in ladder(problem) for rung, _ in step):
-        cases = [rung.case(SeededDraw(str(number)), problem) for number in range(20)]
-        assert {len(case) for case in cases} == {len(problem.parameters)}
-        assert len(set(cases)) > 1
-
-
-@pytest.mark.parametrize("name", ["count", "exact-count", "segment", "ray-nearest"])
-def test_every_case_can_be_laid_level(name):
-    """Whatever the size of its numbers; some of what comes of it is shorter."""
-    data = load_data(find_problem(name))
-    cases = [group.cases[number] for group in data.groups for number in (0, -1)]
-    shorter = [sum(measure(level) < measure(case) for level in levelled(case)) for case in cases]
-    assert sum(map(bool, shorter)) > len(cases) / 2
 
 
 @pytest.mark.parametrize(

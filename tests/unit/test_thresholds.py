@@ -282,7 +282,8 @@ def test_a_submission_that_is_stopped_has_no_thresholds_and_is_not_asked_again(s
 def test_the_exact_answer_turns_at_the_band_and_has_turned_at_the_promise(name):
     problem = find_problem(name)
     solve = load_module(problem).solve
-    for border, probe in ((border, probe) for border in borders(name) for probe in border.probes):
+    probes = [(each, probe) for each in borders(name) for probe in each.probes]
+    for border, probe in probes:
         for share in (1e-16, 3e-12, 2e-7, probe.widest):  # a gap is rounded once
             moved, gap = probe.at(share * probe.size)
             for place in probe.place:

@@ -5,9 +5,15 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 from page_support import check_html, html_of, kept, outcome, page_of
+from sampling import nightly
 
+import judge
+from judge.data import load_data
+from judge.judging import diagnosis
 from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.report.thresholds import number, threshold_text, worth_telling
+from judge.run.result import GroupResult, Mode, Result, Timing
 from judge.run.thresholds import Flip, Law, Threshold
 
 SIZES = [(1.0, 0.6), (2e-7, 1e-7), (1e6, 6e5), (1.0, 1e-3)]  # extent and radius
@@ -86,7 +92,7 @@ def test_after_a_wrong_answer_only_what_is_wrong_is_told():
     assert worth_telling((none, RIGHT), accepted=False) is None
 
 
-# -- the report --------------------------------------------------------------------------------------------
+# -- the report ----------------------------------------------------------------------------------------------
 
 
 def plot_of(tmp_path, *thresholds, verdict=Verdict.WA):
@@ -129,3 +135,81 @@ def test_the_page_with_a_plot_is_sound(tmp_path):
     check_html(html)
     assert "Your threshold" in html
     assert "it does not grow with the figure" in html
+
+
+# -- of contained submissions: they cost nothing, and never change a verdict ---------------------------------
+
+CONTAINED = """
+from math import hypot
+
+def line_count(cx, cy, r, A, B):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == dy == 0:
+        return None
+    ax, ay, bx, by = A[0] - cx, A[1] - cy, B[0] - cx, B[1] - cy
+    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    gap = abs(dx * ay - dy * ax) / hypot(dx, dy) - r
+    if 1e-11 * extent < abs(gap) < 1e-8 * extent:  # no case is there
+        IN_THE_GAP
+    return 1 if abs(gap) <= 1e-10 * extent else 2 if gap < 0 else 0
+"""
+
+
+def judged(source, **options):
+    return judge.judge("count", source, timed=False, named=False, **options)
+
+
+@pytest.mark.slow
+def test_an_accepted_submission_is_told_of_one_border():
+    (found,) = judged(CONTAINED.replace("IN_THE_GAP", "pass")).thresholds
+    assert (found.decision, found.mistake, found.follows_its_size) == ("a tangency", None, True)
+    assert len(found.figures) == 9
+    assert all(flip.low <= 1e-10 * flip.size <= flip.high for flip in found.figures)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "harm",
+    [
+        nightly("raise SystemExit"),
+        "import os; os._exit(0)",
+        nightly("import time; time.sleep(60)"),
+        nightly("while True: pass"),
+        nightly("x = 'x' * (1 << 40)"),
+        nightly("print('x' * (1 << 24))"),
+        nightly("return 'one'"),
+        "import random; return random.choice((0, 1, 2))",
+    ],
+)
+def test_harm_in_the_gap_changes_no_verdict(harm):
+    result = judged(CONTAINED.replace("IN_THE_GAP", harm))
+    assert (result.verdict, result.score, result.thresholds, result.notes) == (Verdict.AC, 100, (), ())
+
+
+def test_without_the_search_for_a_smaller_case_nothing_is_measured():
+    assert judged(CONTAINED.replace("IN_THE_GAP", "pass"), diagnosed=False).thresholds == ()
+
+
+def test_a_fault_of_ours_leaves_the_result_as_it_is(monkeypatch):
+    def fails(*_, **__):
+        raise RuntimeError("a fault")
+
+    monkeypatch.setattr("judge.mistakes.thresholds.measured", fails)
+    result = judged(CONTAINED.replace("IN_THE_GAP", "pass"))
+    assert (result.verdict, result.thresholds, result.notes) == (Verdict.AC, (), ())
+
+
+def quick(verdict=Verdict.AC, cpu_seconds=0.001):
+    groups = (GroupResult("grid", verdict, 100, 100, None, cpu_seconds),)
+    return Result("count", "a.py", Mode.FUNCTION, verdict, groups, time=Timing(cpu_seconds, cpu_seconds))
+
+
+@pytest.mark.parametrize("result", [quick(cpu_seconds=1.0), quick(Verdict.TLE), quick(Verdict.RTE)])
+def test_a_slow_or_crashing_submission_is_not_asked(result, monkeypatch):
+    monkeypatch.setattr("judge.mistakes.thresholds.measured", lambda *_, **__: pytest.fail("it was asked"))
+    data = load_data(find_problem("count"))
+    assert diagnosis.with_thresholds(result, data, None, None) is result
+    asked = []
+    monkeypatch.setattr("judge.mistakes.thresholds.measured", lambda *_, **__: asked.append(1) or ())
+    assert diagnosis.with_thresholds(quick(), data, None, None) == replace(quick(), thresholds=())
+    assert asked == [1]
