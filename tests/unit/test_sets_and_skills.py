@@ -14,7 +14,6 @@ from judge.errors import ProblemError
 from judge.kata.history import History
 from judge.kata.sets import find_set, set_names, unknown_sets
 from judge.kata.skills import Need, Skill, SkillState, assess, skills_of, unknown_skills
-from judge.kata.standing import State, standings
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
 
@@ -272,17 +271,6 @@ def test_a_skill_of_two_problems(after):
     assert (lost.state, lost.since) == (SkillState.LOST, START)
 
 
-def test_the_first_accepted_run_ticks_what_it_shows():
-    """On every set that its problem belongs to."""
-    problems = all_problems()
-    count = find_problem("count")
-    with History.open(clock=StoppedClock()) as history:
-        history.add(past_result("count", passed=tuple(group.name for group in count.groups)), b"", "")
-        shown = [each for each in assess(skills_of(problems), history.runs(), problems) if each.met]
-    assert {each.skill.name for each in shown} == {skill.name for skill in count.skills}
-    assert {each.state for each in shown} == {SkillState.SHOWN}
-
-
 def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):
     found = after(
         CLAMP,
@@ -291,22 +279,3 @@ def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):
         past_result(passed=("beyond", "tangent-beyond"), failed=("small",), mistake="absolute-epsilon"),
     )
     assert found.mistakes == {"no-clamp": 2}
-
-
-def test_how_each_problem_stands():
-    clock = StoppedClock()
-    with History.open(clock=clock) as history:
-        for result in (
-            past_result("count", failed=("band",)),
-            past_result("count"),
-            past_result("count", passed=(), failed=("band",)),
-            past_result("segment", passed=("grid",)),
-        ):
-            history.add(result, b"", "")
-            clock.forward(days=1)
-        history.add(past_result("ray-nearest"), b"", "/x/solutions/ray-nearest/accepted/quadratic.py")
-        found = standings(history.runs())
-    assert (found["count"].state, found["count"].attempts, found["count"].best) == (State.PASSED, 2, 100)
-    assert found["count"].passed == START + timedelta(days=1)
-    assert (found["segment"].state, found["segment"].best) == (State.TRIED, 50)
-    assert found["ray-nearest"].state is State.NEW
