@@ -11,7 +11,7 @@ from judge.report.places import fault_place
 from judge.run import Mode, budget, program
 from judge.run.budget import MOST_LOSSES, Budget
 from judge.run.function import FunctionRunner
-from judge.run.group import GroupRun, group_limits
+from judge.run.group import GroupRun
 from judge.run.program import answer_lines, render_group
 from judge.run.replies import Replies
 from judge.sandbox import Reply, Stop, Usage, levels
@@ -80,11 +80,6 @@ def test_a_submission_is_given_up_after_ten_losses_in_all():
     assert told[-1][0] == 3 * 9  # three losses in each of three groups; the fourth has one and no more
 
 
-def ended(stop, usage=Usage()):  # noqa: B008 - it is frozen
-    """A call that ended its process, unless it answered."""
-    return Replies([Reply(stop, None, "x")], usage, stop, lost=stop is not Stop.ANSWERED)
-
-
 @pytest.mark.parametrize(
     ("stops", "verdict"),
     [
@@ -98,7 +93,7 @@ def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, 
     budget = Budget(data.problem)
     for stop in stops:
         assert budget.over is None
-        budget.booked(ended(stop))
+        budget.booked(Replies([Reply(stop, None, "x")], Usage(), stop, lost=True))
     assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
     never, wrong = (GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups)
     never.give_up(*budget.over)
@@ -123,27 +118,9 @@ def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
     """Four calls of a group wait 0.2 s; all groups together may wait three wall limits, 0.9 s."""
     limits = replace(LIMITS, wall_seconds=0.3)
     result = judged(source, make_data(*"abcdefghijkl", limits=limits))
-    ran = [group.name for group in result.groups if group.cpu_seconds]
-    assert result.verdict is Verdict.TLE
-    assert result.score < 50
-    assert len(ran) <= 5
+    assert (result.verdict, result.score < 50) == (Verdict.TLE, True)
+    assert sum(group.cpu_seconds > 0 for group in result.groups) <= 5
     assert {group.verdict for group in result.groups[5:]} == {Verdict.TLE}
-
-
-def test_who_has_waited_too_long_is_told_so():
-    limits = replace(LIMITS, wall_seconds=10.0)
-    data = make_data("one", "two", limits=limits)
-    budget, one = Budget(data.problem), group_limits(data.problem, data.problem.groups[0], Usage())
-    assert budget.within(one).waiting_seconds == 30.0
-    budget.booked(ended(Stop.ANSWERED, Usage(2.0, 31.0)))
-    assert budget.within(one).waiting_seconds == 1.0
-    assert budget.over is None
-    told = budget.booked(ended(Stop.WAITING, Usage(0.0, 0.999)))
-    verdict, reason = budget.over
-    assert (verdict, reason) == (Verdict.TLE, "it waited more than 30 s in all its groups together before")
-    assert budget.within(one).waiting_seconds == 0.0
-    assert told.trouble == "it waited more than 30 s in all its groups together"
-    assert budget.booked(ended(Stop.WALL)).trouble == "x"
 
 
 @pytest.mark.parametrize(("loops", "ran"), [("True", 1), ("n == 2", 2)])
@@ -180,12 +157,9 @@ def test_what_does_not_compile(source, message):
 @pytest.mark.nightly
 def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
     """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
-    data = make_data(
-        "one", "two", "three", "four", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20)
-    )
+    data = make_data(*"abcd", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20))
     result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (80 << 20)\n", data)
-    verdicts = [group.verdict for group in result.groups]
-    assert verdicts == [Verdict.MLE, Verdict.MLE, Verdict.TLE, Verdict.TLE]
+    assert [group.verdict.value for group in result.groups] == ["MLE", "MLE", "TLE", "TLE"]
 
 
 # -- programs: they read a whole group and print a line a case -----------------------------------------------
@@ -239,7 +213,7 @@ def test_too_few_and_too_many_lines():
         ("print(1, flush=True)\n1 / 0", 2, "division by zero (line 2), after 1 line of 4"),
     ],
 )
-def test_a_program_that_breaks_is_shown_the_case_it_breaks_at_or_the_line_it_came_to(source, case, message):
+def test_a_program_that_breaks_is_shown_the_case_it_breaks_at_or_comes_to(source, case, message):
     result = judged(source)
     assert (result.verdict, result.failure.case) == (Verdict.RTE, case)
     assert result.failure.message.startswith(f"ZeroDivisionError: {message}")
@@ -249,9 +223,7 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
     monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)
     rendered = []
-    monkeypatch.setattr(
-        program, "render_group", lambda *given: rendered.append(given) or render_group(*given)
-    )
+    monkeypatch.setattr(program, "render_group", lambda *case: rendered.append(case) or render_group(*case))
     body = "import time\ncount = int(input())\nwhile count < 4 and time.process_time() < 0.4: pass\n1 / 0\n"
     result = judged(body, make_data(*"abcdefgh"))
     assert {group.verdict for group in result.groups} == {Verdict.RTE}
@@ -278,11 +250,6 @@ TAKEN = f"{READ}; it was run as a program because it defines no answer"
 def test_what_prints_nothing_is_told_what_it_was_taken_for(source, message):
     result = judged(source)
     assert (result.verdict, result.mode, result.failure.message) == (Verdict.WA, Mode.PROGRAM, message)
-
-
-def test_a_flood_of_lines_is_a_flood_whatever_the_lines_are():
-    result = judged("input()\nwhile True: print(1)")
-    assert (result.verdict, result.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
 
 
 FORM = "; its input is a line with the number of cases, then one line each: n px py, here "
