@@ -131,13 +131,8 @@ def test_an_archive_for_each_problem_and_language(outcome, tmp_path, monkeypatch
         assert archive.namelist() == ["0001.py", "0002.py", "info.csv"]
         assert [archive.read(name) for name in ("0001.py", "0002.py")] == [b"a = 2\n", b"b = 1\n"]
         rows = list(csv.DictReader(io.StringIO(archive.read("info.csv").decode())))
-    assert rows[0] == {
-        "filename": "0001.py",
-        "full_name": "'=1+1",
-        "labels": "A",
-        "student": "ann",
-        "file": "ann/count-2.py",
-    }
+    assert [*rows[0]] == ["filename", "full_name", "labels", "student", "file"]
+    assert [*rows[0].values()] == ["0001.py", "'=1+1", "A", "ann", "ann/count-2.py"]
     assert (rows[1]["full_name"], rows[1]["file"]) == ("bob", "'-f ../b\\x1b/count.py")
     assert b"def line_count" in (folder / "count-python.stub.py").read_bytes()
     before = told[0].archive.read_bytes()

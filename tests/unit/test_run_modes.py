@@ -146,6 +146,7 @@ def test_worst_ulps_of_accepted_numbers():
     [
         (b"x = 1\ny = '\xe9'\n", "the file is not UTF-8: byte 0xe9 (line 2); save it as UTF-8"),
         (b"x = 1\0", "source code string cannot contain null bytes"),
+        (b"# coding: klingon\n", "unknown encoding: klingon"),
     ],
 )
 def test_what_does_not_compile(source, message):

@@ -95,8 +95,3 @@ def test_where_threads_are_few_they_do_all_of_it(monkeypatch, count):
     seen = []
     share("abcdef", 8, seen.extend)
     assert sorted(seen) == list(enumerate("abcdef"))
-    started.clear()
-    results = in_order([1, 0], 2, lambda item: 1 // item)
-    assert next(results) == 1
-    with pytest.raises(ZeroDivisionError):
-        next(results)

@@ -133,6 +133,26 @@ def test_a_submission_may_be_called_like_a_module_of_the_standard_library():
 
 
 @on_linux
+def test_what_a_call_leaves_behind_is_gone_when_it_is_answered():
+    source = b"""
+import os, time
+def f():
+    mine, theirs = os.pipe()
+    child = os.fork()
+    if child == 0:
+        grandchild = os.fork()
+        if grandchild: os.write(theirs, str(grandchild).encode())
+        else: os.setsid()
+        time.sleep(60)
+    return child, int(os.read(mine, 20))
+"""
+    with open_box(source, "my.py", level="limits") as box:
+        for pid in box.call_many("f", [()], LIMITS).replies[0].answer:
+            with pytest.raises(ProcessLookupError):
+                os.kill(pid, 0)
+
+
+@on_linux
 def test_an_interrupt_leaves_nothing_behind():
     def interrupt(*_):
         raise KeyboardInterrupt

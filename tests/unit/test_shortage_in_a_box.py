@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import signal
 import tempfile
+from pathlib import Path
 
 import pytest
 from sandboxed import LIMITS, children, require
@@ -47,7 +49,7 @@ def test_a_fork_server_that_is_gone_is_no_fault_of_who_cannot_reach_it(level, mo
     with open_box(source, "f.py", level=level) as box:
         assert box.call_many("f", [(0,)], within).replies[0].answer == 0
         leader = box._holder.here()._process.pid
-        for member in _group(leader):
+        for member in [*_group(leader)]:
             os.kill(member, signal.SIGSTOP)  # as a machine that swaps
         with pytest.raises(ShortageError, match="the process that watches it has ended"):
             box.call_many("f", [(0,)], within)
@@ -56,20 +58,11 @@ def test_a_fork_server_that_is_gone_is_no_fault_of_who_cannot_reach_it(level, mo
 
 def _group(leader):
     """The processes of the session that a container is."""
-    found = []
-    for name in os.listdir("/proc"):  # noqa: PTH208
-        if name.isdecimal():
-            try:
-                if os.getsid(int(name)) == leader or _parent(int(name)) == leader:
-                    found.append(int(name))
-            except OSError:
-                continue
-    return found
-
-
-def _parent(pid):
-    with open(f"/proc/{pid}/stat") as file:  # noqa: PTH123
-        return int(file.read().rpartition(")")[2].split()[1])
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            _, parent, _, session, *_ = path.read_text().rpartition(")")[2].split()
+            if str(leader) in (parent, session):
+                yield int(path.parent.name)
 
 
 @pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.NOT_KILLED, wire.FOR_CPU])
