@@ -19,7 +19,6 @@ from judge.problem.load import load_problem
 from judge.problem.solutions import (
     Kind,
     accepted_source,
-    is_solution,
     known_mistakes,
     parted,
     read_solutions,
@@ -152,19 +151,6 @@ def test_the_usual_program_of_a_mistake_comes_before_its_variants(problem, add):
     for name in ("b-coarse", "a-fine", "b", "a"):
         add(f"wrong/{name}.py", f'"""{name[0]}"""\n')
     assert [each.path.stem for each in known_mistakes(problem)] == ["a", "a-fine", "b", "b-coarse"]
-
-
-@pytest.mark.parametrize(
-    ("path", "wanted"),
-    [
-        ("/home/me/solutions/middle/accepted/fast.py", True),
-        ("solutions/middle/wrong/floor.py", True),
-        ("/home/me/solutions/other/accepted/fast.py", False),
-        ("/home/me/solutions/middle/fast.py", False),
-    ],
-)
-def test_whether_a_path_is_a_solution_of_the_setters(path, wanted):
-    assert is_solution(path, "middle") is wanted
 
 
 # -- in other languages --------------------------------------------------------------------------------------

@@ -220,26 +220,6 @@ def test_the_family_of_all_the_borders_together(touches, family):
     assert epsilon_family(tuple(thresholds("count", counting(touches)).values())) == family
 
 
-def test_what_may_have_no_threshold_and_has_one():
-    right = counting(USUAL)
-
-    def line_count(cx, cy, r, start, end):
-        return None if math.dist(start, end) < 1e-9 else right(cx, cy, r, start, end)
-
-    found = thresholds("count", line_count)
-    assert {name: each.mistake for name, each in found.items()} == {
-        OUTSIDE: None,
-        INSIDE: None,
-        NO_LINE: "absolute-epsilon",
-    }
-    assert thresholds("count", right)[NO_LINE].mistake is None
-
-
-def test_a_problem_without_bands_has_no_borders():
-    assert borders("exact-count") == ()
-    assert measured((), FunctionRunner(find_problem("exact-count")), Here(None)) == ()
-
-
 def test_it_takes_two_series_however_many_borders_there_are():
     problem, names = find_problem("segment"), {}
     exec((problem.solutions / "accepted" / "quadratic.py").read_bytes(), names)

@@ -12,7 +12,7 @@ from judge.data import load_data
 from judge.judging import diagnosis
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.report.thresholds import number, threshold_text, worth_telling
+from judge.report.thresholds import threshold_text, worth_telling
 from judge.run.result import GroupResult, Mode, Result, Timing
 from judge.run.thresholds import Flip, Law, Threshold
 
@@ -65,22 +65,6 @@ SENTENCES = {
 @pytest.mark.parametrize("sentence", SENTENCES)
 def test_a_threshold_in_words(sentence):
     assert threshold_text(SENTENCES[sentence]) == sentence
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (0, "0"),
-        (9.6e-10, "1e-9"),
-        (4.2e-3, "4e-3"),
-        (0.021, "0.02"),
-        (1.05e6, "1e6"),
-        (1.0, "1"),
-        (640, "600"),
-    ],
-)
-def test_a_number_as_a_person_writes_it(value, text):
-    assert number(value) == text
 
 
 def test_after_a_wrong_answer_only_what_is_wrong_is_told():

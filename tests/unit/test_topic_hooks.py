@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections import Counter
-from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 
@@ -113,17 +111,6 @@ def test_the_search_asks_the_topic_what_is_simpler_and_what_is_special(asked):
     found = shrunk(problem, replace(module, topic=topic))
     assert asked_of[0][0] is problem
     assert found.case == (2, 3)
-
-
-def test_bands_go_to_who_asks_for_them(tmp_path):
-    folder = tmp_path / "root-count"
-    shutil.copytree(FIXTURES / "problems" / "root-count", folder)
-    toml, source = folder / "problem.toml", folder / "problem.py"
-    toml.write_text(toml.read_text().replace("[limits]", "[bands]\nsnap = 0.25\n\n[limits]"))
-    assert load_module(load_problem(folder)).solve(4).broken is None
-    text = source.read_text().replace("def solve(c)", "def solve(c, *, bands)")
-    source.write_text(text.replace("+ 1, None", '+ 1, str(bands["snap"])'))
-    assert load_module(load_problem(folder)).solve(4).broken == str(Fraction(1, 4))
 
 
 PAGE = Path(judge.__file__).parent / "manual" / "problem-py.md"
