@@ -211,6 +211,10 @@ def test_long_histories_are_cut_and_say_so(path):
     assert part.plot is not None
     assert len(part.plot.dots) == MOST
     assert part.plot.left_out == MOST_RUNS + 40 - MOST
+    html = html_of(many, sources={"count": b"#" * 100_000})
+    assert "(the rest is left out)" in html
+    assert len(html) < 1_000_000
+    check_html(html)
 
 
 def test_the_plot_holds_every_ratio_and_the_limit(path):

@@ -64,7 +64,7 @@ def answer(n, P):
 )
 def test_each_way_to_fail_has_its_verdict(body, verdict, message):
     source = f"import os, time\ndef answer(n, P):\n    if n == 2:\n        {body}\n    return n + int(sum(P))"
-    limits = replace(LIMITS, cpu_seconds=0.2, wall_seconds=2.0)
+    limits = replace(LIMITS, cpu_seconds=0.2, wall_seconds=2.0 if "sleep" in body else 60.0)
     result = judged(source, make_data("one", limits=limits))
     assert (result.verdict, result.failure.message) == (verdict, message)
     assert (result.failure.case, result.failure.expected, result.failure.got) == (3, "2", "no answer")
@@ -205,6 +205,8 @@ def test_too_few_and_too_many_lines():
     many = judged(PROGRAM + "print('done')")
     assert (many.verdict, many.failure.case, many.groups[0].passed) == (Verdict.WA, 4, 3)
     assert many.failure.got == "more lines: 'done'"
+    flood = judged("input()\nwhile True: print(1)")
+    assert (flood.verdict, flood.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
 
 
 @pytest.mark.parametrize(

@@ -93,7 +93,7 @@ def test_a_program_that_says_no_name_is_told_and_no_known_mistake(content, probl
 
 
 @pytest.mark.parametrize(
-    "content", [b'"""a', b"\xff\xfe", b'"""a\x00b"""', b"# coding: nonsense\n", b"(" * 100_000]
+    "content", [b'"""a', b"\xff\xfe", b'"""a\x00b"""', b"# coding: nonsense\n", b"-" * 20_000 + b"1"]
 )
 def test_a_file_that_is_no_python_is_told_and_no_program(content, problem, add):
     add("accepted/broken.py", content)
@@ -189,11 +189,17 @@ def test_the_table_is_read_and_no_description_of_a_language_for_it(tmp_path, mon
     assert dict(referenced(tmp_path / "none").time.references) == {}
 
 
-def test_python_is_none_of_the_other_languages(tmp_path):
-    with pytest.raises(
-        ProblemError, match=r"^middle/problem.toml:.* there is no language 'python'; there are"
-    ):
-        referenced(tmp_path, python="mean.py")
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ({"python": "mean.py"}, "there is no language 'python'; there are c, cpp, go"),
+        ({"go": "../a.go"}, "'../a.go' is no solution's file; name a file of the accepted solutions"),
+    ],
+)
+def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):
+    with pytest.raises(ProblemError, match=r"^middle/problem.toml:\d+: [^\n]*$") as raised:
+        referenced(tmp_path, **more)
+    assert said in str(raised.value)
 
 
 @pytest.mark.parametrize(

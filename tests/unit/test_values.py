@@ -84,6 +84,7 @@ WRONG = [
     ("int", 3, {"tuple": [3]}, "the tuple (3,) where an int is meant"),
     ("real", Real(1), 2.0, "the answer is off by 1, relative error 1 (4.5e+15 ulps)"),
     ("real?", Real(1), None, "1.0 wanted, None given"),
+    ("real", Real(1), {"type": "float", "text": "nan"}, "it is not a finite number"),
     ("word(lit|dark)", "lit", word("dark"), "'lit' wanted, 'dark' given"),
     ("word(lit|dark)", "lit", 1, "1 where lit or dark is meant"),
     ("vec2", vector((1, 2)), [1.0, 3.0], "y is off by 1, relative error 0.5 (2.25e+15 ulps)"),
