@@ -51,6 +51,7 @@ def answer(n, P):
     assert (result.failure.group, result.failure.case) == ("two", 2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("body", "verdict", "message"),
     [
@@ -113,6 +114,7 @@ for _ in range(int(input())):
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", [SLEEPER, SLEEPING_PROGRAM])
 def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
     """Four calls of a group wait 0.2 s; all groups together may wait three wall limits, 0.9 s."""
@@ -123,6 +125,7 @@ def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
     assert {group.verdict for group in result.groups[5:]} == {Verdict.TLE}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("loops", "ran"), [("True", 1), ("n == 2", 2)])
 def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loops, ran):
     """The groups after it would cost as much again."""
@@ -222,6 +225,7 @@ def test_a_program_that_breaks_is_shown_the_case_it_breaks_at_or_comes_to(source
     assert result.failure.message.startswith(f"ZeroDivisionError: {message}")
 
 
+@pytest.mark.slow
 def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
     monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)

@@ -152,6 +152,7 @@ def f():
                 os.kill(pid, 0)
 
 
+@pytest.mark.slow
 @on_linux
 def test_an_interrupt_leaves_nothing_behind():
     def interrupt(*_):
@@ -174,6 +175,7 @@ def test_an_interrupt_leaves_nothing_behind():
         signal.signal(signal.SIGALRM, handler)
 
 
+@pytest.mark.slow
 @on_linux
 def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
     before = children()
@@ -329,6 +331,7 @@ def test_a_box_closes_twice_and_a_box_without_a_use_closes_too():
     assert box.isolation in LEVELS
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("python", ["/nowhere/python", "/bin/false"])
 @pytest.mark.parametrize("level", [None, *LEVELS])
 def test_an_interpreter_that_does_not_start_is_one_clear_error(python, level, monkeypatch):

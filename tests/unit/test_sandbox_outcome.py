@@ -7,10 +7,10 @@ import signal
 import pytest
 from sandboxed import limits
 
-from judge.sandbox import Reply, Stop
+from judge.sandbox import Reply, Stop, outcome
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
-from judge.sandbox.outcome import LONG, end_of, overrun, parse_replies
+from judge.sandbox.outcome import end_of, overrun, parse_replies
 
 GOOD = b"[0,1],\n"
 NO_NOTE = (wire.NO_NOTE, "")
@@ -30,12 +30,14 @@ def done(status=0, reason=wire.NOT_KILLED, cpu=0.0, peak=0):
         b"[0,1]],[[0,1]", b"[0,1],\r", b"[0," + b"9" * 5000 + b"]",
     ],
 )  # fmt: skip
-def test_a_line_in_another_form_ends_the_replies_before_it(line):
-    long = b"[0,[" + b"[]," * LONG + b"[]]],\n"
-    for before, after in ((GOOD, b""), (GOOD, GOOD), (long, GOOD)):
-        replies, kept_form = parse_replies(before * 2 + line + b",\n" + after, 9)
-        assert [reply.stop for reply in replies] == [Stop.ANSWERED] * 2
+@pytest.mark.parametrize("long", [1, outcome.LONG])  # long ones are parsed line by line
+def test_a_line_in_another_form_ends_the_replies_before_it(line, long, monkeypatch):
+    monkeypatch.setattr(outcome, "LONG", long)
+    for after in (b"", GOOD):
+        replies, kept_form = parse_replies(GOOD * 2 + line + b",\n" + after, 9)
+        assert replies == [Reply(Stop.ANSWERED, 1)] * 2
         assert not kept_form
+    assert parse_replies(GOOD * 2, 2) == ([Reply(Stop.ANSWERED, 1)] * 2, True)
 
 
 @pytest.mark.parametrize("length", range(1, len(GOOD)))

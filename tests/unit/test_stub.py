@@ -84,6 +84,7 @@ def test_the_doctests_pass_with_every_accepted_solution(problem):
         assert (failed, tried) == (0, _doctests(problem)), (path, said)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tool", [["ruff", "check"], ["ruff", "format", "--check"], ["mypy", "--strict"]])
 def test_tools_find_nothing_in_any_of_them(tool, tmp_path):
     pytest.importorskip(tool[0])
