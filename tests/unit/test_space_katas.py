@@ -1,4 +1,4 @@
-"""Programs for sphere and silhouette that nobody derived from mistakes.py: thresholds next to the bands."""
+"""Thresholds and extents next to the bands of sphere and silhouette."""
 
 from __future__ import annotations
 
@@ -13,51 +13,29 @@ from judge.run.execute import run_submission
 
 pytestmark = pytest.mark.slow
 
-SPHERE = """
-from math import hypot, sqrt
-
-def ray_sphere(C, r, O, D):
-    length = hypot(*D)
-    if length == 0 or r == 0:
-        return None
-    f, u = [o - c for o, c in zip(O, C)], [x / length for x in D]
-    e = EXTENT
-    d = hypot(u[1] * f[2] - u[2] * f[1], u[2] * f[0] - u[0] * f[2], u[0] * f[1] - u[1] * f[0])
-    if d > r + TOUCH * e:
-        return None
-    m = -sum(x * y for x, y in zip(f, u))
-    half = sqrt((r - d) * (r + d)) if d < r - TOUCH * e else 0
-    for way, side in ((m - half, 1), (m + half, -1)):
-        if way * max(map(abs, D)) >= -START * e * length:
-            snapped = way * max(map(abs, D)) <= START * e * length
-            return (0 if snapped else way / length), [side * (x + way * y) / r for x, y in zip(f, u)]
-    return None
-"""
-SILHOUETTE = """
-from math import hypot
-
-def steady_hits(circles, O, D, h):
-    shown = []
-    for x, y, r in circles:
-        fx, fy = O[0] - x, O[1] - y
-        d = abs(D[0] * fy - D[1] * fx) / hypot(*D)
-        w = WIDTH * EXTENT
-        if not shown:
-            shown.append(int(d < r))
-        else:
-            shown.append(int(d <= r * (1 + h) + w if shown[-1] else d < r * (1 - h) - w))
-    return shown
-"""
-WHOLE = "max(r, *map(abs, f))"
+SPHERE = (find_problem("sphere").solutions / "accepted" / "foot_and_half_chord.py").read_text()
+SILHOUETTE = (find_problem("silhouette").solutions / "accepted" / "state_machine.py").read_text()
+EXTENT = "max(r, abs(fx), abs(fy), abs(fz))"
 FRAME = "max(r, abs(fx), abs(fy))"
 
 
-def sphere(touch="1e-10", start="1e-10", extent="max(r, *map(abs, f))"):
-    return "sphere", SPHERE.replace("TOUCH", touch).replace("START", start).replace("EXTENT", extent)
+def replaced(text, **changes):
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    return text
 
 
-def silhouette(width="1e-10", extent="max(r, abs(fx), abs(fy))"):
-    return "silhouette", SILHOUETTE.replace("WIDTH", width).replace("EXTENT", extent)
+def sphere(touch="1e-10", start="1e-10", extent=EXTENT):
+    changes = {f"1e-10 * {EXTENT}": extent}
+    changes |= {f"gap {sign}near": f"gap {sign}{touch} * near" for sign in ("< -", "> ")}
+    way = "way * max(map(abs, D)) / length"  # along the axis that the ray follows most
+    changes |= {f"way {sign}near": f"{way} {sign}{start} * near" for sign in (">= -", "> ")}
+    return "sphere", replaced(SPHERE, **changes)
+
+
+def silhouette(width="1e-10", extent=FRAME):
+    return "silhouette", replaced(SILHOUETTE, **{f"1e-10 * {FRAME}": f"{width} * {extent}"})
 
 
 def verdict(name, source):
@@ -80,8 +58,8 @@ def test_a_threshold_just_outside_of_it_is_not(width):
         assert verdict(*program) is Verdict.WA
 
 
-SPHERES = ["r", "(1 + max(r, *map(abs, f)))", "max(r, *f)", "max(r, *map(abs, (*C, *O)))"]
-FRAMES = ["r", "(1 + max(r, abs(fx), abs(fy)))", "max(r, fx, fy)", "max(map(abs, (x, y, *O)))"]
+SPHERES = ["r", f"(1 + {EXTENT})", "max(r, fx, fy, fz)", "max(r, *map(abs, (*C, *O)))"]
+FRAMES = ["r", f"(1 + {FRAME})", "max(r, fx, fy)", "max(map(abs, (x, y, *O)))"]
 
 
 @pytest.mark.nightly
