@@ -144,20 +144,6 @@ def test_worst_ulps_of_accepted_numbers():
     assert result.groups[0].worst_ulps == 2.0
 
 
-@pytest.mark.parametrize(
-    ("source", "message"),
-    [
-        (b"x = 1\ny = '\xe9'\n", "the file is not UTF-8: byte 0xe9 (line 2); save it as UTF-8"),
-        (b"x = 1\0", "source code string cannot contain null bytes"),
-        (b"# coding: klingon\n", "unknown encoding: klingon"),
-    ],
-)
-def test_what_does_not_compile(source, message):
-    result = judged(source)
-    assert (result.verdict, result.groups, int(result.exit_code)) == (Verdict.CE, (), 1)
-    assert result.failure.message.endswith(message)
-
-
 @pytest.mark.nightly
 def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
     """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
@@ -167,16 +153,6 @@ def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
 
 
 # -- programs: they read a whole group and print a line a case -----------------------------------------------
-
-PROGRAM = """
-import sys
-lines = sys.stdin.read().splitlines()
-assert len(lines) == 1 + int(lines[0])
-for line in lines[1:]:
-    n, x, y = map(float, line.split())
-    print(int(n + x + y))
-"""
-
 
 PROBLEM = make_data("one").problem
 
@@ -201,30 +177,6 @@ def test_lines_of_an_output(stdout, complete, lines):
     assert answer_lines(stdout, complete=complete) == lines
 
 
-def test_too_few_and_too_many_lines():
-    few = judged(PROGRAM.replace("lines[1:]", "lines[1:3]"))
-    assert (few.verdict, few.failure.case, few.groups[0].passed) == (Verdict.WA, 3, 2)
-    assert few.failure.message.startswith("2 lines printed, 4 wanted: one for each case")
-    many = judged(PROGRAM + "print('done')")
-    assert (many.verdict, many.failure.case, many.groups[0].passed) == (Verdict.WA, 4, 3)
-    assert many.failure.got == "more lines: 'done'"
-    flood = judged("input()\nwhile True: print(1)")
-    assert (flood.verdict, flood.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
-
-
-@pytest.mark.parametrize(
-    ("source", "case", "message"),
-    [
-        (PROGRAM.replace("    print", "    1 / (n - 2)\n    print"), 3, "float division by zero (line 7)"),
-        ("print(1, flush=True)\n1 / 0", 2, "division by zero (line 2), after 1 line of 4"),
-    ],
-)
-def test_a_program_that_breaks_is_shown_the_case_it_breaks_at_or_comes_to(source, case, message):
-    result = judged(source)
-    assert (result.verdict, result.failure.case) == (Verdict.RTE, case)
-    assert result.failure.message.startswith(f"ZeroDivisionError: {message}")
-
-
 @pytest.mark.slow
 def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
@@ -237,52 +189,11 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     assert len(rendered) == 8 + 1
 
 
-READ = "0 lines printed, 4 wanted: one for each case"
-TAKEN = f"{READ}; it was run as a program because it defines no answer"
-
-
-@pytest.mark.parametrize(
-    ("source", "message"),
-    [
-        ("\n\ndef anwser(n, P):\n    return 1\n", f"{TAKEN}; is anwser (line 3) meant to be it?"),
-        ("anwser = 7", f"{TAKEN}; is anwser (line 1) meant to be it?"),
-        ("anwser = input()", READ),  # a program that reads is not told about functions
-        ("pass", TAKEN),
-        (
-            "class Solution:\n    def answer(self, n, P):\n        return 1\n",
-            f"{TAKEN} at its top level: move it out of the class or function it stands in",
-        ),
-    ],
-)
-def test_what_prints_nothing_is_told_what_it_was_taken_for(source, message):
-    result = judged(source)
-    assert (result.verdict, result.mode, result.failure.message) == (Verdict.WA, Mode.PROGRAM, message)
-
-
-FORM = "; its input is a line with the number of cases, then one line each: n px py, here "
-
-
-@pytest.mark.parametrize(
-    ("reading", "what"),
-    [
-        ("n = int(input())", "ValueError: invalid literal for int() with base 10: "),
-        ("n, x = input().split()", "ValueError: too many values to unpack"),
-        ("n, x, y, z = input().split()", "ValueError: not enough values to unpack"),
-        ("x, y = float(input()), 0", "ValueError: could not convert string to float: "),
-        ("[input() for _ in range(9)]", "EOFError: "),
-    ],
-)
-def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form(reading, what):
-    result = judged(f"for _ in range(int(input())):\n    {reading}\n    print(1)\n")
-    message = result.failure.message
+def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form():
+    """Other hurdles are in the record: transcripts/json/hurdles.txt."""
+    result = judged("for _ in range(int(input())):\n    n, x = input().split()\n    print(1)\n")
     assert result.verdict is Verdict.RTE
-    assert message.startswith(what)
-    _, _, row = message.partition(FORM)
-    n, (x, y) = result.failure.input["n"], result.failure.input["P"]
-    assert row == f"{n} {x} {y}"
+    assert result.failure.message.startswith("ValueError: too many values to unpack")
+    form = "; its input is a line with the number of cases, then one line each: n px py, here 1 0 0"
+    assert result.failure.message.endswith(form)
     assert fault_place(result).line == 2
-
-
-def test_another_exception_says_nothing_of_the_input():
-    source = "import math\nfor _ in range(int(input())):\n    input()\n    print(math.sqrt(-1))\n"
-    assert "its input" not in judged(source).failure.message

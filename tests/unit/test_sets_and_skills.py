@@ -120,7 +120,7 @@ def test_a_problem_that_cannot_be_read_costs_the_set_only_itself(problem, folder
         "strange/problem.toml:1: no practice set is called 'juinor'; did you mean 'junior'?; "
         "a new one needs a file sets/juinor.toml"
     )
-    folder("sets/empty.toml", GOOD)
+    folder("sets/empty.toml", 'title = "T"\nabout = "A"\n')
     with pytest.raises(ProblemError, match=r"torn/problem\.toml:2"):
         find_set("empty", extra)  # which it may be the only problem of
     half, one = map(str, unknown_skills(junior.problems, extra))
@@ -163,34 +163,6 @@ def test_an_own_set_comes_first_and_may_mix_packs(folder):
     assert ids(find_set("junior", extra)) == ["segment", "count"], "in the order of the list"
     folder("sets/zz.toml", "")
     assert set_names(extra)[-1] == "zz"
-
-
-GOOD = 'title = "T"\nabout = "A"\n'
-
-
-@pytest.mark.parametrize(
-    ("text", "wanted"),
-    [
-        (GOOD + "problems = [", r"sets/mine.toml:3: no TOML: .*; repair this line"),
-        (GOOD + "problems = " + "[" * 3000, r"sets/mine.toml: no TOML: its lists or tables are nested too"),
-        (GOOD, r"sets/mine.toml:1: the set holds no problem; name 'mine' in the sets of a problem.toml"),
-        ('about = "A"\n', r"sets/mine.toml:1: the key 'title' is missing; add title = …"),
-        (GOOD + "problems = []\n", r"sets/mine.toml:3: the set holds no problem; name at least one"),
-        (GOOD + 'problems = "count"\n', r"sets/mine.toml:3: problems is text; give a list"),
-        (GOOD + "problems = [1]\n", r"sets/mine.toml:3: problems is a whole number; give text"),
-        (
-            GOOD + 'problems = ["cuont"]\n',
-            r"sets/mine.toml:3: no problem is called 'cuont'; did you mean 'count'",
-        ),
-        (GOOD + 'problems = ["count", "count"]\n', r"sets/mine.toml:3: 'count' is listed twice"),
-        (GOOD + 'problem = ["count"]\nproblems = ["count"]\n', r"sets/mine.toml:3: unknown key 'problem'"),
-    ],
-)
-def test_a_broken_set_is_one_clear_line(text, wanted, folder):
-    with pytest.raises(ProblemError) as caught:
-        find_set("mine", folder("sets/mine.toml", text))
-    assert caught.match(wanted)
-    assert "\n" not in str(caught.value)
 
 
 SKILL = '[[skills]]\nname = "n"\nabout = "a"\n'
