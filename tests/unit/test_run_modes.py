@@ -140,8 +140,7 @@ def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loop
 
 def test_worst_ulps_of_accepted_numbers():
     result = judged("def answer(n, P): return n + 2 ** -50", make_parameter_data([2.0, 4.0, 3.0]))
-    assert result.verdict is Verdict.AC
-    assert result.groups[0].worst_ulps == 2.0
+    assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
 
 
 @pytest.mark.nightly

@@ -10,10 +10,15 @@ from judge.sandbox import Usage
 LIMIT = 10.0
 
 
-def runs(*values):
-    """A run that takes each of these times in turn, then the last again."""
-    left = list(values)
-    return lambda: left.pop(0) if len(left) > 1 else left[0]
+class Runs:
+    """A run that takes each of these times in turn, then the last again, and counts its turns."""
+
+    def __init__(self, *values):
+        self.left, self.turns = list(values), 0
+
+    def __call__(self):
+        self.turns += 1
+        return self.left.pop(0) if len(self.left) > 1 else self.left[0]
 
 
 @pytest.mark.parametrize(
@@ -33,27 +38,27 @@ def runs(*values):
     ],
 )
 def test_as_many_pairs_are_run_as_settle_it(mine, pairs, too_slow, borderline):
-    decision = race(runs(*mine), runs(0.01), LIMIT)
+    decision = race(Runs(*mine), Runs(0.01), LIMIT)
     assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (pairs, too_slow, borderline)
 
 
 def test_a_submission_far_below_passes_with_a_few_pairs():
-    decision = race(runs(0.02), runs(0.01), LIMIT)
+    decision = race(Runs(0.02), Runs(0.01), LIMIT)
     assert (decision.too_slow, decision.borderline) == (False, False)
     assert 3 <= decision.ratio.pairs <= MOST_PAIRS
 
 
 @pytest.mark.parametrize(("factor", "too_slow"), [(0.5, False), (0.9, False), (1.1, True), (2.0, True)])
 def test_there_may_be_only_one_pair(factor, too_slow):
-    decision = race(runs(0.01 * LIMIT * factor), runs(0.01), LIMIT, lambda: False)
+    decision = race(Runs(0.01 * LIMIT * factor), Runs(0.01), LIMIT, lambda: False)
     assert (decision.ratio.pairs, decision.too_slow) == (1, too_slow)
     assert decision.ratio.median == pytest.approx(LIMIT * factor)
 
 
 def test_one_short_turn_does_not_settle_what_is_too_slow():
-    odd = race(runs(0.034, 0.0003), runs(0.0003), LIMIT)  # a moment of a busy machine, as it was seen
+    odd = race(Runs(0.034, 0.0003), Runs(0.0003), LIMIT)  # a moment of a busy machine, as it was seen
     assert (odd.too_slow, odd.borderline, odd.ratio.pairs) == (False, False, MOST_PAIRS)
-    slow = race(runs(0.034), runs(0.0003), LIMIT)
+    slow = race(Runs(0.034), Runs(0.0003), LIMIT)
     assert (slow.too_slow, slow.borderline, slow.ratio.pairs) == (True, False, 3)
 
 
@@ -80,9 +85,9 @@ def test_the_two_take_turns_at_going_first():
 
 
 def test_a_run_that_does_not_end_well_leaves_no_ratio():
-    assert race(lambda: None, runs(0.01), LIMIT).ratio is None
-    assert race(runs(0.01), lambda: None, LIMIT).ratio is None
-    assert race(runs(0.01), lambda: 0.0, LIMIT).ratio is None
+    assert race(lambda: None, Runs(0.01), LIMIT).ratio is None
+    assert race(Runs(0.01), lambda: None, LIMIT).ratio is None
+    assert race(Runs(0.01), lambda: 0.0, LIMIT).ratio is None
 
 
 def test_what_makes_a_ratio_unreliable():
@@ -120,18 +125,6 @@ def test_what_disturbed_a_race_is_told_and_changes_no_verdict():
     assert disturbed(decide([], LIMIT), "anything").ratio is None
 
 
-class Counted:
-    """A run that takes each of these times in turn, then the last again, and counts its turns."""
-
-    def __init__(self, *values):
-        self.turns = 0
-        self._run = runs(*values)
-
-    def __call__(self):
-        self.turns += 1
-        return self._run()
-
-
 def paced(*times):
     """The pace of a reference that took these times."""
     pace = Pace()
@@ -149,7 +142,7 @@ def paced(*times):
     ],
 )
 def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference(mine, turns, median):
-    mine, theirs = Counted(*mine), Counted(0.0105)
+    mine, theirs = Runs(*mine), Runs(0.0105)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
     assert (mine.turns, theirs.turns, decision.ratio.pairs) == (turns, 1, turns)
     assert (decision.too_slow, decision.borderline, decision.ratio.unreliable) == (False, False, "")
@@ -158,14 +151,14 @@ def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference(mi
 
 @pytest.mark.parametrize("times", [(), (0.01, 0.01), (0.02, 0.02, 0.02), (0.01, 0.012, 0.012)])
 def test_a_reference_that_is_not_known_or_takes_another_time_now_is_raced_anew(times):
-    mine, theirs = Counted(0.02), Counted(0.01)
+    mine, theirs = Runs(0.02), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(*times))
     assert mine.turns == theirs.turns == decision.ratio.pairs
 
 
 @pytest.mark.parametrize("mine", [(0.095,), (0.05, 0.095), (0.05, 0.05, 0.095)])
 def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
-    mine, theirs = Counted(*mine), Counted(0.01)
+    mine, theirs = Runs(*mine), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
     assert (theirs.turns, decision.ratio.pairs) == (MOST_PAIRS, MOST_PAIRS)
 
@@ -179,7 +172,7 @@ def test_a_pace_knows_every_speed_of_the_machine():
 
 @pytest.mark.parametrize("later", [(0.06,), (0.05, 0.06)])
 def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
-    mine, theirs = Counted(0.05, *later), Counted(0.01)
+    mine, theirs = Runs(0.05, *later), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
     assert theirs.turns == decision.ratio.pairs
     assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out

@@ -34,10 +34,9 @@ def loaded(source):
 
 def doctested(source):
     """How many of the doctests fail, how many there are, and what is said of them."""
-    module = loaded(source)
     said: list[str] = []
     runner = doctest.DocTestRunner(verbose=False)
-    for test in doctest.DocTestFinder().find(module, "stub"):
+    for test in doctest.DocTestFinder().find(loaded(source), "stub"):
         runner.run(test, out=said.append)
     return runner.failures, runner.tries, "".join(said)
 

@@ -104,16 +104,6 @@ def exactly(number):
     return line_count
 
 
-def textbook(cx, cy, r, start, end, eps=1e-9):
-    """Everything absolute, as it is taught."""
-    dx, dy, fx, fy = end[0] - start[0], end[1] - start[1], start[0] - cx, start[1] - cy
-    a, b, c = dx * dx + dy * dy, 2 * (fx * dx + fy * dy), fx * fx + fy * fy - r * r
-    if a < eps:
-        return None
-    delta = b * b - 4 * a * c
-    return 1 if abs(delta) < eps else 2 if delta > 0 else 0
-
-
 USUAL = "abs(d - r) <= 1e-10 * e"
 TABLE = [
     ("abs(d - r) <= 1e-3", "absolute-epsilon", 1e-3),
@@ -140,7 +130,6 @@ TABLE = [
     ("d * d == r * r", "no-epsilon", 0.0),
     (exactly(Fraction), "no-epsilon", 0.0),
     (exactly(Decimal), "no-epsilon", 0.0),
-    (textbook, "absolute-epsilon", 1.25e-10),
 ]
 
 

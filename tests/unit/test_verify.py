@@ -32,16 +32,6 @@ def verified(pack, **options):
     return verify_problem(load_problem(pack / "problems" / "root-count"), **options)
 
 
-def add(pack, file, text):
-    path = pack / "solutions" / "root-count" / file
-    path.parent.mkdir(exist_ok=True)
-    path.write_text(text)
-
-
-def faults(pack):
-    return [str(fault) for fault in verified(pack).faults]
-
-
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
@@ -79,8 +69,8 @@ def test_a_time_limit_is_a_solutions_that_is_there(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text() + '\n[time]\nlimit = 100\nfunction = "sings.py"\n')
     line = toml.read_text().count("\n")
-    (fault,) = faults(pack)
-    assert fault == (
+    (fault,) = verified(pack).faults
+    assert str(fault) == (
         f"root-count/problem.toml:{line}: [time] names 'sings.py', which is no accepted solution; "
         "did you mean 'signs.py'?"
     )
@@ -89,7 +79,9 @@ def test_a_time_limit_is_a_solutions_that_is_there(pack):
 def test_a_slow_program_is_one_that_runs_out_of_time(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("cpu_seconds = 2", "cpu_seconds = 0.2"))
-    add(pack, "slow/endless.py", '"""endless."""\ndef root_count(c):\n    while True: pass\n')
+    slow = pack / "solutions" / "root-count" / "slow"
+    slow.mkdir()
+    (slow / "endless.py").write_text('"""endless."""\ndef root_count(c):\n    while True: pass\n')
     report = verified(pack)
     assert report.ok, report.faults
     assert [(each.name, each.verdict) for each in report.solutions][-1] == ("endless", Verdict.TLE)
