@@ -117,7 +117,7 @@ circle-circle common-tangents / outer-touch: measure outer exact
 circle-circle common-tangents / inner-touch: measure inner exact
 common-tangents / apart: answers 4
 common-tangents / inner-touch close-centres: answers 1
-common-tangents / inside: answers 0
+polygon common-tangents / inside-around inside: answers 0
 enter-exit csg / touch: measure tangent exact+clear
 enter-exit polygon / on-circle vertex-on: measure nearest exact
 shadow / far-side blocked gap small own-wall-near one-end-inside: answers dark
