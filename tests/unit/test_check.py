@@ -139,9 +139,6 @@ def test_wrong_counts_say_why(raw, message):
     outcome = count(raw)
     assert isinstance(outcome, Rejection)
     assert outcome.message.startswith(message)
-
-
-def test_counts_of_no_line():
     assert isinstance(count(None, None), Accepted)
     assert count(0, None).message == "None wanted, 0 given"
 
