@@ -27,8 +27,7 @@ def never():
 
 
 def points(raw: Any, answer: Any = TWO):
-    exact = lambda: (answer, POINTS_TOLERANCE)  # noqa: E731
-    return POINTS.check(raw, POINTS.target(answer, POINTS_TOLERANCE), exact)
+    return POINTS.check(raw, POINTS.target(answer, POINTS_TOLERANCE), lambda: (answer, POINTS_TOLERANCE))
 
 
 def count(raw: Any, value: int | None = 1):
@@ -37,8 +36,7 @@ def count(raw: Any, value: int | None = 1):
 
 def parameter(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
     answer = None if t is None else Real(t, 2)
-    exact = lambda: (answer, T_TOLERANCE)  # noqa: E731
-    return PARAMETER.check(raw, PARAMETER.target(answer, T_TOLERANCE), exact)
+    return PARAMETER.check(raw, PARAMETER.target(answer, T_TOLERANCE), lambda: (answer, T_TOLERANCE))
 
 
 @pytest.mark.parametrize(
@@ -221,7 +219,7 @@ def test_absurd_answers_are_rejected_and_never_raise(raw):
                 assert text.isprintable()
 
 
-def test_fast_answers_need_no_exact_one():
+def test_fast_answers_and_what_is_wanted_need_no_exact_one():
     target = POINTS.target(TWO, POINTS_TOLERANCE)
     for raw in (
         [[1.0, 1.0], [3.0, 1.0]],
@@ -230,9 +228,6 @@ def test_fast_answers_need_no_exact_one():
         [[1, {"decimal": "7"}]] * 2,
     ):
         POINTS.check(raw, target, never)
-
-
-def test_wanted_text():
     assert COUNT.wanted(COUNT.target(None, T_TOLERANCE)) == "None"
     assert POINTS.wanted(POINTS.target(NONE, T_TOLERANCE)) == "[]"
     assert PARAMETER.wanted(PARAMETER.target(Real(Surd(0, 1, 2), 1), T_TOLERANCE)) == repr(2**0.5)

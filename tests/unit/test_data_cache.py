@@ -1,4 +1,4 @@
-"""The cache of built data: warm starts, and everything that can be wrong with a file."""
+"""The cache of built data: warm starts, everything that can be wrong with a file, and where it is."""
 
 from __future__ import annotations
 
@@ -13,11 +13,13 @@ import sys
 import threading
 from pathlib import Path
 
+import platformdirs
 import pytest
 from sampling import nightly
 
 from judge.data import cache, load_data
 from judge.data.pins import hash_of
+from judge.folders import cache_folder, user_data
 from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
@@ -168,14 +170,6 @@ def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch
     assert "set $JUDGE_CACHE to a writable folder" in note
 
 
-def test_the_users_own_cache_folder_by_default(tmp_path, monkeypatch):
-    monkeypatch.delenv("JUDGE_CACHE")
-    monkeypatch.setenv("HOME", str(tmp_path))
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
-    built(load_problem(SOUND))
-    assert any("circle-line-judge" in str(path) for path in tmp_path.rglob("root-count-*.json"))
-
-
 def test_many_writers_and_readers_at_once(folder):
     problem = load_problem(SOUND)
     sound = plain(built(problem, cache=False)[0])
@@ -243,3 +237,34 @@ def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
         file = KeptFile(lambda: tmp_path, "data", "numbers-", "key")
         assert file.write({"numbers": content}) is None
         assert repr(file.read()["numbers"]) == repr(content)
+
+
+# -- where the person's folders are ----------------------------------------------------------------
+
+HOMES = [
+    {},
+    {"HOME": "/home/ann"},
+    {"HOME": "/home/ann/"},
+    {"HOME": "relative"},
+    {"HOME": ""},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "/var/c", "XDG_DATA_HOME": "/var/d"},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "c", "XDG_DATA_HOME": "~/d"},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "", "XDG_DATA_HOME": " "},
+    {"XDG_CACHE_HOME": "/c", "XDG_DATA_HOME": "/d//e/"},
+]
+
+
+@pytest.fixture(params=HOMES, ids=str)
+def _settings(request, monkeypatch):
+    for name in ("JUDGE_CACHE", "HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in request.param.items():
+        monkeypatch.setenv(name, value)
+
+
+@pytest.mark.usefixtures("_settings")
+@pytest.mark.parametrize("system", [sys.platform, "darwin"])
+def test_they_are_as_platformdirs_has_them(system, monkeypatch):
+    monkeypatch.setattr("judge.folders.sys.platform", system)
+    assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
+    assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

@@ -143,22 +143,6 @@ def test_only_what_is_near_its_limit_is_run_again():
     assert not grown.too_steep
 
 
-def test_a_turn_that_does_not_end_well_says_nothing():
-    grown = grow([course(2_000, 0.02, 0.02), course(8_000, None, 0.08)], SLOPE)
-    assert (grown.growth, grown.too_steep, grown.decisions) == (None, False, {})
-
-
-def test_one_round_must_do_where_there_may_be_no_more():
-    grown = grow(law(1.9), SLOPE, lambda: False)
-    assert (grown.too_steep, grown.growth.pairs) == (True, 1)
-
-
-def test_times_of_nothing_are_no_fault_of_arithmetic():
-    grown = grow([course(2_000, 0.0, 0.02), course(8_000, 0.0, 0.08)], SLOPE)
-    assert math.isfinite(grown.growth.exponent)
-    assert not grown.too_steep
-
-
 def test_the_published_form():
     growth = grow(law(1.9), SLOPE).growth
     assert growth.as_json() == {
@@ -179,3 +163,13 @@ def test_the_published_form():
             for size in SIZES
         ],
     }
+
+
+def test_turns_that_say_little():
+    grown = grow([course(2_000, 0.02, 0.02), course(8_000, None, 0.08)], SLOPE)  # one does not end well
+    assert (grown.growth, grown.too_steep, grown.decisions) == (None, False, {})
+    grown = grow(law(1.9), SLOPE, lambda: False)  # there may be no more rounds
+    assert (grown.too_steep, grown.growth.pairs) == (True, 1)
+    grown = grow([course(2_000, 0.0, 0.02), course(8_000, 0.0, 0.08)], SLOPE)  # no time at all
+    assert math.isfinite(grown.growth.exponent)
+    assert not grown.too_steep
