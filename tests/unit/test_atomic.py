@@ -245,6 +245,7 @@ def _writes(call: ast.Call) -> bool:
     return name == "open" and any(isinstance(mode, str) and set(mode) & set("wxa+") for mode in modes)
 
 
+@pytest.mark.slow
 def test_there_is_no_other_way():
     elsewhere = {
         "judge/sandbox/shared.py",  # has no name when it is written

@@ -261,6 +261,7 @@ def inversions(numbers):
 """
 
 
+@pytest.mark.nightly
 def test_a_group_that_runs_out_of_time_counts_with_the_time_it_used(tmp_path):
     folder = changed(tmp_path, ("cpu_seconds = 40", "cpu_seconds = 1.5\nwall_seconds = 300"))
     data = load_data(load_problem(folder, PACK / "solutions" / "inversions"), cache=False)

@@ -135,6 +135,7 @@ def line_count(text):
     return str(1 + (delta > 0) - (delta < 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("problem", ["exact-count", "crossings"])
 def test_the_count_of_a_figure_is_right(sources, problem):
     asked = questions(sources, card("count", problem=problem, groups=(), largest=30), 60)
@@ -243,7 +244,7 @@ def test_the_same_seed_makes_the_same_figure_and_another_one_another():
 def test_one_group_breaks_the_program_and_the_others_do_not(sources, problem):
     data = sources.data(problem)
     programs = set()
-    for question in questions(sources, card("spot", problem=problem), 8):
+    for question in questions(sources, card("spot", problem=problem), 6):
         does = computed(data, Program(question.program.encode(), "shown.py", trusted=True))
         for letter, text in question.options:
             group = text.partition(":")[0]
@@ -253,7 +254,7 @@ def test_one_group_breaks_the_program_and_the_others_do_not(sources, problem):
         )
         assert '"""' not in question.program
         programs.add(question.program)
-    assert len(programs) > 5
+    assert len(programs) > 3
 
 
 def test_a_program_is_shown_without_a_pass_that_marks_a_change():

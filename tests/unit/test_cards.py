@@ -206,6 +206,7 @@ def test_every_card_belongs_to_a_row():
     assert [card.key for card in all_cards() if not card.rows] == []
 
 
+@pytest.mark.slow
 def test_every_mistake_that_ticks_a_row_is_there_to_be_broken(rows):
     named = {name for row in rows for name in row.broken}
     assert len(named) > 20

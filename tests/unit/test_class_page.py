@@ -109,6 +109,7 @@ def test_markup_is_text(hostile):
     assert not re.findall(r'(?:src|href)="(?!#)', html)
 
 
+@pytest.mark.slow
 def test_the_smallest_case_of_one_hand_in_of_each_mistake():
     middle = find_problem("count")
     source = b"def line_count(cx, cy, r, A, B):\n    return 2\n"

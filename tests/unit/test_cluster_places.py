@@ -140,7 +140,7 @@ def test_the_machines_of_a_file_and_their_command_lines(tmp_path):
     assert "127.0.0.1:9:10.0.0.1:1" in first.tunnel(9, Address("tls", "10.0.0.1", 1))
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_machines_by_ssh_judge_and_one_that_is_away_is_told(path, tmp_path):
     pytest.importorskip("distributed")
     from judge.cluster.on import executor_at
@@ -156,6 +156,7 @@ def test_machines_by_ssh_judge_and_one_that_is_away_is_told(path, tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_no_ssh_and_a_first_machine_that_is_away(path, tmp_path, monkeypatch):
     pytest.importorskip("distributed")
     from judge.cluster.on import executor_at

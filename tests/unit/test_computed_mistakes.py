@@ -71,6 +71,7 @@ def test_answers_of_other_types_are_others():
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_program_that_changes_its_lists_changes_no_other_ones():
     data = load_data(find_problem("enter-exit"))
     spoils = b"def all_hits(circles, O, D):\n    circles.clear()\n    return []\n"
@@ -102,6 +103,7 @@ def test_some_cases_alone_are_answered_as_among_all():
     assert {*raising["one"].wrong.values()} == {("raised ZeroDivisionError", ())}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["crossings", nightly("count"), nightly("exact-segment")])
 def test_mistakes_of_a_kata_answer_as_each_does_by_itself(name):
     problem = find_problem(name)

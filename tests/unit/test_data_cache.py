@@ -57,7 +57,7 @@ def plain(data):
 
 
 @pytest.mark.parametrize(
-    "name", ["root-count", "segment", "exact-count", nightly("count"), nightly("ray-nearest")]
+    "name", ["root-count", *map(nightly, ("count", "segment", "ray-nearest", "exact-count"))]
 )
 def test_what_is_read_is_what_was_built(name):
     problem = load_problem(SOUND if name == "root-count" else ROOT / "problems" / name)
@@ -170,6 +170,7 @@ def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch
     assert "set $JUDGE_CACHE to a writable folder" in note
 
 
+@pytest.mark.slow
 def test_many_writers_and_readers_at_once(folder):
     problem = load_problem(SOUND)
     sound = plain(built(problem, cache=False)[0])
@@ -202,6 +203,7 @@ def test_a_failed_write_leaves_no_temporary_file(folder, monkeypatch):
     assert files(folder) == []
 
 
+@pytest.mark.slow
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"

@@ -46,7 +46,7 @@ def cache(built, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(built))
 
 
-@pytest.mark.parametrize("name", daily(KATAS, ["count", "segment", "ray-nearest"]))
+@pytest.mark.parametrize("name", daily(KATAS, ["count", "segment"]))
 def test_a_threshold_just_inside_the_band_or_just_beyond_the_promise_is_met_on_every_side(name, cache):
     module, pinned, fresh = pinned_and_fresh(name, cache)
     problem = load_problem(PROBLEMS / name)
@@ -74,7 +74,7 @@ def remembered_wrongly(cases, place, *, last):
     return wrong
 
 
-@pytest.mark.parametrize("name", daily([*KATAS, "exact-count", "foot"], ["count", "segment", "ray-nearest"]))
+@pytest.mark.parametrize("name", daily([*KATAS, "exact-count", "foot"], ["count", "segment"]))
 def test_a_memory_that_leaves_an_argument_out_is_met(name, cache):
     _, pinned, fresh = pinned_and_fresh(name, cache)
     for place in range(3 if name == "silhouette" else len(pinned[0][0])):  # h is hardly ever another

@@ -24,6 +24,8 @@ from judge.judging import processes
 from judge.judging.executors import ATTEMPTS, Here, Threads, results
 from judge.judging.processes import Processes
 
+pytestmark = pytest.mark.slow
+
 TESTS = Path(__file__).parents[1]
 
 

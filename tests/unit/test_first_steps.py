@@ -94,6 +94,7 @@ def test_nothing_that_a_beginner_reads_is_of_bands(problem):
         assert PLAIN.findall(text) == []
 
 
+@pytest.mark.slow
 def test_the_answers_are_those_of_another_way(problem):
     data = load_data(problem)
     cases = [case for group in data.groups for case in group.cases]

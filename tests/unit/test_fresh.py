@@ -66,6 +66,7 @@ def test_the_examples_have_no_fresh_ones():
         fresh("count", groups=["examples"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
     source = fresh(name)

@@ -1,4 +1,4 @@
-"""How the time grows, drawn: for the terminal, as SVG and in the report; and naive loops that grow too fast."""
+"""How the time grows, drawn: for the terminal, as SVG and in the report; and loops that grow too fast."""
 
 from __future__ import annotations
 
