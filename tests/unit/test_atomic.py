@@ -228,20 +228,17 @@ def test_another_users_file_stays(left):
 def _writes(call: ast.Call) -> bool:
     """Whether it writes a file in another way than `judge.atomic` does."""
     name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-    if name in (
+    if name in {
         "write_text",
         "write_bytes",
         "mkstemp",
-        "NamedTemporaryFile",
         "mkdtemp",
+        "NamedTemporaryFile",
         "TemporaryDirectory",
-    ):
+    }:
         return True
-    modes = [
-        word.value
-        for word in (*call.args, *(each.value for each in call.keywords))
-        if isinstance(word, ast.Constant)
-    ]
+    words = (*call.args, *(each.value for each in call.keywords))
+    modes = [word.value for word in words if isinstance(word, ast.Constant)]
     return name == "open" and any(isinstance(mode, str) and set(mode) & set("wxa+") for mode in modes)
 
 

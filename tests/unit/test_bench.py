@@ -18,6 +18,7 @@ GOLDEN = Path(__file__).parents[1] / "golden" / "bench"
 WHEN = datetime(2026, 1, 2, tzinfo=UTC)
 PYTHON = Entrant("quadratic.py", b"", "Python")
 GO = Entrant("reference.go", b"", "Go")
+RUST = "no rustc (apt-get install rustc)"
 MINE = Entrant("mine.go", b"", "Go", own=True)
 
 
@@ -123,16 +124,8 @@ def sample():
     """A benchmark of four programs and two that were not measured."""
 
     def row(entrant, seconds, first, start, **more):
-        return Row(
-            entrant,
-            spread(seconds),
-            spread(seconds / 4.5e-6),
-            spread(first),
-            spread(start),
-            9 << 20,
-            40,
-            **more,
-        )
+        figures = map(spread, (seconds, seconds / 4.5e-6, first, start))
+        return Row(entrant, *figures, 9 << 20, 40, **more)
 
     rows = (
         row(PYTHON, 4.5e-6, 4.8e-6, 1.0),
@@ -140,10 +133,7 @@ def sample():
         row(GO, 1.4e-6, 1.6e-6, 0.16),
         row(Entrant("reference.java", b"", "Java"), 5.4e-6, 48e-6, 6.4),
         row(MINE, 63e-6, 64e-6, 0.16, wrong=3),
-        Row(
-            Entrant("reference.rs", b"", "Rust", missing="no rustc (apt-get install rustc)"),
-            why_not="no rustc (apt-get install rustc)",
-        ),
+        Row(Entrant("reference.rs", b"", "Rust", missing=RUST), why_not=RUST),
         Row(Entrant("old.c", b"", "C", own=True), why_not="it does not compile: no semicolon (line 3)"),
     )
     return Bench("segment", 875, 7, 7, spread(0.0103), rows, "full")

@@ -46,6 +46,5 @@ def test_the_verdict_says_what_the_points_do_not(result, said):
 
 
 def test_the_interview_says_so():
-    outcome = Outcome(find_problem("beams"), "beams.py", 2, EXTRA)
-    shown = text(page_lines([], outcome, [], (9, 30), None))
+    shown = text(page_lines([], Outcome(find_problem("beams"), "beams.py", 2, EXTRA), [], (9, 30), None))
     assert "beams: WA, all points, but an extra group fails, after 2 runs" in shown

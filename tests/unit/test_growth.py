@@ -40,11 +40,8 @@ def law(power, factor=1.0, theirs=1.2, log=None):
 @pytest.mark.parametrize("power", [0.5, 1.0, 2.0])
 def test_the_exponent_of_a_law_is_found(power):
     assert exponent([(size, 3e-6 * size**power) for size in SIZES]) == pytest.approx(power)
-
-
-def test_one_odd_time_of_three_bends_the_fit_but_little():
-    points = [(2_000, 0.02), (8_000, 0.08 * 1.2), (32_000, 0.32)]
-    assert exponent(points) == pytest.approx(1.0)  # the middle one has no weight in a slope
+    odd = [3e-6 * size**power * (1.2 if size == 8_000 else 1) for size in SIZES]
+    assert exponent([*zip(SIZES, odd, strict=True)]) == pytest.approx(power)  # the middle has no weight
 
 
 def test_a_quadratic_is_too_steep_after_two_rounds():

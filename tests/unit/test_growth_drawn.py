@@ -24,7 +24,7 @@ from judge.report.page.growth import growth_plot
 from judge.report.problems import detail_lines
 from judge.run.execute import run_submission
 from judge.run.reference import check_needs
-from judge.run.result import Growth, GrowthPoint, Mode, Timing
+from judge.run.result import Growth, GrowthPoint, Timing
 
 POINTS = (
     GrowthPoint("n-500", 500, 0.02, 0.01),
@@ -91,31 +91,6 @@ def test_what_the_reference_needs_is_told_where_it_is_missing():
 ROOT = Path(__file__).parents[2]
 GROWS = re.compile(r"it grows like n\^(\d\.\d), the reference like n\^(\d\.\d)")
 SIZES = {"n-500", "n-2000"}
-PROGRAM = """
-import sys
-from math import inf, sqrt
-
-def main():
-    numbers = iter(map(int, sys.stdin.read().split()))
-    for _ in range(next(numbers)):
-        circles = [(next(numbers), next(numbers), next(numbers)) for _ in range(next(numbers))]
-        ox, oy = next(numbers), next(numbers)
-        beams = [(next(numbers), next(numbers)) for _ in range(next(numbers))]
-        said = [str(len(beams))]
-        for dx, dy in beams:
-            a, best, found = dx * dx + dy * dy, inf, None
-            for i, (x, y, r) in enumerate(circles):
-                fx, fy = x - ox, y - oy
-                b = dx * fx + dy * fy
-                if b > 0:
-                    q = r * r * a - (dx * fy - dy * fx) ** 2
-                    if q >= 0 and b - sqrt(q) < best:
-                        best, found = b - sqrt(q), i
-            said.append("none" if found is None else f"{found} {best / a!r}")
-        print(*said)
-
-main()
-"""
 
 
 @pytest.fixture(scope="module")
@@ -159,13 +134,6 @@ def check_too_steep(result):
 @pytest.mark.parametrize("name", ["nearest", "beams"])
 def test_the_naive_loop_is_too_slow_by_how_it_grows(name, judged):
     check_too_steep(judged(name, (ROOT / "solutions" / name / "slow" / "quadratic.py").read_bytes()))
-
-
-@pytest.mark.nightly
-def test_so_is_a_naive_program(judged):
-    result = judged("beams", PROGRAM.encode())
-    assert result.mode is Mode.PROGRAM
-    check_too_steep(result)
 
 
 def test_a_kata_is_shown_with_its_rule():
