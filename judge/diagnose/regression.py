@@ -1,7 +1,7 @@
 """Failing cases as a pytest file of their own: it imports the submission by its path and needs no judge.
 
-A function in another language than Python cannot be imported, and what a problem itself accepts no bounds say: there
-the test replays the case with the judge.
+A function in another language than Python cannot be imported, and what a problem itself accepts has
+no bounds: there the test replays the case with the judge.
 
 The file begins with a line that says who wrote it. A file that does not is never added to.
 """

@@ -3,9 +3,9 @@
     # terminal 80x24               a terminal of that size reads; without it, a pipe
     # needs tests/fixtures/pack    this folder of the repository is copied beside the files
     # needs broken                 ../broken holds every broken problem of tests/broken_problems.py
-    + one.py                       a file, written into a folder that holds a copy of tests/golden/record/files,
+    + one.py                       a file is written, into a copy of tests/golden/record/files,
     | def middle(a, b): return 1   with these lines
-    $ judge run middle one.py      a command, in that folder
+    $ judge run middle one.py      a command, in that copy
     < n                            a line that is typed
       WA  floor.py                 standard output, two characters to the right
     ! judge: no such file          standard error
