@@ -149,3 +149,12 @@ def test_a_problem_without_circles_is_told_without_their_words():
         for word in OWN:
             text = text.replace(word, "")
         assert TOPIC.findall(text) == [], text
+
+
+def test_the_first_steps_are_told_in_plain_words():
+    plain = re.compile(r"(?<![a-z])(bands?|epsilons?|tolerances?|extent|threshold)(?![a-z])", re.IGNORECASE)
+    told = [call for call in CALLS if call.name.startswith("first-steps/")]
+    assert len(told) > 12
+    for call in told:
+        text = "\n".join(call.out).replace("Tolerance\n  none: the exact answer", "")
+        assert plain.findall(text) == [], call
