@@ -1,4 +1,7 @@
-"""`judge hack`: what its wrong programs are, what is kept of them, and a terminal that asks for cases."""
+"""`judge hack`: what its wrong programs are, what is kept of them, and a terminal that asks for cases.
+
+What it says is in the record's transcripts of `hack/`.
+"""
 
 from __future__ import annotations
 
@@ -10,8 +13,10 @@ from cli_support import ROOT
 from sampling import daily
 from terminals import on_a_terminal
 
+from judge.errors import ProblemError
 from judge.kata.hacks import Hack, HackState, Outcome, broken, hack_shares, hack_states
 from judge.kata.history import History
+from judge.mistakes.killing import Jury
 from judge.mistakes.makers import read_makers
 from judge.mistakes.puzzles import read_puzzles, without_pass
 from judge.problem.find import find_problem, problem_folders
@@ -94,3 +99,47 @@ def test_a_terminal_asks_until_it_is_broken():
     assert status == 0
     for part in ("case> ", "this is no case of middle", "LOST  not broken", "WON  broken, 1 of 1"):
         assert part in written
+
+
+# -- the jury of `test-writer`: which wrong programs a list of cases breaks ---------------------------------
+
+
+@pytest.fixture(scope="module")
+def jury():
+    return Jury(find_problem("segment"), {"ends": ["no-clamp", "open-interval"], "one": ["zero-radius"]})
+
+
+INSIDE = (0, 0, 5, (0, 0), (9, 1))
+ON_AN_END = (0, 0, 5, (3, 4), (9, 12))
+
+
+@pytest.mark.parametrize(
+    ("cases", "family", "why"),
+    [
+        ([INSIDE, ON_AN_END], "ends", None),
+        ([INSIDE], "ends", "1 of 2 wrong programs found out, 2 needed; not "),
+        ([INSIDE, ON_AN_END], "one", "0 of 1 wrong programs found out, 1 needed; not zero-radius"),
+        ([INSIDE], "no family", None),
+        ([], "no family", "no case is given"),
+        ([(0, 0, -1, (0, 0), (9, 1))], "no family", "case 1 is no case of segment: r has -1"),
+        ([INSIDE, (0, 0, 1, (-2, 1 + 1e-9), (2, 1 + 1e-9))], "ends", "case 2 is no case of segment: "),
+    ],
+)
+def test_what_the_jury_says(jury, cases, family, why):
+    said = jury.why_not(cases, family)
+    assert said is None if why is None else why in said
+
+
+@pytest.mark.nightly
+def test_what_is_killed_is_what_judge_hack_calls_broken(jury, judge):
+    puzzles = {puzzle.mistake: puzzle.number for puzzle in read_puzzles(find_problem("segment"))}
+    for case, killed in ((INSIDE, {"no-clamp"}), (ON_AN_END, {"no-clamp", "open-interval"})):
+        assert jury.killed([case]) == killed
+        for name in ("no-clamp", "open-interval", "zero-radius"):
+            ended = judge("hack", "segment", str(puzzles[name]), ", ".join(map(repr, case)))
+            assert (ended.status == 0) == (name in killed)
+
+
+def test_a_family_of_unknown_mistakes_is_the_problems_fault():
+    with pytest.raises(ProblemError, match="has no wrong program 'no-such'"):
+        Jury(find_problem("segment"), {"x": ["no-such"]}).why_not([INSIDE], "x")
