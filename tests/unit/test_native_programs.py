@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from native import LIMITS, box_of, fault_of, ran
+from sampling import daily, nightly
 
 from judge.errors import JudgeError
 from judge.languages import find
@@ -37,21 +38,22 @@ ADDING = {  # the sum of two numbers on a line
 }
 
 
-@pytest.mark.parametrize("name", ADDING)
+@pytest.mark.parametrize("name", daily(ADDING, ["a.c", "a.go", "Any.java", "a.cjs"]))
 def test_a_program_is_compiled_and_run(name):
     done = ran(name, ADDING[name], b"19 23\n")
     assert (done.stop, done.stdout, done.detail) == (Stop.ANSWERED, b"42\n", "")
     assert done.usage.memory_bytes > 1 << 20
 
 
+@pytest.mark.nightly
 def test_a_java_program_starts_in_the_class_with_the_main():
     main = "public static void main(String[] words) { System.out.print(7); }"
     source = f"package a.b;\nclass Pt {{ double x, y; }}\nclass Other {{ {main} }}"
     assert ran("x.java", source).stdout == b"7"
 
 
-@pytest.mark.parametrize("level", ["full", "strong", "limits"])
-@pytest.mark.parametrize("name", ["a.cpp", "a.go"])
+@pytest.mark.parametrize("level", daily(["full", "strong", "limits"], ["strong"]))
+@pytest.mark.parametrize("name", daily(["a.cpp", "a.go"], ["a.go"]))
 def test_it_runs_at_each_level(name, level, monkeypatch, tmp_path):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
     try:
@@ -64,25 +66,26 @@ def test_it_runs_at_each_level(name, level, monkeypatch, tmp_path):
         pytest.skip(str(fault))
 
 
+BROKEN = [
+    ("a.c", "int main(void)\n{ return 0 }", 2, 11, "expected"),
+    ("a.cpp", "int main() {\n  return none;\n}", 2, 10, "none"),
+    ("a.go", "package main\nfunc main() {\n\tx := 1\n}", 3, 2, "declared"),
+    ("A.java", "class A {\n int x = ;\n void main() {} }", 2, 10, "illegal start"),
+    ("A.java", "class A {\n\tint x = 1 + y;\n void main() {} }", 2, 14, "cannot find symbol: variable y"),
+    ("a.rs", "fn main() {\n let x: i32 = 1.5;\n}", 2, 15, "mismatched"),
+    ("a.js", "let a = 1;\nlet a = 2;\n", 2, 5, "SyntaxError"),
+    ("a.pypy", "a = 1\nb = (\n", 2, 0, "SyntaxError"),
+    (
+        "a.cpp",
+        "#include <set>\nstruct Pt {};\nint main() {\n  std::set<Pt> all;\n  all.insert(Pt());\n}",
+        *(5, 13, "no match for ‘operator<’"),
+    ),
+]
+
+
 @pytest.mark.parametrize(
     ("name", "source", "line", "column", "words"),
-    [
-        ("a.c", "int main(void)\n{ return 0 }", 2, 11, "expected"),
-        ("a.cpp", "int main() {\n  return none;\n}", 2, 10, "none"),
-        ("a.go", "package main\nfunc main() {\n\tx := 1\n}", 3, 2, "declared"),
-        ("A.java", "class A {\n int x = ;\n void main() {} }", 2, 10, "illegal start"),
-        ("A.java", "class A {\n\tint x = 1 + y;\n void main() {} }", 2, 14, "cannot find symbol: variable y"),
-        ("a.rs", "fn main() {\n let x: i32 = 1.5;\n}", 2, 15, "mismatched"),
-        ("a.js", "let a = 1;\nlet a = 2;\n", 2, 5, "SyntaxError"),
-        ("a.pypy", "a = 1\nb = (\n", 2, 0, "SyntaxError"),
-        (
-            "a.cpp",
-            "#include <set>\nstruct Pt {};\nint main() {\n  std::set<Pt> all;\n  all.insert(Pt());\n}",
-            5,
-            13,
-            "no match for ‘operator<’",
-        ),
-    ],
+    [each if each[0] in ("a.c", "a.go", "a.js") else nightly(*each) for each in BROKEN],
 )
 def test_what_does_not_compile_is_told_with_its_place(name, source, line, column, words):
     fault = fault_of(name, source)
@@ -133,74 +136,61 @@ def test_a_cache_that_cannot_be_written_costs_only_time(tmp_path):
     assert store.artifact("a") is None
 
 
-ENDS = [
-    ("a.c", "int main(void) { return 7; }", Stop.EXITED, "exit status 7"),
-    ("a.c", "int main(void) { *(volatile int *)0 = 1; }", Stop.EXITED, "killed by SIGSEGV"),
-    ("a.c", "int main(void) { for (;;); }", Stop.CPU, "CPU time"),
-    ("a.c", '#include <stdio.h>\nint main(void) { for (;;) puts("x"); }', Stop.OUTPUT, "wrote more than"),
-    (
-        "a.cpp",
-        (
-            "#include <string>\n#include <vector>\n"
-            "int main() { std::vector<std::string> v; for (;;) v.emplace_back(1 << 20, 'x'); }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
-    ),
-    (
-        "a.cpp",
-        '#include <stdexcept>\nint main() { throw std::runtime_error("lost"); }',
-        Stop.EXITED,
-        "lost",
-    ),
-    ("a.go", "package main\nfunc main() { var a []int; _ = a[3] }", Stop.EXITED, "index out of range"),
-    (
-        "a.go",
-        (
-            "package main\nvar k [][]byte\nfunc main() { for { b := make([]byte, 1<<20)\n"
-            "for i := range b { b[i] = 1 }\nk = append(k, b) } }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
-    ),
-    (
-        "a.go",
-        'package main\nimport "fmt"\nfunc main() { for i := 0; i < 3000000; i++ { fmt.Println("xxxxxx") } }',
-        Stop.OUTPUT,
+FILL = "import java.util.*; class A { public static void main(String[] w) {"
+FILL += " var k = new ArrayList<byte[]>(); for (;;) k.add(new byte[1 << 20]); } }"
+GROW = "package main\nvar k [][]byte\nfunc main() { for { b := make([]byte, 1<<20)\n"
+GROW += "for i := range b { b[i] = 1 }\nk = append(k, b) } }"
+ENDS = {
+    "a status of a.c": ("int main(void) { return 7; }", "exited", "exit status 7"),
+    "a signal of a.c": ("int main(void) { *(volatile int *)0 = 1; }", "exited", "killed by SIGSEGV"),
+    "time of a.c": ("int main(void) { for (;;); }", "cpu", "CPU time"),
+    "output of a.c": (
+        '#include <stdio.h>\nint main(void) { for (;;) puts("x"); }',
+        "output",
         "wrote more than",
     ),
-    (
-        "A.java",
+    "memory of a.cpp": (
+        "#include <cstdlib>\n#include <cstring>\nint main() { for (;;) memset(malloc(1 << 20), 1, 1 << 20); }",
+        *("memory", "256 MB"),
+    ),
+    "a fault of a.cpp": (
+        '#include <stdexcept>\nint main() { throw std::runtime_error("lost"); }',
+        *("exited", "lost"),
+    ),
+    "a fault of a.go": (
+        "package main\nfunc main() { var a []int; _ = a[3] }",
+        "exited",
+        "index out of range",
+    ),
+    "memory of a.go": (GROW, "memory", "256 MB"),
+    "output of a.go": (
+        'package main\nimport "fmt"\nfunc main() { for i := 0; i < 3000000; i++ { fmt.Println("xxxxxx") } }',
+        *("output", "wrote more than"),
+    ),
+    "a fault of A.java": (
         "class A { public static void main(String[] w) { int[] a = {}; a[0]++; } }",
-        Stop.EXITED,
-        "ArrayIndex",
+        *("exited", "ArrayIndex"),
     ),
-    (
-        "A.java",
-        (
-            "import java.util.*; class A { public static void main(String[] w) {"
-            " var k = new ArrayList<byte[]>(); for (;;) k.add(new byte[1 << 20]); } }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
+    "memory of A.java": (FILL, "memory", "256 MB"),
+    "a fault of a.js": ("null.x", "exited", "TypeError"),
+    "memory of a.js": (
+        "const k = []; for (;;) k.push(Buffer.alloc(1 << 20, 1));",
+        *("memory", "JavaScript's own"),
     ),
-    ("a.js", "null.x", Stop.EXITED, "TypeError"),
-    ("a.js", "const k = []; for (;;) k.push(Buffer.alloc(1 << 20, 1));", Stop.MEMORY, "JavaScript's own"),
-    (
-        "a.rs",
+    "a fault of a.rs": (
         'fn main() { let v: Vec<i32> = vec![]; println!("{}", v[2]); }',
-        Stop.EXITED,
-        "index out of bounds",
+        *("exited", "index out of bounds"),
     ),
-]
+}
 
 
 @pytest.mark.parametrize(
-    ("name", "source", "stop", "words"), ENDS, ids=[f"{row[0]}-{row[2].value}" for row in ENDS]
+    "end", daily(ENDS, [each for each in ENDS if "a.c" in each.split() or "fault" in each])
 )
-def test_each_end_is_told(name, source, stop, words):
-    done = ran(name, source, limits=LIMITS._replace(cpu_seconds=1.0))
-    assert (done.stop, words in done.detail) == (stop, True), (done.stop, done.detail, done.stderr)
+def test_each_end_is_told(end):
+    source, stop, words = ENDS[end]
+    done = ran(end.split()[-1], source, limits=LIMITS._replace(cpu_seconds=1.0))
+    assert (done.stop.value, words in done.detail) == (stop, True), (done.stop, done.detail, done.stderr)
 
 
 def test_shared_memory_that_no_limit_counts_is_refused():
@@ -224,19 +214,19 @@ def test_a_missing_toolchain_costs_one_submission_and_names_the_command(monkeypa
     find.toolchain.cache_clear()
 
 
+LOST = {
+    "a.c": "#include <assert.h>\nint main(int n, char **w) { assert(n == 2); }",
+    "a.go": 'package main\nfunc main() { panic("lost") }',
+    "a.rs": 'fn main() { panic!("lost") }',
+    "A.java": 'class A { public static void main(String[] w) { throw new RuntimeException("lost"); } }',
+}
+
+
 @pytest.mark.parametrize("level", ["full", "strong"])
-@pytest.mark.parametrize(
-    ("name", "source"),
-    [
-        ("a.c", "#include <assert.h>\nint main(int n, char **w) { assert(n == 2); }"),
-        ("a.go", 'package main\nfunc main() { panic("lost") }'),
-        ("a.rs", 'fn main() { panic!("lost") }'),
-        ("A.java", 'class A { public static void main(String[] w) { throw new RuntimeException("lost"); } }'),
-    ],
-)
-def test_a_program_knows_no_path_of_this_machine(name, source, level, monkeypatch, tmp_path):
+@pytest.mark.parametrize("name", daily(LOST, ["a.c"]))
+def test_a_program_knows_no_path_of_this_machine(name, level, monkeypatch, tmp_path):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
-    done = ran(name, source, level=level)
+    done = ran(name, LOST[name], level=level)
     assert done.stop is Stop.EXITED
     assert b"solution" in done.stderr or b"A.java" in done.stderr
     assert b"judge-" not in done.stderr

@@ -1,11 +1,10 @@
 """Functions in Go, Rust and PyPy as people write them: names and types of their own, and how they end."""
 
-# ruff: noqa: E501 - sources in other languages
-
 from __future__ import annotations
 
 import pytest
 from native import LIMITS, answers, box_of, called, need, signature
+from sampling import daily
 
 from judge.languages.boxes import AnyBoxes
 from judge.languages.draft import draft_of, driver_of
@@ -23,18 +22,15 @@ RUST_WHOLE = {
 }
 
 
-def test_in_rust_they_are_digits_or_what_the_function_takes():
+@pytest.mark.nightly
+def test_in_rust_they_are_digits_or_what_the_function_takes_and_never_within_an_answer():
     assert answers("a.rs", RUST_WHOLE["digits"], BIG, [(10**40,), (-7,)]) == [41, 2]
     found = called("a.rs", RUST_WHOLE["machine"], BIG, [(5 << 100,), (1 << 127,), (-(1 << 127),)])
     assert [reply.answer for reply in found] == [5, None, -(1 << 27)]
     assert found[1].detail == f"{1 << 127} does not fit into i128"
-
-
-def test_in_rust_they_are_never_within_an_answer():
     with box_of("a.rs", RUST_WHOLE["digits"], signature=BIG._replace(answer=parse("[int]"))) as box:
-        assert box.inspect().fault.message == (
-            "Rust functions of this problem's types cannot be called: give it a main"
-        )
+        told = box.inspect().fault.message
+    assert told == "Rust functions of this problem's types cannot be called: give it a main"
 
 
 def test_in_go_an_answer_may_be_one_too():
@@ -42,25 +38,31 @@ def test_in_go_an_answer_may_be_one_too():
     assert answers("a.go", counting, BIG, [(2**99,)]) == [100]
     nothing = 'package main\nimport "math/big"\nfunc mirrorAll(n *big.Int) *big.Int { return nil }'
     assert answers("a.go", nothing, BIG, [(2**99,)]) == [None]
-    assert driver_of(language_called("go")).declared(draft_of(language_called("go"), BIG)) == (
-        "func mirrorAll(n *big.Int) int"
-    )
 
 
-def test_a_stack_without_end_is_said_so():
+def test_go_says_a_type_once_for_neighbours_and_takes_big_ints_by_their_address():
+    go, given = language_called("go"), signature("real", r="real", A="point", B="point", n="int")
+    declared = [driver_of(go).declared(draft_of(go, each)) for each in (BIG, given)]
+    assert declared == [
+        "func mirrorAll(n *big.Int) int",
+        "func mirrorAll(r float64, A, B Pt, n int) float64",
+    ]
+
+
+def test_a_stack_without_end_and_more_memory_than_there_is_are_said_so():
     source = """package main
 func deep(x float64) float64 { return deep(x) + 1 }
-func mirrorAll(x float64) float64 { if x == 2 { return deep(x) }; return x }"""
-    found = called("a.go", source, REAL, [(1.0,), (2.0,), (3.0,)])
-    assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.EXITED]
-    assert found[1].detail.endswith("stack overflow")
-
-
-def test_more_than_there_is_of_memory_is_said_so():
-    source = """package main
-func mirrorAll(x float64) float64 { if x == 2 { all := make([]float64, 1<<33); all[5] = x; return all[int(x)] }; return x }"""
-    found = called("a.go", source, REAL, [(1.0,), (2.0,), (3.0,)])
-    assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.MEMORY]
+func mirrorAll(x float64) float64 {
+    if x == 2 { return deep(x) }
+    if x == 4 { all := make([]float64, 1<<33); all[5] = x; return all[int(x)] }
+    return x }"""
+    with box_of("a.go", source, signature=REAL) as box:
+        deep, large = (
+            box.call_many("mirror_all", [(1.0,), (x,), (3.0,)], LIMITS).replies for x in (2.0, 4.0)
+        )
+    assert [reply.stop for reply in deep] == [Stop.ANSWERED, Stop.EXITED]
+    assert deep[1].detail.endswith("stack overflow")
+    assert [reply.stop for reply in large] == [Stop.ANSWERED, Stop.MEMORY]
 
 
 def test_pypy_prints_nothing_of_its_own():
@@ -123,7 +125,7 @@ class Solution { static List<Pt> mirrorAll(Pt A) { return A.mirrorAll(); } }""",
 }
 
 
-@pytest.mark.parametrize("name", OWN)
+@pytest.mark.parametrize("name", daily(OWN, ["grouped.go", "fields.rs", "tag.c", "methods.java"]))
 def test_types_and_names_of_its_own_are_taken(name):
     assert answers(name, OWN[name], PLACED, [((1.5, 2.0),)]) == [[[2, 1.5]]]
 
@@ -141,14 +143,6 @@ def test_what_is_no_text_is_told():
         assert box.inspect().fault.message == "stream did not contain valid UTF-8"
     with AnyBoxes(Boxes(None), REAL)("def mirror_all(x):".encode("utf-16"), "a.pypy") as box:
         assert box.inspect().fault.message == "it is UTF-16: save it as UTF-8"
-
-
-def test_go_says_a_type_once_for_neighbours():
-    draft = draft_of(language_called("go"), signature("real", r="real", A="point", B="point", n="int"))
-    assert (
-        driver_of(language_called("go")).declared(draft)
-        == "func mirrorAll(r float64, A, B Pt, n int) float64"
-    )
 
 
 def test_what_is_blanked_at_the_head_of_a_file_keeps_its_lines():
