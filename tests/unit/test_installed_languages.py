@@ -18,7 +18,7 @@ from judge.languages.signature import Signature
 from judge.sandbox.probe import missing
 from judge.values.atoms.int import IntType
 
-_C = (model._HERE / "c.toml").read_text(encoding="utf-8")
+C = (model._HERE / "c.toml").read_text(encoding="utf-8")
 SIGNATURE = Signature("middle", (), IntType())
 DRIVER = """\
 def declared(draft):
@@ -45,7 +45,7 @@ def fresh(monkeypatch):
 def described(folder, driver=None, name="tiny", suffix=".tiny"):
     """A folder with a language that is C in all but its name."""
     folder.mkdir(parents=True)
-    text = _C.replace('name = "C"', f'name = "{name.capitalize()}"').replace('".c"', f'"{suffix}"')
+    text = C.replace('name = "C"', f'name = "{name.capitalize()}"').replace('".c"', f'"{suffix}"')
     (folder / f"{name}.toml").write_text(text)
     if driver is not None:
         (folder / f"{name}.py").write_text(driver)
@@ -138,24 +138,37 @@ def test_a_driver_that_fails_is_one_line(tmp_path, monkeypatch):
         draft.driver_of(language).driver(draft.draft_of(language, SIGNATURE))
 
 
+def with_line(line):
+    """C's description with another line for one of its keys, or with one more of [compile]."""
+    key = line.partition(" ")[0]
+    kept = [each for each in C.splitlines() if not each.startswith(key)]
+    place = next(i for i, each in enumerate(kept) if each.startswith("steps")) if key == "complaint" else 1
+    return "\n".join([*kept[:place], line, *kept[place:]])
+
+
 @pytest.mark.parametrize(
-    ("line", "told"),
+    ("text", "told"),
     [
-        ("defines = '('", "defines is no pattern"),
+        ('name = "Ada"\n', ".*suffixes"),
+        (with_line("drops = '('"), "drops is no pattern"),
+        (with_line("swaps = [['(', '']]"), "swaps is no pattern"),
+        (with_line("defines = '('"), "defines is no pattern"),
         (
-            "[compile]\ncomplaint = 'line (?P<line>[0-9]+)'",
+            with_line("complaint = 'line (?P<line>[0-9]+)'"),
             "complaint needs the groups message, file and line",
         ),
     ],
 )
-def test_a_pattern_is_checked_as_it_is_read(tmp_path, monkeypatch, line, told):
-    folder = described(tmp_path / "own")
-    path, key = folder / "tiny.toml", line.splitlines()[0].partition(" ")[0]
-    kept = [each for each in path.read_text().splitlines() if not each.startswith(key)]
-    place = 1 if "defines" in line else next(i for i, each in enumerate(kept) if each.startswith("steps"))
-    path.write_text("\n".join([*kept[:place], line, *kept[place:]]))
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    with pytest.raises(JudgeError, match=rf"tiny\.toml: it describes no language: {told}"):
+def test_a_broken_description_is_one_line(tmp_path, monkeypatch, text, told):
+    (tmp_path / "ada.toml").write_text(text)
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path))
+    with pytest.raises(JudgeError, match=rf"ada\.toml: it describes no language: {told}"):
+        model.languages()
+
+
+def test_a_folder_without_descriptions_is_told(monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "nothing"))
+    with pytest.raises(JudgeError, match=r"correct \$JUDGE_LANGUAGES"):
         model.languages()
 
 

@@ -33,47 +33,33 @@ def script(path, text):
 
 
 @pytest.mark.parametrize(
-    ("name", "language"),
+    ("language", "names"),
     [
-        ("a.cpp", "cpp"),
-        ("dir/a.b.cc", "cpp"),
-        ("a.c", "c"),
-        ("Main.java", "java"),
-        ("a.go", "go"),
-        ("a.rs", "rust"),
-        ("a.mjs", "javascript"),
-        ("a.pypy.py", "pypy"),
-        ("a.py", None),
-        ("a.b.py", None),
-        ("a.h", None),
-        ("0.5", None),
-        ("segment", None),
+        ("cpp", ["a.cpp", "dir/a.b.cc"]),
+        ("c", ["a.c"]),
+        ("java", ["Main.java"]),
+        ("go", ["a.go"]),
+        ("rust", ["a.rs"]),
+        ("javascript", ["a.mjs"]),
+        ("pypy", ["a.pypy.py"]),
+        ("python", ["a.py", "../a.b.py"]),
+        (None, ["a.h", "0.5", "segment", "a.pyc", "a.PY", ".py", ".#a.py", "py"]),
     ],
 )
-def test_a_suffix_says_the_language(name, language):
-    found = face.language_of(name)
-    assert (found.id if found else None) == language
-    assert face.is_program(name) == (language is not None or name.endswith(".py"))
+def test_a_suffix_says_the_language(language, names):
+    for name in names:
+        found = face.language_of(name)
+        assert (found.id if found else None) == (None if language == "python" else language), name
+        assert face.is_program(name) == (language is not None), name
+    assert not face.is_program(".a.cpp"), "it is hidden"
 
 
-def test_a_hidden_file_is_no_program_in_any_language():
-    assert not face.is_program(".a.cpp")
-
-
-def test_a_programs_name_ends_as_its_language_has_it():
-    assert face.file_name("mine", model.language_called("go")) == "mine.go"
-
-
-@pytest.mark.parametrize("word", ["C++", "cpp", "CPP", ".cc", "cc"])
-def test_a_language_is_called_by_name_or_suffix(word):
-    assert model.language_called(word).id == "cpp"
-
-
-def test_no_language_is_called_so():
+def test_languages_are_called_by_name_or_suffix_and_name_the_files():
+    for word in ("C++", "cpp", "CPP", ".cc", "cc"):
+        assert model.language_called(word).id == "cpp"
     assert model.language_called("cobol") is None
-
-
-def test_names_are_spelt_as_each_language_has_it():
+    assert face.file_name("mine") == "mine.py"
+    assert face.file_name("mine", model.language_called("go")) == "mine.go"
     spelt = {each.id: each.spelt("signed_area") for each in model.languages()}
     assert spelt["cpp"] == spelt["c"] == spelt["rust"] == "signed_area"
     assert spelt["java"] == spelt["go"] == spelt["javascript"] == "signedArea"
@@ -118,43 +104,6 @@ def test_the_entry_is_known_where_it_is_defined(language, source, defines):
     described = model.language_called(language)
     pattern = described.defines.replace("{entry}", described.spelt("two_points"))
     assert bool(re.search(pattern, source)) == defines
-
-
-def test_a_broken_description_is_one_line(monkeypatch, tmp_path):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    (folder / "ada.toml").write_text('name = "Ada"\n')
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    with pytest.raises(JudgeError, match=r"ada\.toml: it describes no language: .*suffixes"):
-        model.languages()
-
-
-@pytest.mark.parametrize(("key", "text"), [("drops", "'('"), ("swaps", "[['(', '']]")])
-def test_a_pattern_that_is_none_is_one_line(monkeypatch, tmp_path, key, text):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    (folder / "tiny.toml").write_text(f"{key} = {text}\n" + (model._HERE / "c.toml").read_text())
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    with pytest.raises(JudgeError, match=rf"tiny\.toml: it describes no language: {key} is no pattern"):
-        model.languages()
-
-
-def test_a_folder_without_descriptions_is_told(monkeypatch, tmp_path):
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "nothing"))
-    with pytest.raises(JudgeError, match=r"correct \$JUDGE_LANGUAGES"):
-        model.languages()
-
-
-def test_a_folder_of_ones_own_adds_a_language(monkeypatch, tmp_path):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    text = (
-        (model._HERE / "c.toml").read_text().replace('name = "C"', 'name = "Tiny"').replace('".c"', '".tiny"')
-    )
-    (folder / "tiny.toml").write_text(text)
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    assert face.language_of("a.tiny").name == "Tiny"
-    assert face.language_of("a.c").name == "C"
 
 
 @pytest.mark.parametrize(
