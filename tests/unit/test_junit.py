@@ -126,21 +126,6 @@ def test_the_submissions_own_threshold_is_told():
     assert "threshold" not in properties(read(ACCEPTED, REJECTED))
 
 
-def test_the_judges_own_fault_is_an_error():
-    root = read(judge_fault("count", "a.py", "the reference fails"))
-    assert (root.get("errors"), root.get("failures"), root.get("tests")) == ("1", "0", "1")
-    (case,) = root.iter("testcase")
-    (error,) = case
-    assert (case.get("name"), error.tag, error.get("type")) == ("judge", "error", "JE")
-    assert error.get("message") == "the reference fails"
-
-
-def test_what_does_not_compile_is_one_failed_case():
-    compiled = Result("count", "a.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError (line 2)"))
-    (case,) = read(compiled).iter("testcase")
-    assert (case.get("name"), case[0].tag, case[0].get("type")) == ("compile", "failure", "CE")
-
-
 @pytest.mark.parametrize("verdict", [Verdict.WA, Verdict.RTE, Verdict.CE, Verdict.JE])
 def test_nothing_of_a_submission_breaks_the_document(verdict):
     groups = () if verdict in (Verdict.CE, Verdict.JE) else (group("grid", verdict),)
@@ -154,5 +139,16 @@ def test_nothing_of_a_submission_breaks_the_document(verdict):
     assert case[0].get("message").endswith("'\" \\u202e")
 
 
-def test_no_submissions_at_all():
+def test_what_does_not_compile_is_a_failed_case_and_the_judges_own_fault_an_error():
+    fault = judge_fault("count", "a.py", "the reference fails")
+    compiled = Result("count", "a.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError (line 2)"))
+    for result, told in (
+        (fault, ("judge", "error", "JE", "the reference fails")),
+        (compiled, ("compile", "failure", "CE", "SyntaxError (line 2)")),
+    ):
+        root = read(result)
+        (case,) = root.iter("testcase")
+        assert (case.get("name"), case[0].tag, case[0].get("type")) == told[:3]
+        assert told[3] in case[0].get("message")
+        assert (root.get("errors"), root.get("failures")) == (("1", "0") if result is fault else ("0", "1"))
     assert read().get("tests") == "0"
