@@ -64,13 +64,6 @@ def as_it_is(top: Path) -> Site:
     return Site([str(site)], [site / "pack"], _seen(site))
 
 
-def below_a_link(top: Path) -> Site:
-    site = _site(top / "releases" / "7" / "site-packages")
-    (top / "current").symlink_to("releases/7")
-    name = top / "current" / "site-packages"
-    return Site([str(name)], [name / "pack"], [*_seen(name), *_seen(site)])
-
-
 def below_a_chain_of_links(top: Path) -> Site:
     site = _site(top / "data" / "site-packages")
     (top / "one").symlink_to(top / "two" / "deep")
@@ -81,13 +74,6 @@ def below_a_chain_of_links(top: Path) -> Site:
     return Site(
         [str(name)], [site / "pack"], [*_seen(name), *_seen(site), *_seen(top / "three/site-packages")]
     )
-
-
-def under_two_names(top: Path) -> Site:
-    site = _site(top / "lib" / "python3" / "site-packages")
-    (top / "lib64").symlink_to("lib")
-    name = top / "lib64" / "python3" / "site-packages"
-    return Site([str(name), str(site), str(site)], [site / "pack"], [*_seen(name), *_seen(site)])
 
 
 def by_a_relative_name(top: Path) -> Site:
@@ -155,9 +141,7 @@ def a_link_out_of_what_is_shown(top: Path) -> Site:
 
 SITES: list[Callable[[Path], Site]] = [
     as_it_is,
-    below_a_link,
     below_a_chain_of_links,
-    under_two_names,
     by_a_relative_name,
     behind_dots_after_a_link,
     through_a_link_beside_it,
