@@ -123,7 +123,7 @@ RADIUS = 2**50
 
 
 def level(position: Fraction, height: Fraction, width: int) -> CircleLine:
-    """A level line from a dyadic place to the right; a circle about the origin, whose radius is the extent."""
+    """A level line from a dyadic place to the right; a circle about the origin, its radius the extent."""
     scale = max(position.denominator, height.denominator)
     r, ax, ay, dx = (int(each * scale) for each in (RADIUS, position, height, width))
     a, k = dx * dx, dx * ay

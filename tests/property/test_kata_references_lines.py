@@ -7,20 +7,7 @@ from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import pytest
-from references import (
-    SNAP,
-    alike,
-    answers,
-    cases_of,
-    dot,
-    minus,
-    norm,
-    number,
-    plus,
-    reach,
-    small_cases,
-    vec,
-)
+from references import SNAP, alike, answers, cases_of, dot, minus, norm, number, plus, reach, small_cases, vec
 
 
 def distance(a, b, p):

@@ -291,32 +291,6 @@ def test_mounts_are_read_with_spaces_in_their_names(monkeypatch, tmp_path):
     assert places.mounts() == []
 
 
-@pytest.mark.parametrize("level", ["full", "strong", None])
-@pytest.mark.parametrize("kept", ["unseen", "searched"])
-def test_a_container_that_shows_what_it_must_not_is_refused(monkeypatch, tmp_path, level, kept):
-    """Even where no level is demanded: a lower one would show as much."""
-    if not AVAILABLE - {"limits"} or level not in (*AVAILABLE, None):
-        pytest.skip("it cannot be had here")
-    site = _site(tmp_path / "site-packages")
-    (site / "pack" / "problem.toml").touch()
-    (site / "problems").mkdir()
-    (site / "pack").rename(site / "problems" / "pack")
-    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
-    other = {"unseen": "searched", "searched": "unseen"}[kept]
-    found = roots.find_roots()
-    monkeypatch.setattr(roots, "find_roots", lambda _: found._replace(hidden=(), **{other: ()}))
-    refused = pytest.raises(JudgeError, match=f"would let a submission read {site}/problems")
-    with refused as caught, open_box(b"", "f.py", level=level):
-        pass
-    assert "virtual environment of its own" in (caught.value.remedy or "")
-    box = open_box(b"", "f.py", level=level)
-    box.warm_up()  # which keeps it to itself
-    with refused, box:
-        pass
-    with open_box(b"", "f.py", level="limits") as open_to_all:
-        assert open_to_all.isolation == "limits"
-
-
 @pytest.mark.parametrize("place", ["os.listdir", "os.scandir", "judge.sandbox.places._MOUNTS"])
 def test_what_cannot_be_read_for_a_moment_is_not_taken_for_nothing(monkeypatch, place):
     """A folder that is overlooked for want of a descriptor would not be hidden."""

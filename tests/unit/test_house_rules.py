@@ -42,7 +42,7 @@ SUFFIXED = {
     "mistakes/contained.py": {"mistakes.py"},
     "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
     "packs/export/package.py": {
-        *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py"),
+        *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py")
     },
     "packs/foreign/programs.py": {"main.py", ".py2", ".py3"},
     "problem/solutions.py": {"mistakes.py"},

@@ -128,11 +128,7 @@ def everywhere(name):
             spared(WORDS, "half"),
             "says why 'half' spares some that make it, and that group names no such",
         ),
-        (
-            ROUTES,
-            f"{WORDS}[other]\nspared.half = 'so'\n",
-            "[other] says why 'half' spares some that make it",
-        ),
+        (ROUTES, f"{WORDS}[other]\nspared.half = 'so'\n", "[other] says why 'half' spares some that make it"),
     ],
 )
 def test_a_broken_promise_is_a_fault(pack, routes, words, what):

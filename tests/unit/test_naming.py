@@ -91,8 +91,7 @@ def test_two_mistakes_at_once_and_one_that_went_half_of_the_way(library):
         first, second = library.behaviour(one), library.behaviour(other)
         mixed = {
             name: Answers(
-                min(first[name].reached, second[name].reached),
-                {**first[name].wrong, **second[name].wrong},
+                min(first[name].reached, second[name].reached), {**first[name].wrong, **second[name].wrong}
             )
             for name in first
         }
@@ -125,8 +124,7 @@ def test_silence_on_one_answer_to_everything(library, answer):
     right = library.problem.answer.right
     always = {
         group.group.name: Answers(
-            len(group.cases),
-            {i: answer for i, target in enumerate(group.targets) if right(target) != answer},
+            len(group.cases), {i: answer for i, target in enumerate(group.targets) if right(target) != answer}
         )
         for group in library.groups
     }

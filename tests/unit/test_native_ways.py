@@ -43,10 +43,7 @@ def test_in_go_an_answer_may_be_one_too():
 def test_go_says_a_type_once_for_neighbours_and_takes_big_ints_by_their_address():
     go, given = language_called("go"), signature("real", r="real", A="point", B="point", n="int")
     declared = [driver_of(go).declared(draft_of(go, each)) for each in (BIG, given)]
-    assert declared == [
-        "func mirrorAll(n *big.Int) int",
-        "func mirrorAll(r float64, A, B Pt, n int) float64",
-    ]
+    assert declared == ["func mirrorAll(n *big.Int) int", "func mirrorAll(r float64, A, B Pt, n int) float64"]
 
 
 def test_a_stack_without_end_and_more_memory_than_there_is_are_said_so():
