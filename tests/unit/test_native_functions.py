@@ -1,15 +1,13 @@
 """Functions in other languages, called through drivers: every type, and every way to end a call."""
 
-# ruff: noqa: E501 - sources in other languages
-
 from __future__ import annotations
 
 import re
 from array import array
 
 import pytest
-from native import LIMITS, answers, box_of, called, signature
-from sampling import daily, nightly
+from native import LIMITS, answers, box_of, called, signature, sources
+from sampling import daily
 
 from judge.languages.draft import draft_of, driver_of
 from judge.languages.model import language_called, languages
@@ -25,64 +23,8 @@ POINTS = signature("[vec2; 0..2]", **FOUR)  # all that there is in C
 ALL = signature(
     "(real, [int], [vec2; 0..2], enclosure)?", **FOUR, items="[point; 0..9]", more="int?", raw="array(f64)"
 )
-# Each prints what an answer looks like, has a main of its own, and fails when it is told to throw or to leave.
-EVERYTHING = {
-    "a.c": """#include <stdio.h>
-#include <stdlib.h>
-int mirror_all(double x, Pt A, long long n, const char *w, Pt out[2]) {
-    puts("[0,7]"); if (w[2] == 'a') abort();
-    for (int i = 0; i < n; i++) { out[i].x = x * A.y; out[i].y = w[0] == 'l' ? A.x : -A.x; } return n; }
-int main(void) { return 3; }""",
-    "a.cpp": """#include <iostream>
-#include <stdexcept>
-std::optional<TupleRealListListEnclosure> mirror_all(double x, Pt A, long long n, std::string w,
-        std::vector<Pt> items, std::optional<long long> more, std::vector<double> raw) {
-    std::cout << "[0,7]\\n"; if (w == "throw") throw std::out_of_range("two"); if (w == "leave") *(volatile int *)8 = 1;
-    if (!more) return {}; TupleRealListListEnclosure all; all.first = -x; all.fourth = {-x, x};
-    for (double v : raw) all.second.push_back((long long)v + *more);
-    for (auto& q : items) all.second.push_back((long long)q.x);
-    all.third = std::vector<Pt>(n, Pt{x * A.y, w == "left" ? A.x : -A.x}); return all; }
-int main() { return 3; }""",
-    "a.go": """package main
-import ("fmt"; "os")
-func mirrorAll(x float64, A Pt, n int, w string, items []Pt, more *int, raw []float64) (all TupleRealListListEnclosure, ok bool) {
-    fmt.Println("[0,7]"); if w == "throw" { panic("two") }; if w == "leave" { os.Exit(0) }
-    if more == nil { return }; all.First, all.Fourth = -x, Enclosure{-x, x}
-    for _, v := range raw { all.Second = append(all.Second, int(v) + *more) }
-    for _, q := range items { all.Second = append(all.Second, int(q.X)) }
-    for i := 0; i < n; i++ { p := Pt{x * A.Y, -A.X}; if w == "left" { p.Y = A.X }; all.Third = append(all.Third, p) }
-    return all, true }
-func main() { panic(1) }""",
-    "Any.java": """import java.util.*;
-public class Mine { static TupleRealListListEnclosure mirrorAll(double x, Pt A, long n, String w, List<Pt> items, Long more, double[] raw) {
-    System.out.println("[0,7]"); if (w.equals("throw")) throw new RuntimeException("two"); if (w.equals("leave")) System.exit(3);
-    if (more == null) return null; var second = new ArrayList<Long>(); var third = new ArrayList<Pt>();
-    for (double v : raw) second.add((long) v + more);
-    for (Pt q : items) second.add((long) q.x());
-    while (n-- > 0) third.add(new Pt(x * A.y(), w.equals("left") ? A.x() : -A.x()));
-    return new TupleRealListListEnclosure(-x, second, third, new Enclosure(-x, x)); }
-    public static void main(String[] w) { System.exit(3); } }""",
-    "a.rs": """fn mirror_all(x: f64, a: Pt, n: i64, w: String, items: Vec<Pt>, more: Option<i64>, raw: Vec<f64>) -> Option<TupleRealListListEnclosure> {
-    println!("[0,7]"); if w == "throw" { panic!("two") } if w == "leave" { std::process::exit(4) }
-    let m = more?; let mut second: Vec<i64> = raw.iter().map(|v| *v as i64 + m).collect();
-    second.extend(items.iter().map(|q| q.x as i64));
-    let third = (0..n).map(|_| Pt { x: x * a.y, y: if w == "left" { a.x } else { -a.x } }).collect();
-    Some(TupleRealListListEnclosure { first: -x, second, third, fourth: Enclosure { lo: -x, hi: x } }) }
-fn main() { panic!() }""",
-    "a.js": """const mirrorAll = (x, A, n, w, items, more, raw) => {
-    console.log('[0,7]'); if (w === 'throw') throw new Error('two'); if (w === 'leave') process.exit(0);
-    return more === null ? null : { first: -x, second: [...Array.from(raw, v => v + more), ...items.map(q => Math.trunc(q.x))],
-        third: Array.from({ length: n }, () => ({ x: x * A.y, y: w === 'left' ? A.x : -A.x })), fourth: { lo: -x, hi: x } }; };""",
-    "a.pypy": """import os
-def mirror_all(x, A, n, w, items, more, raw):
-    print("[0,7]")
-    if w == "throw": raise ValueError("two")
-    if w == "leave": os._exit(5)
-    if more is None: return None
-    second = [int(v) + more for v in raw] + [int(q[0]) for q in items]
-    return -x, second, [(x * A[1], A[0] if w == "left" else -A[0])] * n, (-x, x)
-""",
-}
+# Each prints what an answer looks like, has a main of its own, and fails when told to throw or to leave.
+EVERYTHING = sources("everything")
 LEFT = {"a.c": "SIGABRT", "a.cpp": "SIGSEGV", "a.go": "mid-call", "Any.java": "status 3"}
 LEFT |= {"a.rs": "status 4", "a.js": "mid-call", "a.pypy": "status 5"}
 
@@ -201,123 +143,10 @@ def test_a_call_without_end_is_the_one_to_blame():
     assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.CPU]
 
 
-# -- functions as people write them ----------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "source",
-    [
-        "export function mirrorAll(x) { return -x; }",
-        "export default function mirrorAll(x) { return -x; }",
-        "const mirrorAll = x => -x;\nexport { mirrorAll };\n",
-        "const mirrorAll = x => -x;\nmodule.exports = { mirrorAll };\n",
-        "const all = 'src/*', some = /[\"'`/]/g;\nfunction mirrorAll(x) { return -x; }\nlet none = '*/';",
-    ],
-)
-def test_what_a_script_exports_is_called_all_the_same(source):
-    assert answers("a.mjs", source, REAL, [(2.5,)]) == [-2.5]
-
-
-IMPORTING = """import fs, { readFileSync as slurp } from 'node:fs';
-import * as path
-  from "path";
-import 'util';
-const told = `
-import nothing from 'nowhere';`;
-export const mirrorAll = x => (console.log(path.sep, told, fs.constants), -x);
-"""
-
-
-@pytest.mark.parametrize(
-    ("name", "source"),
-    [
-        ("a.mjs", f"\ufeff{IMPORTING}slurp(0);"),
-        ("a.pypy", "def mirror_all(x):\n    return -x\nopen(0).read()\n"),
-    ],
-)
-def test_what_reads_at_once_reads_nothing_and_the_function_is_called(name, source):
-    assert answers(name, source, REAL, [(2.5,), (1.5,)]) == [-2.5, -1.5]
-
-
-MIRROR = "static double mirrorAll(double x) { return -x; }"
-JAVA = {
-    "after others that speak of it": f'''class Pt {{ int x; }}
-class B {{ String s = """\n  it is "so" {{{{ // \n  /* """; char c = '{{';
-    static double twice(double x) {{ return A.mirrorAll(A.mirrorAll(x)); }} }}
-class A {{ {MIRROR} }}''',
-    "private, in a package": f"\ufeff/* mine */\r\npackage a.b;\npublic class A {{ private {MIRROR} }}",
-    "not the public class": f"class A {{ {MIRROR} }}\npublic class B {{ }}",
-    "an interface": f"interface A {{ {MIRROR} }}",
-}
-
-
-@pytest.mark.parametrize("where", daily(JAVA, ["after others that speak of it"]))
-def test_java_functions_are_found_wherever_they_stand(where):
-    assert answers("x.java", JAVA[where], REAL, [(2.5,)]) == [-2.5]
-
-
-JAVA_OWN = [
-    "class Pt { private final double x, y; Pt(double x, double y) { this.x = x; this.y = y; } }\nclass A { @ }",
-    "class A { @ private static class Pt { double x; double y; Pt(double x, double y) { this.x = x; this.y = y; } } }",
-    "class A { @ }\nrecord Pt(double x, double y) {}",
-]
-
-
-@pytest.mark.parametrize("own", daily(JAVA_OWN, JAVA_OWN[1:2]))
-def test_java_points_of_ones_own_are_taken_wherever_they_stand(own):
-    function = "static Pt mirrorAll(Pt A) { return new Pt(-A.x, -A.y); }"
-    function = function if "record" not in own else function.replace("A.x", "A.x()").replace("A.y", "A.y()")
-    assert answers("x.java", own.replace("@", function), signature("vec2", A="point"), [((1.0, 2.0),)]) == [
-        [-1, -2]
-    ]
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize(
-    ("source", "given", "calls", "found"),
-    [
-        (
-            "class A { static float mirrorAll(double x) { return x < 0 ? Float.NaN : (float) x; } }",
-            REAL,
-            [(0.1,), (-1.0,)],
-            [0.10000000149011612, {"type": "float", "text": "nan"}],
-        ),
-        (
-            "class A { static byte[] mirrorAll(double[] raw) { byte[] out = new byte[raw.length]; for (int i = 0; i < raw.length; i++) out[i] = (byte) -raw[i]; return out; } }",
-            signature("array(i8)", raw="array(f64)"),
-            [(array("d", [1.0, -2.5]),), (array("d"),)],
-            [[-1, 2], []],
-        ),
-        (
-            "class A { record Enclosure(double lo, double hi) {} static Enclosure mirrorAll(double x) { return new Enclosure(-x, x); } }",
-            signature("enclosure", x="real"),
-            [(1.5,)],
-            [[-1.5, 1.5]],
-        ),
-    ],
-    ids=["float", "arrays", "a record of its own"],
-)
-def test_java_has_other_types_for_the_same(source, given, calls, found):
-    assert answers("A.java", source, given, calls) == found
-
-
-@pytest.mark.nightly
-def test_what_java_cannot_begin_with_is_told_by_its_cause():
-    source = 'class A { static double k = Double.parseDouble("x"); static double mirrorAll(double x) { return k; } }'
-    found = called("A.java", source, REAL, [(1.0,)])
-    assert found[0].detail == 'java.lang.NumberFormatException: For input string: "x"'
-
-
-# -- integers of any length ------------------------------------------------------------------------------------
+# -- integers of any length --------------------------------------------------------------------------------
 
 BIG = signature("int", n="int")._replace(big=True)
-NEGATED = {
-    "a.go": 'package main\nimport "math/big"\nfunc mirrorAll(n *big.Int) *big.Int { return n.Neg(n) }',
-    "A.java": "import java.math.*;\nclass A { static BigInteger mirrorAll(BigInteger n) { return n.negate(); } }",
-    "a.js": "function mirrorAll(n) { return -n; }",
-    "a.pypy": "def mirror_all(n):\n    return -n\n",
-    "a.cpp": 'std::string mirror_all(std::string n) { return "-" + n; }',
-}
+NEGATED = sources("negated")
 
 
 @pytest.mark.parametrize("name", daily(NEGATED, ["a.js", "a.go"]))
@@ -362,7 +191,7 @@ def test_a_struct_of_ones_own_may_hold_smaller_numbers_which_overflow_without_a_
 
 def test_in_c_they_are_digits():
     source = """#include <string.h>
-    long long mirror_all(const char *n) { return n[0] == '-' ? -(long long)strlen(n + 1) : (long long)strlen(n); }"""
+    long long mirror_all(const char *n) { long long k = strlen(n); return n[0] == '-' ? 1 - k : k; }"""
     assert answers("a.c", source, BIG, [(10**40,), (-(10**20),), (7,)]) == [41, -21, 1]
 
 
@@ -371,144 +200,7 @@ def test_in_c_an_enclosure_is_a_struct():
     assert answers("a.c", source, signature("enclosure", x="real"), [(1.5,)]) == [[-1.5, 1.5]]
 
 
-# -- what stands around the function ---------------------------------------------------------------------------
-
-MEDDLING = {  # macros, pragmas and names that files of contests begin with
-    "a.c": """#define int long long
-#define in stdin
-#define out stdout
-#define out_of(x) x
-double mirror_all(double x) { int y = 1; return -x * y; }
-""",
-    "a.cpp": """#pragma GCC optimize("Ofast")
-#include <bits/stdc++.h>
-#define int long long
-#define double long double
-#define out cout
-#define put(x) cout << x
-#define text 7
-#define at(i) [i]
-using namespace std;
-typedef vector<int> vi;
-static int early = (cout << "[0,7]" << endl, 0);
-double mirror_all(double x) { put(x); return x == 3 ? sqrtl(-x) : -x; }
-signed main() { cin >> early; }
-""",
-}
-
-
-def test_macros_of_ones_own_do_not_reach_the_driver():
-    assert answers("a.c", MEDDLING["a.c"], REAL, [(1.0,), (2.5,)]) == [-1, -2.5]
-
-
-@pytest.mark.nightly
-def test_nor_do_those_of_cpp_nor_does_fast_mathematics_which_has_no_nan():
-    *plain, nan = answers("a.cpp", MEDDLING["a.cpp"], REAL, [(1.0,), (2.5,), (3.0,)])
-    assert (plain, nan) == ([-1, -2.5], {"type": "float", "text": "nan"})
-
-
-CPP = [
-    "static inline auto mirror_all(double x) noexcept -> double\n{ return -x; }",
-    "const auto mirror_all = [](double x) { return -x; };",
-    "template <class T> T mirror_all(T x) { return -x; }",
-    "#include <cmath>\ndouble mirror_all(double x) { return x < 0 ? std::sqrt(x) : -x; }",
-]
-
-
-@pytest.mark.parametrize("source", daily(CPP, CPP[3:]))
-def test_a_function_may_be_defined_in_any_way_of_cpp(source):
-    assert answers("a.cpp", source, REAL, [(1.5,)]) == [-1.5]
-    if "sqrt" in source:
-        assert answers("a.cpp", source, REAL, [(-1.0,)]) == [{"type": "float", "text": "nan"}]
-
-
-UNLIKE = [
-    ("a.cpp", "int mirror_all(int a, int b) { return a; }", "double mirror_all(double x)"),
-    ("a.c", "double mirror_all(double *x) { return *x; }", "double mirror_all(double x)"),
-    ("a.go", "package main\nfunc mirrorAll(a string) int { return 1 }", "func mirrorAll(x float64) float64"),
-    (
-        "A.java",
-        "class A { static double mirrorAll(String a) { return 1; } }",
-        "static double mirrorAll(double x)",
-    ),
-    ("a.rs", "fn mirror_all(a: &str) -> f64 { 1.0 }", "fn mirror_all(x: f64) -> f64"),
-]
-
-
-@pytest.mark.parametrize(
-    ("name", "source", "words"), [each if each[0] in ("a.c", "a.go") else nightly(*each) for each in UNLIKE]
-)
-def test_another_declaration_is_told_as_the_problem_has_it(name, source, words):
-    with box_of(name, source, signature=REAL) as box:
-        assert box.inspect().fault.message.endswith(f"is not declared as the problem says: {words}")
-
-
-@pytest.mark.parametrize(
-    ("given", "source", "words"),
-    [
-        (BIG, "long long mirror_all(long long n) { return n; }", "mirror_all(const char *n)"),
-        (signature("real?", x="real"), "bool mirror_all(double x, float *out) { return 0; }", "double *out)"),
-        (
-            signature("[int]", n="int"),
-            "int mirror_all(int n) { return n; }",
-            "C functions of this problem's types cannot be called: give it a main",
-        ),
-    ],
-)
-def test_in_c_no_pointer_and_no_type_is_taken_for_something_else(given, source, words):
-    with box_of("a.c", source, signature=given) as box:
-        assert box.inspect().fault.message.endswith(words)
-
-
-@pytest.mark.parametrize(
-    ("name", "source", "place", "words"),
-    [
-        ("a.js", "function mirrorAll(x) {\n  return 1 +;\n}", (2, 13), "SyntaxError: Unexpected token ';'"),
-        ("a.mjs", f"{IMPORTING}slurp(0;", (8, 7), "SyntaxError"),
-        ("a.pypy", "def mirror_all(x):\n    return 1 +\n", (2, 0), "SyntaxError"),
-        ("a.cpp", "double mirror_all(double x) {\n  return y;\n}", (2, 10), ""),
-    ],
-)
-def test_an_error_is_told_before_it_is_called_and_keeps_its_place(name, source, place, words):
-    with box_of(name, source, signature=REAL) as box:
-        fault = box.inspect().fault
-    assert fault.message.startswith(words)
-    assert (fault.line, fault.column) == place
-
-
-@pytest.mark.parametrize(
-    ("name", "source", "words"),
-    [
-        (
-            "a.cpp",
-            "double mirrorAll(double x) { return x; }",
-            "neither mirror_all nor main: write mirror_all for mirrorAll",
-        ),
-        (
-            "a.go",
-            "package main\nfunc mirror_all(x float64) {}",
-            "neither mirrorAll nor main: write mirrorAll for mirror_all",
-        ),
-        ("a.c", "int other(void) { return 1; }", "neither mirror_all nor main"),
-        (
-            "a.js",
-            "class Solution {\n  mirrorAll(x) { return -x; }\n}",
-            "mirrorAll is a method of Solution: write it as a function",
-        ),
-        (
-            "a.js",
-            "function mirror_all(x) { return x; }\nconsole.log(mirror_all(1));",
-            "it defines no mirrorAll, and reads no input: write mirrorAll for mirror_all",
-        ),
-        ("a.c", "// double mirror_all(double x) { return x; }\nint a;", "neither mirror_all nor main"),
-    ],
-)
-def test_neither_function_nor_program_is_told(name, source, words):
-    with box_of(name, source, signature=REAL) as box:
-        assert box.inspect().fault.message.endswith(words)
-
-
-# -- what goes between ----------------------------------------------------------------------------------------
+# -- what goes between --------------------------------------------------------------------------------------
 
 
 def test_answers_are_foreign_data():
