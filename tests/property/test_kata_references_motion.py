@@ -267,7 +267,8 @@ def is_first(answer, circles, origin, way):
     )
 
 
-@pytest.mark.parametrize("name", [nightly("nearest"), "beams"])
+@pytest.mark.parametrize("name", ["nearest", "beams"])
+@pytest.mark.nightly
 def test_the_first_circle_of_a_ray_is_that_of_a_loop_over_all_circles(name):
     checked = []
     for (circles, *rays), given in small_cases(name, (None, 1, 2, 3)):

@@ -1,4 +1,4 @@
-"""How alike two wrong answers are, and two programs by theirs."""
+"""How alike two wrong answers are, and two programs by theirs; what is compared."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from judge.mistakes.agreement import Alike, WrongAnswer
 from judge.mistakes.answers import Answers
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import Likeness
+from judge.mistakes.naming import Known
+from judge.mistakes.nearest import nearest
 from judge.values import Usual, parse
 
 COUNT, USUAL = parse("count"), Usual(frozenset({0.0, 1.0, 2.0}))
@@ -125,3 +127,36 @@ def test_a_line_has_the_outline_of_its_answer():
     assert parse("count").line_outline("none") == ("none", ())
     assert parse("parameter").line_outline("0.1e1") == ("number", (1.0,))
     assert parse("count").line_outline("two") == ("text", ())
+
+
+class Data:
+    """A group with as many cases."""
+
+    def __init__(self, name, size):
+        self.group = type("Group", (), {"name": name})
+        self.cases = [None] * size
+
+
+def program(name, cases):
+    return Known(name, {"a": Answers(40, {case: one(1) for case in cases})}, chance=False)
+
+
+def test_only_what_fails_like_cases_is_compared():
+    known = [
+        program("same", range(20)),
+        program("half", range(10)),
+        program("rest", range(10, 20)),
+        program("elsewhere", range(30, 40)),
+    ]
+    found = nearest({"a": Answers(40, {case: one(1) for case in range(20)})}, known, [Data("a", 40)])
+    assert found.same == (0,)
+    assert found.worth == (0, 1, 2)
+    first, *others = [{known[place].name for place in pair} for pair in found.pairs]
+    assert first == {"half", "rest"}
+    assert not any("elsewhere" in pair for pair in others)
+
+
+def test_what_fails_everywhere_is_like_nothing_that_does_not():
+    known = [program("few", range(3)), program("none", ())]
+    found = nearest({"a": Answers(40, {case: one(1) for case in range(40)})}, known, [Data("a", 40)])
+    assert (found.same, found.worth, [*found.pairs]) == ((), (), [])
