@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from cli_support import PACK
 from jsonschema import Draft202012Validator
+from sampling import nightly
 
 from judge.languages import find
 from judge.languages.model import language_called
@@ -143,7 +144,7 @@ def grown(judge, submit, tmp_path, monkeypatch):
     return run
 
 
-@pytest.mark.parametrize("own", [True, False])
+@pytest.mark.parametrize("own", [nightly(True), False])
 def test_the_growth_of_another_language(grown, own):
     result = grown(QUADRATIC, own=own)
     growth = result["time"]["growth"]
@@ -152,6 +153,7 @@ def test_the_growth_of_another_language(grown, own):
     assert result["time"]["reference"]["language"] == ("C++" if own else "Python")
 
 
+@pytest.mark.nightly
 def test_the_growth_of_the_reference_itself(grown):
     result = grown(MERGE.replace("// Merge", "// Mine"), own=True)
     assert result["verdict"] == "AC", result

@@ -10,6 +10,7 @@ import sys
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from sampling import daily
 
 from judge.report.names import shown_command, shown_name
 from judge.report.screen import Screen
@@ -34,7 +35,8 @@ STRANGE = [
     "it's.py",
     os.fsdecode(b"\xff::error.py"),
 ]
-strange = pytest.mark.parametrize("name", STRANGE)
+BY_DAY = ("::error::x.py", "--help.py", "a\n::error::b.py", "a\x1b[2Jb.py", "it's.py")
+strange = pytest.mark.parametrize("name", daily(STRANGE, BY_DAY))
 
 
 def harmless(text: str) -> bool:

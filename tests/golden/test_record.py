@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 KATAS = keys("programs")
 KINDS = ("accepted", "wrong", "mistake", "slow", "textbook", "everyday", "changed", "edge", "challenge")
-BY_DAY = 2  # programs of each kata
+BY_DAY = 1  # programs of each kata
 AT_NIGHT = re.compile(r"(?!count/)[^/]+/slow/|nearest/textbook/")  # half a minute and more each
 DRAWN = ("count", "segment", "polygon", "csg", "sphere", "swept-wall", "silhouette")  # a kata for each kind
 
