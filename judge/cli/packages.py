@@ -17,12 +17,13 @@ from judge.judging.isolation import kept_level
 from judge.packs.foreign.cases import test_files
 from judge.packs.foreign.checker import Checker, content_of
 from judge.packs.foreign.expected import FOLDER, Demand, Own, own_submissions, tagged
-from judge.packs.foreign.judging import Court, Judged, unjudged
+from judge.packs.foreign.judging import Court, Judged, Seen, unjudged
 from judge.packs.foreign.opening import Opened
-from judge.packs.foreign.package import Package, read_package
+from judge.packs.foreign.package import OURS, Bounds, Package, read_package
 from judge.packs.foreign.programs import Content, NotRunError, Program, is_one_program, program_of
 from judge.packs.foreign.timing import ACCEPTED, UNKNOWN, TimeLimit, found_limit
 from judge.problem.verdict import Verdict
+from judge.report.live import Live
 from judge.report.screen import note, out
 from judge.report.values import counted
 from judge.sandbox import Boxes, room
@@ -37,6 +38,7 @@ class Asked(Struct, frozen=True):
     as_json: bool = False
     brief: bool = False
     level: str | None = None
+    bounds: Bounds = OURS
 
 
 class Entrant(Struct, frozen=True):
@@ -73,8 +75,10 @@ def run_package(asked: Asked) -> ExitCode:
         remedy = "leave one out" if asked.own else f"judge run {asked.word} FILE"
         raise UsageError(what, where=asked.word, remedy=remedy)
     with Opened(asked.word) as opened:
-        package = read_package(opened)
+        package = read_package(opened, asked.bounds)
         tests = test_files(package)
+        for text in package.lowered.values():
+            note(text)
         room.raise_descriptors()
         hidden = [opened.root, _cache()]
         boxes = Boxes(asked.level, hidden, least=None if asked.level else kept_level())
@@ -100,19 +104,23 @@ class _Sitting:
         self._asked = asked
         self._known: dict[str, Judged] = {}  # accepted ones, by name, whose time the limit follows from
         self._tried = False  # whether there were any that should have been
+        self._live = Live(silent=asked.brief)
 
     def judge_all(self, entrants: Sequence[Entrant]) -> ExitCode:
         package, asked = self._court.package, self._asked
         level = self._court.boxes.first()
         limit = found_limit(package, level, self._slowest)
-        if limit is UNKNOWN:
+        if limit.lowered:
+            note(f"{limit.lowered}; --package-limits allows more")
+        if limit is UNKNOWN and not self._court.checker.hung:
             none = "it accepts none of them" if self._tried else "the package has no accepted submission"
             note(f"{none} to set the time limit: it is {limit.seconds:g} s")
         rows: list[Ruled] = []
         interrupted = False
         try:
-            for entrant in entrants:
-                rows.append(self._ruled(entrant, limit))
+            for place, entrant in enumerate(entrants):
+                with self._live:
+                    rows.append(self._ruled(entrant, limit, f"{place} of {len(entrants)} judged, "))
                 self._show(rows[-1], limit, several=len(entrants) > 1)
         except KeyboardInterrupt:
             if not rows or asked.as_json:
@@ -135,12 +143,20 @@ class _Sitting:
             note(f"the time limit follows from {many}, judged first")
         for entrant in owns:
             if entrant.program is not None:
-                judged = self._court.judged(entrant.program, UNKNOWN)
+                with self._live:
+                    judged = self._court.judged(entrant.program, UNKNOWN, seen=self._seen(entrant))
                 if judged.verdict is Verdict.AC:
                     self._known[entrant.name] = judged
         return max((judged.slowest for judged in self._known.values()), default=None)
 
-    def _ruled(self, entrant: Entrant, limit: TimeLimit) -> Ruled:
+    def _seen(self, entrant: Entrant, before: str = "") -> Seen:
+        """What shows how far a submission is."""
+        many = len(self._court.tests)
+        return lambda count, name: self._live.show(
+            lambda: f"{before}{entrant.name} on {name}, {count} of {counted(many, 'test file')}"
+        )
+
+    def _ruled(self, entrant: Entrant, limit: TimeLimit, before: str) -> Ruled:
         demands = entrant.demands
         if entrant.program is None:
             judged = unjudged(entrant.name, entrant.why)
@@ -149,6 +165,7 @@ class _Sitting:
             entrant.program,
             limit,
             lambda verdicts: any(demand.goes_on(verdicts) for demand in demands or ()),
+            self._seen(entrant, before),
         )
         if not demands:
             return Ruled(entrant, judged)

@@ -60,6 +60,11 @@ from judge.problem.choose import chosen_groups
 @no_name_option
 @jobs_option
 @isolation_option
+@click.option(
+    "--package-limits",
+    is_flag=True,
+    help="Take a package's own limits where they are above the judge's; memory is bounded by the machine's.",
+)
 @mode_option
 @no_shrink_option
 @save_regression_option
@@ -82,6 +87,7 @@ def command(
     no_name: bool,
     jobs: int,
     level: str | None,
+    package_limits: bool,
     mode: str | None,
     unshrunk: bool,
     regression: Path | None,
@@ -120,7 +126,13 @@ def command(
             {f"--format {form}": chosen_format(form, as_json=as_json) not in (TEXT, JSON)},
         )
         as_json = chosen_format(form, as_json=as_json) == JSON
-        return run_package(Asked(first, rest, whole, as_json, quiet, level))
+        from judge.packs.foreign.package import OURS, THEIRS
+
+        bounds = THEIRS if package_limits else OURS
+        return run_package(Asked(first, rest, whole, as_json, quiet, level, bounds))
+    if package_limits:
+        what = "--package-limits goes with a package of another judge"
+        raise UsageError(what, remedy="leave it out, or name a package first")
     from judge.cli.judging import all_judged
 
     current = None

@@ -110,18 +110,28 @@ class Opened:
         if not inside:
             raise ProblemError("this link leads out of the package", where=self.name_of(path))
 
+    def size(self, path: Path) -> int:
+        """A file's length in bytes. Raises ProblemError where it cannot be looked at."""
+        try:
+            return path.stat().st_size
+        except OSError as fault:
+            raise self._unreadable(path, fault) from None
+
     def read(self, path: Path, most: int = _LARGEST) -> bytes:
         """A file's content. Raises ProblemError where it is larger, leads out, or cannot be read."""
         self.check(path)
         try:
             content = read_ordinary(path, most + 1)
         except (OSError, ValueError) as fault:
-            reason = (getattr(fault, "strerror", None) or str(fault)).lower()
-            raise ProblemError(f"it cannot be read ({reason})", where=self.name_of(path)) from None
+            raise self._unreadable(path, fault) from None
         if len(content) > most:
             size = f"{most >> 20} MB" if most >> 20 else f"{most >> 10} KB"
             raise ProblemError(f"it is larger than {size}", where=self.name_of(path))
         return content
+
+    def _unreadable(self, path: Path, fault: OSError | ValueError) -> ProblemError:
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
+        return ProblemError(f"it cannot be read ({reason})", where=self.name_of(path))
 
 
 def _temporary(word: str) -> TemporaryFolder:
