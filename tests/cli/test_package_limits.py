@@ -151,8 +151,8 @@ def test_a_validator_is_held_and_leaves_nothing(
 
 
 def test_limits_beyond_ours_are_ours_and_that_is_said(tmp_path):
-    text = "memory: 1048576, output: 256, validation_time: 3600, validation_memory: 1000000, validation_output: 256"
-    found = asked(text, tmp_path)
+    validating = "validation_time: 3600, validation_memory: 9999, validation_output: 99"
+    found = asked(f"memory: 1048576, output: 256, {validating}", tmp_path)
     assert found.memory_bytes <= OURS.memory * MB
     assert found.output_bytes == OURS.output * MB
     assert found.validating.wall_seconds == OURS.validating + 1
