@@ -39,6 +39,7 @@ class Asked(Struct, frozen=True):
     brief: bool = False
     level: str | None = None
     bounds: Bounds = OURS
+    follow: bool = False
 
 
 class Entrant(Struct, frozen=True):
@@ -82,7 +83,7 @@ def run_package(asked: Asked) -> ExitCode:
         room.raise_descriptors()
         hidden = [opened.root, _cache()]
         boxes = Boxes(asked.level, hidden, least=None if asked.level else kept_level())
-        entrants = list(_owns(package)) if asked.own else list(_named(asked.files))
+        entrants = list(_owns(package)) if asked.own else list(_named(asked.files, follow=asked.follow))
         with Checker(package, boxes) as checker:
             sitting = _Sitting(Court(package, tests, checker, boxes), asked)
             return sitting.judge_all(entrants)
@@ -212,7 +213,7 @@ def _entrant_of(package: Package, own: Own) -> Entrant:
     return Entrant(own.name, program, "", own.folder, own.demands)
 
 
-def _named(files: Sequence[str]) -> Iterator[Entrant]:
+def _named(files: Sequence[str], *, follow: bool) -> Iterator[Entrant]:
     """The files that a person names; a folder is one program, or stands for the programs in it.
 
     Raises UsageError where one is missing, and for the only one that cannot be run.
@@ -220,7 +221,7 @@ def _named(files: Sequence[str]) -> Iterator[Entrant]:
     names = list(dict.fromkeys(files))
     programs = {name: content for name in names if (content := _one_program(name))}
     others = [name for name in names if name not in programs]
-    submissions, unread = gathered(others) if others else ([], [])
+    submissions, unread = gathered(others, follow=follow) if others else ([], [])
     if len(submissions) + len(unread) + len(programs) == 1 and submissions:
         _check_alone(submissions[0].name, submissions[0].source)
     for name, content in programs.items():
