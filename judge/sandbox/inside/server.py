@@ -220,10 +220,7 @@ class Server:
             os._exit(99)
 
     def _watch(self, pid: int, watch: Watch) -> tuple[int, int, resource.struct_rusage]:
-        """Wait until the child is dead, or kill it at a limit; pass it on from series to series.
-
-        Gives the reason it was killed for, its wait status and its usage.
-        """
+        """Pass the child on from series to series until it is dead; what killed it, its status, its usage."""
         reason = wire.NOT_KILLED
         while True:
             gone, status, usage = os.wait4(pid, 0 if reason else os.WNOHANG | os.WUNTRACED)
