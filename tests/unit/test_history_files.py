@@ -77,12 +77,20 @@ def test_random_bytes_are_no_history(start, reading, tmp_path):
     assert len(list(tmp_path.iterdir())) == 40
 
 
-def test_a_version_that_no_judge_can_have_is_damage(own_history):
+@pytest.mark.parametrize(
+    ("version", "told"),
+    [
+        (1094795585, "written by a newer judge"),
+        (1001, "written by a newer judge"),
+        (-1, "is damaged; move it away"),
+    ],
+)
+def test_a_version_far_ahead_is_newer_and_one_that_cannot_be_is_damage(version, told, own_history):
     filled(own_history)
     with contextlib.closing(sqlite3.connect(own_history)) as connection:
-        connection.execute("PRAGMA user_version = 1094795585")
+        connection.execute(f"PRAGMA user_version = {version}")
         connection.commit()
-    assert "the history is damaged; move it away" in refusal(own_history)
+    assert told in refusal(own_history)
 
 
 def test_bytes_changed_at_random_are_told_as_damage(own_history):
@@ -141,15 +149,15 @@ def test_a_damaged_history_says_so(own_history):
         "passed = x'ff'",
     ],
 )
-def test_a_run_that_no_judge_wrote_is_told_in_a_line(change, own_history):
-    filled(own_history, runs=1)
+def test_a_run_that_no_judge_wrote_is_left_out(change, own_history):
+    filled(own_history, runs=3)
     with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
-        connection.execute(f"UPDATE runs SET {change}")
+        connection.execute(f"UPDATE runs SET {change} WHERE id = 2")
     with History.open(reading=True) as history:
-        with pytest.raises(HistoryError, match="run 1 is damaged"):
-            history.runs()
-        with pytest.raises(HistoryError, match="run 1 is damaged"):
-            history.run(1)
+        assert [run.id for run in history.runs()] == [1, 3]
+        assert history.left_out == ["run 2"]
+        with pytest.raises(HistoryError, match="run 2 is damaged; 'judge history --repair'"):
+            history.run(2)
 
 
 @pytest.mark.parametrize("packed", [b"", zlib.compress(b"[]"), zlib.compress(b"[" * 100_000), "text"])
