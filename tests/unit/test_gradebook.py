@@ -9,7 +9,8 @@ import pytest
 from classes import class_of, row, small_class
 
 from judge.batch.model import Student
-from judge.report.cohort.gradebook import cell, gradebook, is_gradebook
+from judge.report.cohort.gradebook import gradebook, is_gradebook
+from judge.report.sheet import cell
 
 
 def read(content, delimiter=","):
@@ -18,7 +19,7 @@ def read(content, delimiter=","):
 
 def test_a_line_a_student():
     content = gradebook(small_class())
-    assert content.startswith(b"\xef\xbb\xbfstudent,name,group,segment,count,total,")
+    assert content.startswith(b'\xef\xbb\xbf"student","name","group","segment","count","total",')
     head, *lines = read(content)
     assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake"]
     assert lines[0] == ["ann", "Ann Lee", "A", "30", "90", "120", "WA", "tangent-twice", "AC", ""]
@@ -28,6 +29,7 @@ def test_a_line_a_student():
     assert [each[0] for each in lines] == ["ann", "bob", "cid", "dee\\x1b[31m王", "eve", "zoe"]
     assert content.count(b"\r\n") == 7
     assert is_gradebook(content[:100])
+    assert is_gradebook(b"\xef\xbb\xbfstudent,name,group,segment\r\n")
     assert not is_gradebook(b"name,student\r\n")
 
 

@@ -15,7 +15,7 @@ from judge.errors import ExitCode, UsageError
 from judge.kata.history import Run
 from judge.problem.find import find_problem
 from judge.report.history import history_lines, repaired_lines, restored_lines
-from judge.report.layout import line, printable
+from judge.report.layout import line
 from judge.report.screen import out
 
 if TYPE_CHECKING:
@@ -186,12 +186,12 @@ def _check(name: str, folders: Sequence[Path], known: set[str]) -> None:
 
 
 def _write_csv(runs: Sequence[Run]) -> None:
-    import csv  # only who asks for it waits for it
+    from judge.report.sheet import csv_text  # only who asks for it waits for it
 
-    writer = csv.DictWriter(sys.stdout, _COLUMNS, extrasaction="ignore", lineterminator="\n")
-    writer.writeheader()
+    rows: list[Sequence[object]] = [_COLUMNS]
     for run in runs:
         names = {"passed": run.passed, "failed": run.failed, "levels": run.levels}
         row = as_object(run) | {key: " ".join(found) for key, found in names.items()}
-        writer.writerow({key: printable(str(row[key])) for key in _COLUMNS if row[key] is not None})
+        rows.append(["" if row[key] is None else row[key] for key in _COLUMNS])
+    sys.stdout.write(csv_text(rows, "\n"))
     sys.stdout.flush()
