@@ -1,8 +1,8 @@
 """Rows as CSV that spreadsheets open as it is meant, wherever they are opened.
 
 Every field is quoted, so that it stays one where another sign parts them, as `;` does in half of Europe. A
-cell that would be calculated, such as a student called `=1+1`, gets an apostrophe before it; so does what would
-begin one where a spreadsheet takes no notice of the quotes.
+cell that would be calculated, such as a student called `=1+1`, gets an apostrophe before it; so does what
+would begin one where a spreadsheet takes no notice of the quotes.
 """
 
 from __future__ import annotations

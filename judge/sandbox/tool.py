@@ -68,7 +68,7 @@ class ToolBox(NativeBox):
         assert fault is None, "whoever runs it has looked"
         try:
             folder = self._emptied()
-            place, level, shown = self._place, self.isolation, self._given
+            place, level, shown = self._place, self._run_holder().level, self._given
             assert place is not None
             assert shown is not None
             for name, content in given:

@@ -235,7 +235,7 @@ class _Hacking:
                 "got": said.got,
                 "message": said.message,
                 "verdict": said.verdict.value,
-                "isolation": said.isolation,
+                "isolation": said.isolation or None,
             }
         write_json(
             {
