@@ -152,7 +152,7 @@ class NativeBox:
 
     def _holder(self, level: str, place: Workplace, more: Sequence[str]) -> Holder:
         share = self._boxes.share
-        roots = find_roots(self._boxes.hide, more)
+        roots = find_roots(self._boxes.hide, more, modules=self._recipe.modules)
         return Holder(level, self._boxes, lambda level: Container(level, "", b"", roots, share, place))
 
     # -- running
