@@ -18,7 +18,7 @@ from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots, open_to_all
 
-_ENVIRONMENT = {
+ENVIRONMENT = {
     "PATH": "/usr/bin:/bin",
     "LANG": "C.UTF-8",
     "TZ": "UTC",
@@ -103,7 +103,7 @@ def plan(
         _settle(place, level, roots, config)
         config["passes_on"] = closed
     if level != "full":
-        return Plan(tuple(python), dict(_ENVIRONMENT), config)
+        return Plan(tuple(python), dict(ENVIRONMENT), config)
     command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
 
@@ -157,7 +157,7 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
         kept = ["CAP_SETUID", "CAP_SETGID", *(["CAP_DAC_READ_SEARCH"] if reads_all else [])]
         arguments += [part for capability in kept for part in ("--cap-add", capability)]
-    for key, value in _ENVIRONMENT.items():
+    for key, value in ENVIRONMENT.items():
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):

@@ -104,6 +104,14 @@ def test_its_wrong_programs_can_be_broken(judge):
     assert (status, found["outcome"], found["case"]["got"]) == (0, "won", "2")
 
 
+def test_it_holds_its_own_attacks_far_from_the_checkout(judge):
+    status, (found,) = judge("doctor", "--attack", "--json")
+    assert len(found["attacks"]["attacks"]) > 20
+    assert status == (0 if all(each["held"] for each in found["attacks"]["attacks"]) else 1)
+    if found["isolation"] != "limits":
+        assert [each for each in found["attacks"]["attacks"] if not each["held"]] == []
+
+
 def test_a_source_distribution_has_the_five_top_level_names(tmp_path):
     import tarfile
 
