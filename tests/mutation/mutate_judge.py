@@ -42,14 +42,7 @@ MODULES = (
     "sandbox/linux/seccomp",
 )
 EACH = 5
-ALLOWED = (
-    "ptrace",
-    "socket",
-    "mount",
-    "kill",
-    "process_vm_readv",
-    "bpf",
-)  # one more system call each
+ALLOWED = {"ptrace": 101, "socket": 41, "mount": 165, "process_vm_readv": 310, "bpf": 321}  # of x86-64
 SUITES = {"daily": [], "nightly": ["-m", ""]}
 SECONDS = 3600  # for a run of the tests; one that takes longer has noticed
 
@@ -67,10 +60,11 @@ def edits() -> Iterator[Edit]:
     for module in MODULES:
         text = (ROOT / "judge" / f"{module}.py").read_text(encoding="utf-8")
         if module.endswith("seccomp"):
-            for name in ALLOWED:
-                yield Edit(
-                    module, f"{name} is allowed", text.replace("uname sysinfo", f"{name} uname sysinfo")
-                )
+            first = "    for first, last in _runs("
+            for name, number in ALLOWED.items():
+                row = f"    rows += bpf.decide({number}, bpf.ALLOW)\n{first}"
+                yield Edit(module, f"{name} is allowed", text.replace(first, row))
+            yield Edit(module, "kill is allowed", text.replace('("kill", "tgkill")', '("tgkill",)'))
             continue
         # One a line, and none in a signature, whose annotations nobody evaluates.
         found = {each.was: each for each in mutants(text) if not each.was.startswith("def ")}
