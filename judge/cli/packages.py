@@ -104,7 +104,7 @@ class _Sitting:
         self._court = court
         self._asked = asked
         self._known: dict[str, Judged] = {}  # accepted ones, by name, whose time the limit follows from
-        self._tried = False  # whether there were any that should have been
+        self._unset = "the package has no accepted submission"  # why no time limit follows from them
         self._live = Live(silent=asked.brief)
 
     def judge_all(self, entrants: Sequence[Entrant]) -> ExitCode:
@@ -114,8 +114,7 @@ class _Sitting:
         if limit.lowered:
             note(f"{limit.lowered}; --package-limits allows more")
         if limit is UNKNOWN and not self._court.checker.hung:
-            none = "it accepts none of them" if self._tried else "the package has no accepted submission"
-            note(f"{none} to set the time limit: it is {limit.seconds:g} s")
+            note(f"{self._unset} to set the time limit: it is {limit.seconds:g} s")
         rows: list[Ruled] = []
         interrupted = False
         try:
@@ -131,15 +130,21 @@ class _Sitting:
             from judge.cli.package_screen import end_lines
 
             out().show(end_lines(package, rows, len(entrants), limit, out().width, own=asked.own))
+            if asked.brief and len(entrants) == 1 and rows[0].judged.verdict is Verdict.JE:
+                assert rows[0].judged.failure is not None
+                note(rows[0].judged.failure.message)
         if any(row.judged.isolation == "limits" for row in rows) and asked.level is None:
             note(WEAK)
         return ExitCode.INTERRUPTED if interrupted else _exit_code(rows, own=asked.own)
 
     def _slowest(self) -> float | None:
-        """CPU seconds of the slowest of the package's accepted submissions; None where none is."""
+        """CPU seconds of the slowest of the package's accepted submissions.
+
+        None where none is, and after the first that is too slow: the others would change nothing.
+        """
         owns = list(_owns(self._court.package, ACCEPTED))
-        self._tried = bool(owns)
         if owns:
+            self._unset = "it accepts none of them"
             many = counted(len(owns), "accepted submission")
             note(f"the time limit follows from {many}, judged first")
         for entrant in owns:
@@ -148,6 +153,9 @@ class _Sitting:
                     judged = self._court.judged(entrant.program, UNKNOWN, seen=self._seen(entrant))
                 if judged.verdict is Verdict.AC:
                     self._known[entrant.name] = judged
+                elif judged.verdict is Verdict.TLE and judged.failure is not None:
+                    self._unset = f"{entrant.name} is too slow on {judged.failure.test}"
+                    return None
         return max((judged.slowest for judged in self._known.values()), default=None)
 
     def _seen(self, entrant: Entrant, before: str = "") -> Seen:

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 from judge.errors import HistoryError, UsageError
 from judge.kata.answers import Answered, Rating
 from judge.kata.hacks import Hack, Outcome
-from judge.kata.rows import COLUMNS, DAMAGE, NOUNS, microseconds, read, text_of
+from judge.kata.rows import COLUMNS, DAMAGE, NOUNS, microseconds, one_by_one, read, text_of
 from judge.kata.rows import Current as Current
 from judge.kata.rows import Help as Help
 from judge.kata.rows import Run as Run
@@ -146,9 +146,8 @@ class History:
 
     def hints_seen(self, problem: str) -> int:
         """How many of the problem's hints have been seen."""
-        ((seen,),) = self._rows(
-            "SELECT max(hints) FROM help WHERE problem = ? AND typeof(hints) = 'integer'", (problem,)
-        )
+        query = "SELECT max(hints) FROM help WHERE problem = ? AND typeof(hints) = 'integer' AND hints > 0"
+        ((seen,),) = self._rows(query, (problem,))
         return int(seen or 0)
 
     def see_hints(self, problem: str, count: int) -> None:
@@ -218,16 +217,14 @@ class History:
 
         Raises that fault where none can be.
         """
-        found = []
-        ((last,),) = self._rows("SELECT seq FROM sqlite_sequence WHERE name = 'runs'") or [(0,)]
-        for number in range(last if isinstance(last, int) else 0, 0, -1):
-            try:
-                found += self._rows(f"SELECT {_RUNS} FROM runs WHERE id = ?", (number,))
-            except HistoryError:
-                self._leave_out("runs", number)
+        from judge.database import faults
+        from judge.kata.database import HISTORY
+
+        with faults(HISTORY, self.path):
+            found = list(one_by_one(self._connection, "runs", self._name_left_out))
         if not found:
             raise fault
-        return [row for row in found if problem in (None, row[2])]
+        return [row for row in reversed(found) if problem in (None, row[2])]
 
     def _numbers(self) -> str:
         ((first, last),) = self._rows("SELECT min(id), max(id) FROM runs")
@@ -247,7 +244,9 @@ class History:
                 self._leave_out(table, row[0])
 
     def _leave_out(self, table: str, number: object) -> None:
-        text = NOUNS[table] if table == "current" else f"{NOUNS[table]} {number}"
+        self._name_left_out(NOUNS[table] if table == "current" else f"{NOUNS[table]} {number}")
+
+    def _name_left_out(self, text: str) -> None:
         if text not in self.left_out:
             self.left_out.append(text)
 

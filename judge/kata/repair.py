@@ -12,7 +12,7 @@ import contextlib
 import os
 import shutil
 import sqlite3
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,10 +21,10 @@ from msgspec import Struct
 from judge.database import connect, faults
 from judge.errors import HistoryError
 from judge.kata.database import HISTORY
-from judge.kata.rows import COLUMNS, DAMAGE, NOUNS, Run, read, text_of
+from judge.kata.rows import COLUMNS, DAMAGE, NOUNS, Run, one_by_one, read, text_of
 
 _NEW, _OLD = ".repaired", ".damaged-{}"
-_NO_REPAIR = "move it away, and a new one begins"
+_LONGEST = 1 << 32  # bytes of a history
 
 
 class Repaired(Struct, frozen=True):
@@ -45,6 +45,8 @@ def repair(path: Path) -> Repaired:
     """
     if not path.exists():
         raise HistoryError("there is no history yet", where=str(path), remedy="'judge run' begins one")
+    with faults(HISTORY, path):
+        length = _fill_up(path)
     with contextlib.closing(connect(HISTORY, path, reading=False)) as old, faults(HISTORY, path):
         old.text_factory = text_of
         _take_alone(old, path)
@@ -55,13 +57,37 @@ def repair(path: Path) -> Repaired:
                 target.execute("PRAGMA synchronous = FULL")
                 runs, left_out = _copied(old, target)
                 target.execute("PRAGMA journal_mode = DELETE")  # so that it is one file
-            if not left_out:
+            if not left_out and _is_whole(old):
                 return Repaired(runs)
-            before = _kept_as_it_was(path)
+            before = _kept_as_it_was(path, length)
             new.replace(path)
             return Repaired(runs, tuple(left_out), before)
         finally:
             _remove(new)
+
+
+def _fill_up(path: Path) -> int:
+    """Give a file whose end was cut off its length again: SQLite reads nothing of it otherwise.
+
+    The length that it had, which is what there is of it.
+    """
+    with path.open("r+b") as file:
+        head, length = file.read(100), file.seek(0, os.SEEK_END)
+        size = int.from_bytes(head[16:18], "big")
+        whole = int.from_bytes(head[28:32], "big") * (1 << 16 if size == 1 else size)
+        ours = int.from_bytes(head[68:72], "big") == HISTORY.application
+        logged = path.with_name(f"{path.name}-wal").exists()  # it may be what brings the rest
+        if ours and not logged and length < whole <= _LONGEST:
+            file.truncate(whole)
+    return length
+
+
+def _is_whole(connection: sqlite3.Connection) -> bool:
+    """Whether SQLite finds nothing wrong, such as an index that no row was read by."""
+    try:
+        return bool(connection.execute("PRAGMA integrity_check(1)").fetchone() == ("ok",))
+    except sqlite3.DatabaseError:
+        return False
 
 
 def _take_alone(connection: sqlite3.Connection, path: Path) -> None:
@@ -82,15 +108,17 @@ def _copied(old: sqlite3.Connection, new: sqlite3.Connection) -> tuple[int, list
     left_out: list[str] = []
     runs = 0
     new.execute("BEGIN IMMEDIATE")
-    for table, columns in COLUMNS.items():
+    digests: dict[str, None] = {}
+    for table, columns in sorted(COLUMNS.items(), key=lambda each: each[0] != "runs"):  # which name sources
         names = ", ".join(columns)
         values = ", ".join("?" * len(columns))
-        for row in _rows(old, table, names, left_out):
+        for row in _rows(old, table, names, digests, left_out):
             try:
                 found = read(table, row)
                 if isinstance(found, Run):
                     found.levels  # noqa: B018 - which reads its result
                     runs += 1
+                    digests[found.source_hash] = None
                 new.execute(f"INSERT INTO {table} ({names}) VALUES ({values})", row)
             except (*DAMAGE, HistoryError):
                 left_out.append(_named(table, row[0]))
@@ -99,35 +127,33 @@ def _copied(old: sqlite3.Connection, new: sqlite3.Connection) -> tuple[int, list
 
 
 def _rows(
-    connection: sqlite3.Connection, table: str, names: str, left_out: list[str]
+    connection: sqlite3.Connection, table: str, names: str, digests: Iterable[str], left_out: list[str]
 ) -> Iterator[Sequence[Any]]:
-    """The rows of a table, in order; one by one where a part of the file cannot be read."""
+    """The rows of a table, in order; one by one where a part of the file cannot be read.
+
+    `digests` are those of the sources that runs have judged.
+    """
     key = COLUMNS[table][0]
     try:
         yield from connection.execute(f"SELECT {names} FROM {table} ORDER BY {key}").fetchall()
-        return
     except sqlite3.DatabaseError:
-        if key != "id":
-            left_out.append(f"every {NOUNS[table]}")
+        if table != "sources":
+            yield from one_by_one(connection, table, left_out.append)
             return
-    try:
-        found = connection.execute("SELECT seq FROM sqlite_sequence WHERE name = ?", (table,)).fetchone()
-        last = found[0] if found and isinstance(found[0], int) else 0
-    except sqlite3.DatabaseError:
-        last = 0
-    for number in range(1, last + 1):
-        try:
-            yield from connection.execute(f"SELECT {names} FROM {table} WHERE id = ?", (number,)).fetchall()
-        except sqlite3.DatabaseError:
-            left_out.append(_named(table, number))
+        for digest in digests:
+            try:
+                query = f"SELECT {names} FROM sources WHERE hash = ?"
+                yield from connection.execute(query, (digest,)).fetchall()
+            except sqlite3.DatabaseError:
+                left_out.append(_named(table, digest))
 
 
 def _named(table: str, number: object) -> str:
     return NOUNS[table] if table == "current" else f"{NOUNS[table]} {str(number)[:16]}"
 
 
-def _kept_as_it_was(path: Path) -> Path:
-    """A copy of the file under another name."""
+def _kept_as_it_was(path: Path, length: int) -> Path:
+    """A copy of the file, which was so long, under another name."""
     number = 1
     while True:
         before = path.with_name(path.name + _OLD.format(number))
@@ -135,6 +161,7 @@ def _kept_as_it_was(path: Path) -> Path:
             descriptor = os.open(before, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
             with os.fdopen(descriptor, "wb") as target, path.open("rb") as source:
                 shutil.copyfileobj(source, target)
+                target.truncate(length)
                 os.fsync(descriptor)
         except FileExistsError:
             number += 1

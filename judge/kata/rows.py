@@ -7,11 +7,12 @@ one of `DAMAGE`, and costs nothing but itself.
 from __future__ import annotations
 
 import json
+import math
 import os
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import UTC, datetime, timedelta
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -22,6 +23,9 @@ from judge.problem import Verdict
 from judge.problem.solutions import is_solution
 from judge.problem.verdict import FULL_SCORE
 from judge.run.result import Mode
+
+if TYPE_CHECKING:
+    import sqlite3
 
 COLUMNS: Mapping[str, tuple[str, ...]] = {
     "sources": ("hash", "body"),
@@ -46,6 +50,7 @@ NOUNS = {
 }
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError)
 _START = datetime(1970, 1, 1, tzinfo=UTC)
+_LEAST_BYTES = 32  # that a row takes in the file, at the very least
 _MICROSECOND = timedelta(microseconds=1)
 
 
@@ -75,7 +80,7 @@ class Run(Struct, frozen=True):
     def result(self) -> dict[str, Any]:
         """The object that `judge run --json` wrote. Raises HistoryError where it is damaged."""
         try:
-            found = json.loads(zlib.decompress(self.packed))
+            found = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
         except (zlib.error, ValueError, TypeError, RecursionError) as fault:
             raise HistoryError(f"the result of run {self.id} is damaged") from fault
         if not isinstance(found, dict):
@@ -86,7 +91,9 @@ class Run(Struct, frozen=True):
     def levels(self) -> tuple[str, ...]:
         """The levels of the kata that it passed whole. Raises HistoryError where its result is damaged."""
         try:
-            return tuple(each["level"] for each in self.result.get("levels", ()) if each["passed"])
+            found = tuple(each["level"] for each in self.result.get("levels", ()) if each["passed"])
+            _are(str, *found)
+            return found
         except (TypeError, KeyError) as fault:
             raise HistoryError(f"the result of run {self.id} is damaged") from fault
 
@@ -137,6 +144,43 @@ class Help(Struct, frozen=True):
         return self.hints == 0
 
 
+def one_by_one(
+    connection: sqlite3.Connection, table: str, lost: Callable[[str], None]
+) -> Iterator[Sequence[Any]]:
+    """The rows of a table that is damaged in places, in order; `lost` is told of those that cannot be read.
+
+    Not more numbers are tried than rows have room in the file. Raises sqlite3.DatabaseError where nothing at
+    all can be read.
+    """
+    import sqlite3
+
+    ((pages,), (size,)) = (connection.execute(f"PRAGMA page_{what}").fetchone() for what in ("count", "size"))
+    most, last, unread = pages * size // _LEAST_BYTES, 0, list[int]()
+    try:
+        query = "SELECT max(seq) FROM sqlite_sequence WHERE name = ? AND typeof(seq) = 'integer'"
+        (end,) = connection.execute(query, (table,)).fetchone()
+    except sqlite3.DatabaseError:
+        end = None
+    known = end is not None and 0 < end <= most
+    query = f"SELECT {', '.join(COLUMNS[table])} FROM {table} WHERE id = ?"
+    for number in range(1, (end if known else most) + 1):
+        try:
+            row = connection.execute(query, (number,)).fetchone()
+        except sqlite3.DatabaseError:
+            unread.append(number)
+            continue
+        if row is not None:
+            last = number
+            yield row
+        elif known:  # half of its page is gone
+            unread.append(number)
+    for number in unread:
+        if known or number < last:
+            lost(f"{NOUNS[table]} {number}")
+    if not known and unread and unread[-1] > last:
+        lost(f"each {NOUNS[table]} after {last}")
+
+
 def text_of(content: bytes) -> str | bytes:
     """A text of the file; what is none stays bytes, so that it costs its own row alone."""
     try:
@@ -161,6 +205,7 @@ def _run(row: Sequence[Any]) -> Run:
     _are(str, problem, passed, failed, source, "" if mistake is None else mistake)
     _are(int, number, score)
     _are(float, 0.0 if ratio is None else ratio)
+    _finite(ratio or 0.0)
     _are(bytes, packed)
     return Run(
         number,
@@ -184,6 +229,8 @@ def _help(row: Sequence[Any]) -> Help:
     _, time, problem, hints = row
     _are(str, problem)
     _are(int, hints)
+    if hints < 0:
+        raise ValueError(f"{hints} hints")
     return Help(_when(time), problem, hints)
 
 
@@ -226,6 +273,14 @@ _READERS: Mapping[str, Callable[[Sequence[Any]], Any]] = {
 
 def _when(time: int) -> datetime:
     return _START + time * _MICROSECOND
+
+
+def _finite(number: str | float) -> float:
+    """The number, which JSON can write again. Raises ValueError."""
+    found = float(number)
+    if not math.isfinite(found):
+        raise ValueError(f"{number} is no number of a run")
+    return found
 
 
 def _are(kind: type, *values: object) -> None:

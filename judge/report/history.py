@@ -95,7 +95,8 @@ def repaired_lines(
         yield line(f"Nothing is damaged: {counted(runs, 'run')}.")
         return
     yield line(Span(f"{counted(runs, 'run')} kept", Style.STRONG))
-    yield from hanging(Span("left out"), Span(", ".join(left_out)), width, indent=2, column=_LABELS)
+    what = ", ".join(left_out) or "nothing that a run needs"
+    yield from hanging(Span("left out"), Span(what), width, indent=2, column=_LABELS)
     yield from hanging(Span("as it was"), Span(shown_name(str(before))), width, indent=2, column=_LABELS)
 
 

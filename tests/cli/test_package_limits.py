@@ -9,12 +9,13 @@ import pytest
 from foreign_packages import LEGACY, NEW, RIGHT, WRONG, written
 from jsonschema import Draft202012Validator
 
+from judge.cli import packages
 from judge.errors import ProblemError
-from judge.packs.foreign import checker
+from judge.packs.foreign import checker, timing
 from judge.packs.foreign.cases import test_files as files_of
 from judge.packs.foreign.opening import Opened
 from judge.packs.foreign.package import OURS, THEIRS, read_package
-from judge.packs.foreign.timing import limit_of
+from judge.packs.foreign.timing import TimeLimit, limit_of
 from judge.report import live
 from judge.sandbox import levels, room
 from judge.schema import schema_of
@@ -107,6 +108,23 @@ def test_one_that_hangs_on_accepted_submissions_is_not_asked_again(tmp_path, jud
     (row,) = rows(ended)
     assert "not judged: the output validator output_validators/check.py" in row["failure"]["message"]
     assert "accepts none of them" not in ended.err
+
+
+@pytest.mark.slow
+def test_the_first_accepted_submission_that_hangs_ends_the_search_for_a_time_limit(
+    tmp_path, judge, submit, monkeypatch
+):
+    short = TimeLimit(0.5, 0.5)
+    for module in (packages, timing):
+        monkeypatch.setattr(module, "UNKNOWN", short)
+    hangs = {f"submissions/accepted/{name}.py": f"# {name}\n{WORKS}" for name in "abc"}
+    root = written(tmp_path / "sum", LEGACY, hangs)
+    ended = judge("run", root, submit(RIGHT, "mine.py"), "--json")
+    (row,) = rows(ended)
+    assert row["verdict"] == "AC"
+    why = "submissions/accepted/a.py is too slow on sample/1 to set the time limit: it is 0.5 s"
+    assert why in ended.err
+    assert "b.py" not in ended.err
 
 
 @pytest.mark.slow

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sqlite3
 import zlib
 
@@ -12,8 +13,9 @@ from past_runs import past_result
 
 from judge.errors import HistoryError
 from judge.kata.answers import Rating
+from judge.kata.beside import inserted
 from judge.kata.hacks import Outcome
-from judge.kata.history import History
+from judge.kata.history import History, run_rows
 from judge.kata.repair import repair
 
 CHANGES = {
@@ -28,10 +30,11 @@ CHANGES = {
         "score = 'many'",
         "ratio = 'much'",
         "ratio = ''",
+        "ratio = 9e999",
         "source = x'ff'",
         "result = 'text'",
     ],
-    "help": ["time = 'then'", "hints = 'all'", "problem = x'00'"],
+    "help": ["time = 'then'", "hints = 'all'", "hints = -1", "problem = x'00'"],
     "hacks": ["outcome = 'odd'", "time = 'then'", "line = x'ff'"],
     "answers": ["rating = 9", "card = x'ff'", "time = 9223372036854775807"],
 }
@@ -86,7 +89,17 @@ def test_a_kata_in_hand_that_is_damaged_is_none(change, whole):
         assert (history.current(), history.left_out) == (None, ["kata in hand"])
 
 
-@pytest.mark.parametrize("packed", [b"", zlib.compress(b"[]"), zlib.compress(b'{"levels": 5}')])
+@pytest.mark.parametrize(
+    "packed",
+    [
+        b"",
+        zlib.compress(b"[]"),
+        zlib.compress(b'{"levels": 5}'),
+        zlib.compress(b'{"levels": [{"level": 5, "passed": true}]}'),
+        zlib.compress(b'{"score": NaN}'),
+        zlib.compress(b'{"score": 1e999}'),
+    ],
+)
 def test_a_result_that_is_damaged_costs_its_run_where_results_are_asked_for(packed, whole):
     with contextlib.closing(sqlite3.connect(whole)) as connection, connection:
         connection.execute("UPDATE runs SET result = ? WHERE id = 2", (packed,))
@@ -96,18 +109,87 @@ def test_a_result_that_is_damaged_costs_its_run_where_results_are_asked_for(pack
         assert history.left_out == ["run 2"]
 
 
-def test_a_part_of_the_file_that_is_damaged_costs_what_lies_there(own_history):
-    content = bytearray(filled(own_history, runs=300))
-    page = int.from_bytes(content[16:18], "big")
-    with contextlib.closing(sqlite3.connect(own_history)) as connection:
+def spoiled(path, table):
+    """Write over a leaf in the middle of a table or an index."""
+    with contextlib.closing(sqlite3.connect(path)) as connection:
         if not connection.execute("SELECT 1 FROM pragma_module_list WHERE name = 'dbstat'").fetchone():
             pytest.skip("this SQLite does not say where its pages are")
-        rows = connection.execute(
-            "SELECT pageno FROM dbstat WHERE name = 'runs' AND pagetype = 'leaf'"
-        ).fetchall()
+        connection.execute("PRAGMA journal_mode = DELETE")
+        query = "SELECT pageno FROM dbstat WHERE name = ? AND pagetype = 'leaf'"
+        rows = connection.execute(query, (table,)).fetchall()
+    content = bytearray(path.read_bytes())
+    page = int.from_bytes(content[16:18], "big")
     place = rows[len(rows) // 2][0]
     content[(place - 1) * page : place * page] = b"\xee" * page
-    own_history.write_bytes(content)
+    path.write_bytes(content)
+
+
+def many_runs(path, count):
+    """A history of so many runs, each of a source of its own."""
+    rows = [run_rows(past_result(), f"# {number}".encode() * 9, "", number) for number in range(count)]
+    with History.open(path):
+        pass
+    with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as connection:
+        connection.execute("BEGIN")
+        for row, source in rows:
+            inserted(connection, "runs", row, source)
+        connection.execute("COMMIT")
+        connection.execute("PRAGMA journal_mode = DELETE")
+
+
+@pytest.mark.parametrize("table", ["runs_of_a_problem", "sqlite_sequence"])
+def test_what_only_writing_meets_is_repaired_too(table, own_history):
+    many_runs(own_history, 300)
+    spoiled(own_history, table)
+    done = repair(own_history)
+    assert (done.runs, done.left_out) == (300, ())
+    assert done.before is not None
+    with History.open() as history:
+        assert history.add(past_result(), b"new", "") == 301
+
+
+def test_a_part_of_the_sources_costs_those_that_lie_there(own_history):
+    many_runs(own_history, 400)
+    spoiled(own_history, "sources")
+    done = repair(own_history)
+    assert done.runs == 400
+    assert 0 < len(done.left_out) < 250
+    assert all(text.startswith("source ") for text in done.left_out)
+
+
+@pytest.mark.parametrize("last", [10**15, -1, "x", None])
+def test_the_number_of_the_last_run_may_be_damaged_as_well(last, own_history):
+    many_runs(own_history, 300)
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute("UPDATE sqlite_sequence SET seq = ?", (last,))
+    spoiled(own_history, "runs")
+    with History.open(reading=True) as history:
+        found = [run.id for run in history.runs()]
+        assert found[0] == 1
+        assert found[-1] == 300
+        assert len(history.left_out) == 300 - len(found)
+    assert repair(own_history).runs == len(found)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.9, 0.99])
+def test_of_a_file_whose_end_is_gone_the_beginning_is_kept(share, own_history):
+    many_runs(own_history, 300)
+    length = int(own_history.stat().st_size * share)
+    os.truncate(own_history, length)
+    done = repair(own_history)
+    assert done.before is not None
+    assert done.before.stat().st_size == length
+    named = [text for text in done.left_out if text.startswith("run ")]
+    assert done.runs > 0
+    assert done.runs + len(named) == 300
+    with History.open() as history:
+        assert len(history.runs()) == done.runs
+        assert history.left_out == []
+
+
+def test_a_part_of_the_file_that_is_damaged_costs_what_lies_there(own_history):
+    filled(own_history, runs=300)
+    spoiled(own_history, "runs")
     with History.open(reading=True) as history:
         found = [run.id for run in history.runs()]
         assert 200 < len(found) < 300

@@ -83,7 +83,7 @@ def number(settings: Settings, key: str, usual: float, least: float, most: float
         return usual
     sound = isinstance(found, int | float) and not isinstance(found, bool)
     if not sound or not least <= found <= most:  # nor is nan between them
-        what = f"{key} is {str(found)[:40] if not isinstance(found, dict | list) else 'no number'}"
+        what = f"{key} is {str(found)[:40] if isinstance(found, int | float) else 'no number'}"
         raise ProblemError(f"{what}: it must be from {least:,} to {most:,}", where=where)
     return float(found)
 
