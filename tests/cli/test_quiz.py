@@ -76,12 +76,13 @@ def test_bytes_that_are_no_text_are_no_answer(judge, monkeypatch):
 
 
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
+    noon = kept.now().replace(hour=12)
+    monkeypatch.setattr("judge.kata.history.now", lambda: noon)
     typing(["3.5", "a"], "quiz", "halves", "--seed", "3")
     told = json.loads(judge("due", "--json").out)["cards"]
     dates = {each["card"]: each["due"] for each in told["later"]}
     assert dates["halves/rounding"] < dates["halves/half-of-seven"]
-    later = kept.now() + timedelta(days=1, hours=1)
-    monkeypatch.setattr("judge.kata.history.now", lambda: later)
+    monkeypatch.setattr("judge.kata.history.now", lambda: noon + timedelta(days=1))
     assert "judge quiz" in judge("due").out
     assert "1 card is due: judge quiz" in judge("next").out
     assert json.loads(judge("next", "--json").out)["cards_due"] == 1
