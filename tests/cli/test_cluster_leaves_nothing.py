@@ -53,6 +53,7 @@ def answer_of(port):
             return b""
 
 
+@pytest.mark.nightly
 def test_no_port_speaks_http():
     with served("--scheduler", HERE, "-j", "1") as (told, process):
         own = Address.of(told["address"]).port
@@ -62,6 +63,7 @@ def test_no_port_speaks_http():
         assert [port for port in ports if b"HTTP/" in answer_of(port)] == []
 
 
+@pytest.mark.nightly
 def test_a_killed_workers_folder_goes_with_the_next_one(tmp_path):
     with served("--scheduler", HERE, "-j", "1", TMPDIR=str(tmp_path)) as (_, process):
         (folder,) = tmp_path.glob("judge-box-*")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from foreign_packages import LEGACY, NEW, RIGHT, WRONG, written
 from jsonschema import Draft202012Validator
+from sampling import daily, nightly
 
 from judge.cli import packages
 from judge.errors import ProblemError
@@ -57,6 +58,8 @@ for _ in range(20):
 sys.exit(42)
 """
 
+LEVELS = [level.name for level in levels() if level.available]
+
 
 @pytest.fixture
 def package(tmp_path):
@@ -84,7 +87,7 @@ def rows(ended):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("source", "why"), [(SLEEPS, "took more than 2 s"), (WORKS, "s of CPU time")])
+@pytest.mark.parametrize(("source", "why"), [(SLEEPS, "took more than 2 s"), nightly(WORKS, "s of CPU time")])
 def test_the_first_validator_that_hangs_ends_the_judging_with_its_name(package, judge, submit, source, why):
     ended = judge("run", package(QUICK, source), submit(RIGHT, "a.py"), submit(WRONG, "b.py"), "--json")
     first, second = rows(ended)
@@ -97,6 +100,7 @@ def test_the_first_validator_that_hangs_ends_the_judging_with_its_name(package, 
     assert not second["tests"]
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_one_that_hangs_on_accepted_submissions_is_not_asked_again(tmp_path, judge, submit):
     parts = {
@@ -127,6 +131,7 @@ def test_the_first_accepted_submission_that_hangs_ends_the_search_for_a_time_lim
     assert "b.py" not in ended.err
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_one_that_waits_a_little_on_each_of_many_files_hangs_too(package, judge, submit, monkeypatch):
     monkeypatch.setattr(checker, "_IDLE_SECONDS", 1.0)
@@ -153,7 +158,7 @@ def test_one_that_waits_a_little_on_each_of_many_files_hangs_too(package, judge,
         (FORKS, "Operation not permitted|used more than 64 MB"),
     ],
 )
-@pytest.mark.parametrize("level", [level.name for level in levels() if level.available])
+@pytest.mark.parametrize("level", daily(LEVELS, LEVELS[:1]))
 def test_a_validator_is_held_and_leaves_nothing(
     package, judge, submit, source, why, level, tmp_path, monkeypatch
 ):

@@ -9,6 +9,7 @@ import pytest
 from attackers import Attacker
 from jsonschema import Draft202012Validator
 from residents import Resident
+from sampling import nightly
 
 from judge.sandbox.attacks import ATTACKS
 from judge.schema import schema_of
@@ -32,7 +33,7 @@ def test_there_are_twenty_at_least_and_each_has_a_name() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("level", ["full", "strong"])
+@pytest.mark.parametrize("level", ["full", nightly("strong")])
 def test_it_is_held(attacker: Attacker, level: str, name: str) -> None:
     attacker.require(level)
     outcome = outcomes(attacker, level)[name]
@@ -40,6 +41,7 @@ def test_it_is_held(attacker: Attacker, level: str, name: str) -> None:
     assert outcome["how"], outcome
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", NAMES)
 def test_it_is_an_attack(attacker: Attacker, name: str) -> None:
     outcome = outcomes(attacker, "none")[name]
@@ -48,6 +50,7 @@ def test_it_is_an_attack(attacker: Attacker, name: str) -> None:
     assert outcome["works"], outcome
 
 
+@pytest.mark.nightly
 def test_what_limits_does_not_hold_is_said(attacker: Attacker) -> None:
     attacker.require("limits")
     found = outcomes(attacker, "limits")
@@ -57,6 +60,7 @@ def test_what_limits_does_not_hold_is_said(attacker: Attacker) -> None:
     assert all("BREACH" in found[name]["how"] for name in broken), found
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(("level", "status"), [(None, 0), ("limits", 1)])
 def test_the_command(resident: Resident, level: str | None, status: int) -> None:
     words = ["--isolation", level] if level else []

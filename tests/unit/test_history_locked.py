@@ -85,6 +85,7 @@ with History.open() as history:
 """
 
 
+@pytest.mark.nightly
 def test_several_judges_take_in_at_once(own_history):
     filled(own_history)
     with locked(own_history), History.open() as history:

@@ -155,6 +155,7 @@ def test_a_link_that_is_set_between_looking_and_reading_leads_nowhere(place, mon
     assert "cannot be read" in rows["ada/sub/middle.py"].why
 
 
+@pytest.mark.nightly
 def test_nobody_wins_the_race(place):
     """A student exchanges file and link as fast as it goes, while the class is read again and again."""
     ended = threading.Event()
