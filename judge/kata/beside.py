@@ -20,13 +20,15 @@ from msgspec import Struct
 
 from judge.atomic import new_file
 from judge.errors import HistoryError
-from judge.kata.rows import COLUMNS
+from judge.kata.rows import COLUMNS, DAMAGE, read
+from judge.reading import read_ordinary
 
 if TYPE_CHECKING:
     import sqlite3
 
 _FOLDER, _SUFFIX = ".waiting", ".row"
-_PLAIN = (int, float, str, bytes)
+_TABLES = ("runs", "help", "hacks", "answers")
+_MOST, _LONGEST = 2**63 - 1, 1 << 26  # a number in the history; bytes of a file
 _PATIENCE_MS = 200  # for a lock: it can wait for the next time
 
 
@@ -102,10 +104,12 @@ def _waiting(history: Path) -> Iterator[tuple[Path, _Waiting]]:
         return
     for name in names:
         path = _folder(history) / name
-        with contextlib.suppress(OSError, msgspec.MsgspecError):
-            found = msgspec.msgpack.decode(path.read_bytes(), type=_Waiting)
-            plain = all(each is None or isinstance(each, _PLAIN) for each in found.row)
-            if plain and len(found.row) == len(COLUMNS.get(found.table, ())) - 1:
+        with contextlib.suppress(OSError, msgspec.MsgspecError, *DAMAGE):
+            found = msgspec.msgpack.decode(read_ordinary(path, _LONGEST), type=_Waiting)
+            if found.table in _TABLES and not any(
+                isinstance(each, int) and each > _MOST for each in found.row
+            ):
+                read(found.table, (0, *found.row))  # which fails where no judge wrote it
                 yield path, found
 
 

@@ -7,6 +7,7 @@ import os
 import shutil
 import sqlite3
 
+import msgspec
 import pytest
 from histories import ended, filled, started
 from past_runs import past_result
@@ -125,6 +126,29 @@ def test_what_is_no_row_is_passed_over(own_history):
     with History.open() as history:
         assert len(history.runs()) == 4
     assert len(waiting(own_history)) == 3
+
+
+def test_what_no_judge_wrote_keeps_no_row_out_and_hangs_nobody(own_history):
+    filled(own_history)
+    folder = own_history.with_name(f"{own_history.name}.waiting")
+    folder.mkdir()
+    rows = [
+        ["help", [2**64 - 1, "count", 1]],
+        ["help", [None, None, None]],
+        ["help", [1, "count", -5]],
+        ["runs", [1] * 13],
+        ["sources", [b"body"]],
+        ["current", ["count", b"", b""]],
+    ]
+    for number, (table, row) in enumerate(rows):
+        (folder / f"0{number}.row").write_bytes(msgspec.msgpack.encode({"table": table, "row": row}))
+    os.mkfifo(folder / "10.row")
+    (folder / "11.row").symlink_to("/dev/zero")
+    (folder / "99.row").write_bytes(msgspec.msgpack.encode({"table": "help", "row": [7, "late", 2]}))
+    with History.open() as history:
+        assert [(each.problem, each.hints) for each in history.helps("late")] == [("late", 2)]
+        assert len(history.helps()) == 1
+    assert len(waiting(own_history)) == len(rows) + 2
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root writes anywhere")
