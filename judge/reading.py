@@ -1,6 +1,8 @@
-"""Reading what somebody has named, without ever waiting for what may not come.
+"""Reading what somebody has named, without ever waiting for what may not come, or being led elsewhere.
 
 Opening a named pipe waits for a writer, and opening some devices does something: both are looked at first.
+Where others may set links, somebody looks where they lead, and the file is then opened at that place, folder
+by folder, without following any: who exchanges one meanwhile gains nothing.
 """
 
 from __future__ import annotations
@@ -12,6 +14,8 @@ import stat
 from pathlib import Path
 
 _AT_ONCE = 65536  # bytes
+_FOR_READING = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
+_AS_A_FOLDER = getattr(os, "O_PATH", os.O_RDONLY) | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
 def read_ordinary(path: Path, most: int = -1) -> bytes:
@@ -22,11 +26,51 @@ def read_ordinary(path: Path, most: int = -1) -> bytes:
         ValueError: there is a NUL in the name.
     """
     check_ordinary(path.stat())
-    # What is there may have changed since.
-    descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC)
+    return _read(os.open(path, _FOR_READING), most)[0]  # what is there may have changed since
+
+
+class LedOutError(OSError):
+    """A path that links lead out of the folder that it begins in."""
+
+
+def real_within(root: str, path: str) -> str:
+    """Where the links of a path lead that begins in the folder `root`, itself real: a path from there on.
+
+    Raises:
+        LedOutError: it leads out of the folder.
+        OSError: there is nothing.
+    """
+    real = os.path.realpath(os.path.join(root, path), strict=True)  # noqa: PTH118 - of any name
+    inside = os.path.relpath(real, root)
+    if inside == os.pardir or inside.startswith(os.pardir + os.sep):
+        raise LedOutError(errno.EXDEV, "it leads out of the folder")
+    return inside
+
+
+def read_inside(root: str, path: str, most: int = -1) -> tuple[bytes, os.stat_result]:
+    """The first `most` bytes of an ordinary file below the folder `root`, and its status; follows no link.
+
+    `path` is from there on, as `real_within` gives it. Raises OSError as `read_ordinary` does, and where
+    there is a link by now.
+    """
+    here = os.open(root, _AS_A_FOLDER & ~os.O_NOFOLLOW)
+    try:
+        *folders, name = Path(path).parts
+        for folder in folders:
+            there = os.open(folder, _AS_A_FOLDER, dir_fd=here)
+            os.close(here)
+            here = there
+        check_ordinary(os.stat(name, dir_fd=here, follow_symlinks=False))
+        return _read(os.open(name, _FOR_READING | os.O_NOFOLLOW, dir_fd=here), most)
+    finally:
+        os.close(here)
+
+
+def _read(descriptor: int, most: int) -> tuple[bytes, os.stat_result]:
     with os.fdopen(descriptor, "rb") as file:
-        check_ordinary(os.fstat(descriptor))
-        return file.read(most)
+        found = os.fstat(descriptor)
+        check_ordinary(found)
+        return file.read(most), found
 
 
 def read_ordinary_text(path: Path) -> str:

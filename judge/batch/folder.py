@@ -4,8 +4,11 @@
     PROBLEM/STUDENT.py          where a folder at the top is called like a problem; PROBLEM/STUDENT/any.py too
 
 A file is for the problem that it is called like (`exact_count.py` is for exact-count), or else for the one
-whose function it defines. Whatever lies in the folder costs at most its own row. Links are followed to files
-within the folder only: a student may have set them.
+whose function it defines. Whatever lies in the folder costs at most its own row.
+
+A student may have set links, so that they are followed to the student's own files alone. A file that has
+names in the folders of several students (a hard link) belongs to the one whose folder has the file's owner,
+and to nobody where that does not tell.
 """
 
 from __future__ import annotations
@@ -16,20 +19,31 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path, PurePath
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.batch.model import Handin
 from judge.errors import JudgeError, UsageError
-from judge.judging.sources import DANGLING, ENVIRONMENT, LARGEST, is_dangling, why_unreadable, within_limit
+from judge.judging.sources import (
+    DANGLING,
+    ENVIRONMENT,
+    LARGEST,
+    LED_OUT,
+    NOT_FOLLOWED,
+    is_dangling,
+    why_unreadable,
+    within_limit,
+)
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import problem_folders
 from judge.problem.fit import fitting_problems, id_of, signs
-from judge.reading import read_ordinary
+from judge.reading import LedOutError, read_inside, read_ordinary, real_within
 
 _DEEPEST = 20  # levels of folders
 _MOST = 100_000  # files
 _MOST_BYTES = 2**29  # of all programs together, which are in memory while they are judged
 _OTHERS = ("node_modules",)  # folders of programs that nobody has handed in
 _NOBODY = "it lies in no student's folder"
+_COPY = "copy it, or --follow-links takes it"
 _NO_PROBLEM = "no problem is called so, and it defines no problem's function"
 
 
@@ -51,23 +65,26 @@ def read_class(
     only: Collection[str] = (),
     folders: Sequence[Path] = (),
     students: Collection[str] = (),
+    follow: bool = False,
 ) -> ClassFolder:
     """Everything that is handed in, in a class's folder.
 
     `only` are ids of problems: without them, all; `folders` are folders of problems to look in first.
-    `students` are the known ids: a folder that is called like one of them is a student's in any case.
+    `students` are the known ids: a folder that is called like one of them is a student's in any case. With
+    `follow` every link is followed, wherever it leads.
 
     Raises:
         UsageError: it is no folder, cannot be read, or holds more than any class.
     """
     root = root_of(folder)
-    reader = _Reader(root, {each.name for each in problem_folders(folders)}, folders, students)
+    known = {each.name for each in problem_folders(folders)}
+    reader = _Reader(root, known, folders, students, follow=follow)
     handins, unplaced, others, size = [], [], [], 0
-    for count, path in enumerate(_files(root, ""), 1):
+    for count, path in enumerate(_files(root, "", seen=set() if follow else None), 1):
         if count > _MOST:
             raise UsageError(f"this folder holds more than {_MOST:,} files", where=str(folder))
         if not is_program(path):
-            why = _why_not_entered(root / path)
+            why = _why_not_entered(root / path, follow=follow)
             if why:
                 unplaced.append(Handin("", "", legible(path), b"", why))
             else:
@@ -82,6 +99,7 @@ def read_class(
             handins += [found] if not only or found.problem in only else []
         else:
             unplaced.append(found)
+    handins = reader.without_shared(handins)
     handins.sort(key=lambda each: (each.student, each.problem, each.file))
     return ClassFolder(tuple(handins), tuple(unplaced), tuple(others))
 
@@ -108,17 +126,25 @@ class _Reader:
     """Reads files of one class."""
 
     def __init__(
-        self, root: Path, known: Collection[str], folders: Sequence[Path], students: Collection[str]
+        self,
+        root: Path,
+        known: Collection[str],
+        folders: Sequence[Path],
+        students: Collection[str],
+        *,
+        follow: bool,
     ) -> None:
         self._root = root
         self._known = known
         self._folders = folders
         self._students = students
+        self._follow = follow
+        self._names: dict[tuple[int, int], list[_Name]] = {}  # of files that have several
 
     def handin(self, path: str) -> Handin:
         """The file, by its path in the class's folder; without a problem or a student where it has none."""
         student, problem = self._placed(PurePath(path))
-        source, why = self._read(path)
+        source, why = self._read(path, student)
         if student and not problem and not why:
             problem, why = self._told(source, path)
         if not student:
@@ -151,24 +177,66 @@ class _Reader:
             return "", f"it fits {' and '.join(each.id for each in fitting)}"
         return (fitting[0].id, "") if fitting else ("", "")
 
-    def _read(self, path: str) -> tuple[bytes, str]:
+    def without_shared(self, handins: Sequence[Handin]) -> list[Handin]:
+        """The hand-ins without the source of a file that has names in the folders of several students.
+
+        It stays with the only one of them whose folder has the file's owner.
+        """
+        refused: dict[str, str] = {}
+        for names in self._names.values():
+            if len({name.student for name in names}) > 1:
+                owners = {name.student for name in names if name.owned}
+                for name in names:
+                    other = next(each for each in names if each.student != name.student)
+                    if owners != {name.student}:
+                        refused[name.file] = f"it is the same file as {other.file} (a hard link); {_COPY}"
+        return [
+            replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
+            for each in handins
+        ]
+
+    def _read(self, path: str, student: str) -> tuple[bytes, str]:
         """The bytes, or why they are not read."""
         place = self._root / path
         try:
             if is_dangling(place):
                 return b"", DANGLING
-            if place.is_symlink() and not place.resolve().is_relative_to(self._root):
-                return b"", "it is a link out of the class's folder, which is not followed"
             if place.is_dir():
                 return b"", "it is a folder"
             if not place.is_file():
                 place.stat()
                 return b"", "it is no ordinary file"
-            return within_limit(read_ordinary(place, LARGEST + 1), path), ""
+            if self._follow:
+                return within_limit(read_ordinary(place, LARGEST + 1), path), ""
+            return self._read_own(path, student)
+        except LedOutError:
+            return b"", LED_OUT
         except UsageError as fault:
             return b"", fault.what
         except (OSError, RuntimeError) as fault:  # RuntimeError: a loop of links
             return b"", why_unreadable(fault) if isinstance(fault, OSError) else DANGLING
+
+    def _read_own(self, path: str, student: str) -> tuple[bytes, str]:
+        """The bytes of a file that is that student's, wherever links within their folder lead."""
+        real = real_within(str(self._root), path)
+        whose = self._placed(PurePath(real))[0]
+        if real != path and whose != student:
+            where = f"{whose}'s folder" if whose else "a file of nobody"
+            return b"", f"it is a link to {where}, {NOT_FOLLOWED}"
+        source, found = read_inside(str(self._root), real, LARGEST + 1)
+        if found.st_nlink > 1:
+            owned = (self._root / real).parent.stat().st_uid == found.st_uid
+            name = _Name(student, legible(path), owned=owned)
+            self._names.setdefault((found.st_dev, found.st_ino), []).append(name)
+        return within_limit(source, path), ""
+
+
+class _Name(Struct, frozen=True):
+    """A name of a file that has several; `owned` is whether its folder has the file's owner."""
+
+    student: str
+    file: str
+    owned: bool
 
 
 def _stem(name: str) -> str:
@@ -178,20 +246,27 @@ def _stem(name: str) -> str:
     return name.removesuffix(next((end for end in ends if name.endswith(end)), ""))
 
 
-def _why_not_entered(path: Path) -> str:
-    """Why what lies in a folder is not looked at; empty for what is none, and for a link to one."""
+def _why_not_entered(path: Path, *, follow: bool) -> str:
+    """Why what lies in a folder is not looked at; empty for what is none."""
     try:
-        if path.is_symlink() or not path.is_dir():
+        if not path.is_dir():
             return ""
+        if path.is_symlink() and not follow:
+            return f"it is a link to a folder, {NOT_FOLLOWED}"
         os.scandir(path).close()
     except OSError as fault:
         return f"this folder {why_unreadable(fault)}"
-    return f"this folder lies more than {_DEEPEST} levels down"
+    return f"this folder lies more than {_DEEPEST} levels down, or was read by another name"
 
 
-def _files(root: Path, within: str, depth: int = _DEEPEST) -> Iterator[str]:
+def _files(
+    root: Path, within: str, depth: int = _DEEPEST, *, seen: set[tuple[str, int, int]] | None
+) -> Iterator[str]:
     """The files below a folder, by their paths from the root; and folders that are called like programs, that
     cannot be read, or that lie too deep.
+
+    Links to folders are followed where `seen` is a set: it fills with the folders that were read, each once
+    below one of the top.
     """
     try:
         with os.scandir(root / within) as scanned:
@@ -203,7 +278,20 @@ def _files(root: Path, within: str, depth: int = _DEEPEST) -> Iterator[str]:
         path = f"{within}/{entry.name}" if within else entry.name
         if entry.name.startswith((".", "__")) or entry.name in _OTHERS:
             continue
-        if not entry.is_dir(follow_symlinks=False) or depth == 1 or is_program(entry.name):
+        if not _entered(entry, path, seen) or depth == 1 or is_program(entry.name):
             yield path
         elif not os.path.lexists(root / path / ENVIRONMENT):
-            yield from _files(root, path, depth - 1)
+            yield from _files(root, path, depth - 1, seen=seen)
+
+
+def _entered(entry: os.DirEntry[str], path: str, seen: set[tuple[str, int, int]] | None) -> bool:
+    """Whether that is a folder to go into."""
+    if seen is None:
+        return entry.is_dir(follow_symlinks=False)
+    if not entry.is_dir():
+        return False
+    found = entry.stat()
+    key = (path.partition("/")[0], found.st_dev, found.st_ino)
+    first = key not in seen
+    seen.add(key)
+    return first

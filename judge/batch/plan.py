@@ -160,7 +160,7 @@ def _row(handin: Handin, standard: str, text: str) -> Row:
         done.points or FULL_SCORE,
         (result["pitfall"] or {}).get("name", ""),
         done.machine,
-        "" if fault else result["isolation"],
+        "" if fault else result["isolation"] or "",
         time.time(),
         "",
         text,

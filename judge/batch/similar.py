@@ -11,7 +11,6 @@ info.csv. Whether programs are alike is Dolos' measure, and what it means is for
 
 from __future__ import annotations
 
-import csv
 import io
 import shutil
 import subprocess
@@ -29,8 +28,8 @@ from judge.errors import ProblemError, unwritable
 from judge.kata.stub import make_stub
 from judge.languages import NAME, SUFFIX, language_of
 from judge.problem import Problem
-from judge.report.cohort.gradebook import cell
 from judge.report.layout import printable
+from judge.report.sheet import csv_text
 
 INSTALL = "npm install -g @dodona/dolos"
 _SECONDS = 900  # that Dolos may take for one archive
@@ -86,16 +85,13 @@ def compared(
 
 def archive_of(rows: Sequence[tuple[Handin, str, str]]) -> bytes:
     """The archive of these hand-ins, each with its author's name and group."""
-    table, packed = io.StringIO(), io.BytesIO()
-    writer = csv.writer(table, lineterminator="\n")
-    writer.writerow(_HEAD)
+    table, packed = [list(_HEAD)], io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for number, (each, name, group) in enumerate(rows, 1):
             inside = f"{number:04}{''.join(PurePath(each.file).suffixes[-1:])}"
-            called = (name or each.student, group, each.student, each.file)
-            writer.writerow([inside, *map(cell, called)])
+            table.append([inside, name or each.student, group, each.student, each.file])
             archive.writestr(zipfile.ZipInfo(inside, _EPOCH), each.source)
-        info = table.getvalue().encode("utf-8", "backslashreplace")
+        info = csv_text(table, "\n").encode("utf-8", "backslashreplace")
         archive.writestr(zipfile.ZipInfo("info.csv", _EPOCH), info)
     return packed.getvalue()
 

@@ -41,7 +41,8 @@ class Wanted(Struct, frozen=True):
     """What a person has asked for.
 
     `again` are the names of students, problems or files to judge anew, `only` ids of problems, `folders`
-    folders of problems. `parts` are the files of shards to put together; then nothing is judged.
+    folders of problems. `parts` are the files of shards to put together; then nothing is judged. Links are
+    followed wherever they lead with `follow`.
     """
 
     folder: Path
@@ -55,6 +56,7 @@ class Wanted(Struct, frozen=True):
     parts: tuple[Path, ...] = ()
     as_json: bool = False
     quiet: bool = False
+    follow: bool = False
 
     @property
     def place(self) -> Path:
@@ -78,6 +80,7 @@ class Classroom:
             only=wanted.only,
             folders=wanted.folders,
             students={each.id for each in self._listed},
+            follow=wanted.follow,
         )
         shard = wanted.shard
         self._handins = [each for each in found.handins if shard is None or shard.holds(each)]

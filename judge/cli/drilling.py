@@ -26,10 +26,11 @@ def known_cards(found: Sequence[CardReview], folders: Sequence[Path]) -> list[Ca
 
 def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
     """How many cards are due today."""
-    from judge.kata.history import History, now
+    from judge.cli.kept import history_at
+    from judge.kata.history import now
     from judge.kata.review import card_reviews
 
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         answers = history.answers()
     today = now().astimezone()
     found = card_reviews(answers, today) if answers else []

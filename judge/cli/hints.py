@@ -25,16 +25,16 @@ def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hin
 
 def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
     """Remember that the hints up to this one have been seen."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db) as history:
+    with history_at(db) as history:
         if hint.number > history.hints_seen(problem.id):
             history.see_hints(problem.id, hint.number)
 
 
 def hints_seen(problem: Problem, db: Path | None) -> int:
     """How many of the problem's hints have been seen."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         return history.hints_seen(problem.id)

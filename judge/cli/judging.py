@@ -68,7 +68,7 @@ class Sitting:
                 self._judge = one_by_one(self._problem, self._wish, self._containment)
             drawn = self._judge(submission)
             if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
-                self._wish = replace(self._wish, had=drawn.result.isolation)
+                self._wish = replace(self._wish, had=drawn.result.isolation or self._wish.had)
                 clean = True
         finally:
             if not clean:

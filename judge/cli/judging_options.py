@@ -67,6 +67,9 @@ mode_option: Callable[[F], F] = click.option(
     type=click.Choice(MODES),
     help="program: run the file as one, even where it defines the problem's function.",
 )
+follow_links_option: Callable[[F], F] = click.option(
+    "--follow-links", is_flag=True, help="Follow the links in a folder, wherever they lead."
+)
 format_option: Callable[[F], F] = click.option(
     "--format",
     "form",

@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 
 def kata_in_hand(db: Path | None) -> Current:
     """The kata that was taken up last; its file need not be there. Raises UsageError if there is none."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         current = history.current()
     if current is None:
         remedy = "begin one with 'judge init PROBLEM', or name a problem and a file"
@@ -92,9 +92,9 @@ class Kata(Struct, frozen=True):
 
 def take_up(kata: Kata, db: Path | None) -> None:
     """Make it the kata in hand."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db) as history:
+    with history_at(db) as history:
         history.take_up(kata.problem.id, str(kata.path), folder_to_keep(kata.problem))
 
 
@@ -151,12 +151,12 @@ def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Probl
 
 def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, list[tuple[Problem, Standing]]]:
     """The path: all katas in order, and how the person stands with each."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
     from judge.kata.sets import USUAL, find_set
     from judge.kata.standing import Standing, standings
 
     path = find_set(USUAL, folders)
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         found = standings(history.runs())
     return path, [(problem, found.get(problem.id, Standing())) for problem in path.problems]
 

@@ -45,6 +45,7 @@ def row_object(package: Package, ruled: Ruled, limit: TimeLimit) -> dict[str, An
             "slowest_accepted_seconds": limit.slowest,
             "memory_bytes": package.memory_bytes,
             "output_bytes": package.output_bytes,
+            "lowered": [*package.lowered.values(), *filter(None, [limit.lowered])],
         },
         "isolation": judged.isolation or None,
     }

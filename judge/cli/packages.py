@@ -17,12 +17,13 @@ from judge.judging.isolation import kept_level
 from judge.packs.foreign.cases import test_files
 from judge.packs.foreign.checker import Checker, content_of
 from judge.packs.foreign.expected import FOLDER, Demand, Own, own_submissions, tagged
-from judge.packs.foreign.judging import Court, Judged, unjudged
+from judge.packs.foreign.judging import Court, Judged, Seen, unjudged
 from judge.packs.foreign.opening import Opened
-from judge.packs.foreign.package import Package, read_package
+from judge.packs.foreign.package import OURS, Bounds, Package, read_package
 from judge.packs.foreign.programs import Content, NotRunError, Program, is_one_program, program_of
 from judge.packs.foreign.timing import ACCEPTED, UNKNOWN, TimeLimit, found_limit
 from judge.problem.verdict import Verdict
+from judge.report.live import Live
 from judge.report.screen import note, out
 from judge.report.values import counted
 from judge.sandbox import Boxes, room
@@ -37,6 +38,8 @@ class Asked(Struct, frozen=True):
     as_json: bool = False
     brief: bool = False
     level: str | None = None
+    bounds: Bounds = OURS
+    follow: bool = False
 
 
 class Entrant(Struct, frozen=True):
@@ -73,12 +76,14 @@ def run_package(asked: Asked) -> ExitCode:
         remedy = "leave one out" if asked.own else f"judge run {asked.word} FILE"
         raise UsageError(what, where=asked.word, remedy=remedy)
     with Opened(asked.word) as opened:
-        package = read_package(opened)
+        package = read_package(opened, asked.bounds)
         tests = test_files(package)
+        for text in package.lowered.values():
+            note(text)
         room.raise_descriptors()
         hidden = [opened.root, _cache()]
         boxes = Boxes(asked.level, hidden, least=None if asked.level else kept_level())
-        entrants = list(_owns(package)) if asked.own else list(_named(asked.files))
+        entrants = list(_owns(package)) if asked.own else list(_named(asked.files, follow=asked.follow))
         with Checker(package, boxes) as checker:
             sitting = _Sitting(Court(package, tests, checker, boxes), asked)
             return sitting.judge_all(entrants)
@@ -99,20 +104,23 @@ class _Sitting:
         self._court = court
         self._asked = asked
         self._known: dict[str, Judged] = {}  # accepted ones, by name, whose time the limit follows from
-        self._tried = False  # whether there were any that should have been
+        self._unset = "the package has no accepted submission"  # why no time limit follows from them
+        self._live = Live(silent=asked.brief)
 
     def judge_all(self, entrants: Sequence[Entrant]) -> ExitCode:
         package, asked = self._court.package, self._asked
         level = self._court.boxes.first()
         limit = found_limit(package, level, self._slowest)
-        if limit is UNKNOWN:
-            none = "it accepts none of them" if self._tried else "the package has no accepted submission"
-            note(f"{none} to set the time limit: it is {limit.seconds:g} s")
+        if limit.lowered:
+            note(f"{limit.lowered}; --package-limits allows more")
+        if limit is UNKNOWN and not self._court.checker.hung:
+            note(f"{self._unset} to set the time limit: it is {limit.seconds:g} s")
         rows: list[Ruled] = []
         interrupted = False
         try:
-            for entrant in entrants:
-                rows.append(self._ruled(entrant, limit))
+            for place, entrant in enumerate(entrants):
+                with self._live:
+                    rows.append(self._ruled(entrant, limit, f"{place} of {len(entrants)} judged, "))
                 self._show(rows[-1], limit, several=len(entrants) > 1)
         except KeyboardInterrupt:
             if not rows or asked.as_json:
@@ -122,25 +130,42 @@ class _Sitting:
             from judge.cli.package_screen import end_lines
 
             out().show(end_lines(package, rows, len(entrants), limit, out().width, own=asked.own))
+            if asked.brief and len(entrants) == 1 and rows[0].judged.verdict is Verdict.JE:
+                assert rows[0].judged.failure is not None
+                note(rows[0].judged.failure.message)
         if any(row.judged.isolation == "limits" for row in rows) and asked.level is None:
             note(WEAK)
         return ExitCode.INTERRUPTED if interrupted else _exit_code(rows, own=asked.own)
 
     def _slowest(self) -> float | None:
-        """CPU seconds of the slowest of the package's accepted submissions; None where none is."""
+        """CPU seconds of the slowest of the package's accepted submissions.
+
+        None where none is, and after the first that is too slow: the others would change nothing.
+        """
         owns = list(_owns(self._court.package, ACCEPTED))
-        self._tried = bool(owns)
         if owns:
+            self._unset = "it accepts none of them"
             many = counted(len(owns), "accepted submission")
             note(f"the time limit follows from {many}, judged first")
         for entrant in owns:
             if entrant.program is not None:
-                judged = self._court.judged(entrant.program, UNKNOWN)
+                with self._live:
+                    judged = self._court.judged(entrant.program, UNKNOWN, seen=self._seen(entrant))
                 if judged.verdict is Verdict.AC:
                     self._known[entrant.name] = judged
+                elif judged.verdict is Verdict.TLE and judged.failure is not None:
+                    self._unset = f"{entrant.name} is too slow on {judged.failure.test}"
+                    return None
         return max((judged.slowest for judged in self._known.values()), default=None)
 
-    def _ruled(self, entrant: Entrant, limit: TimeLimit) -> Ruled:
+    def _seen(self, entrant: Entrant, before: str = "") -> Seen:
+        """What shows how far a submission is."""
+        many = len(self._court.tests)
+        return lambda count, name: self._live.show(
+            lambda: f"{before}{entrant.name} on {name}, {count} of {counted(many, 'test file')}"
+        )
+
+    def _ruled(self, entrant: Entrant, limit: TimeLimit, before: str) -> Ruled:
         demands = entrant.demands
         if entrant.program is None:
             judged = unjudged(entrant.name, entrant.why)
@@ -149,6 +174,7 @@ class _Sitting:
             entrant.program,
             limit,
             lambda verdicts: any(demand.goes_on(verdicts) for demand in demands or ()),
+            self._seen(entrant, before),
         )
         if not demands:
             return Ruled(entrant, judged)
@@ -195,7 +221,7 @@ def _entrant_of(package: Package, own: Own) -> Entrant:
     return Entrant(own.name, program, "", own.folder, own.demands)
 
 
-def _named(files: Sequence[str]) -> Iterator[Entrant]:
+def _named(files: Sequence[str], *, follow: bool) -> Iterator[Entrant]:
     """The files that a person names; a folder is one program, or stands for the programs in it.
 
     Raises UsageError where one is missing, and for the only one that cannot be run.
@@ -203,7 +229,7 @@ def _named(files: Sequence[str]) -> Iterator[Entrant]:
     names = list(dict.fromkeys(files))
     programs = {name: content for name in names if (content := _one_program(name))}
     others = [name for name in names if name not in programs]
-    submissions, unread = gathered(others) if others else ([], [])
+    submissions, unread = gathered(others, follow=follow) if others else ([], [])
     if len(submissions) + len(unread) + len(programs) == 1 and submissions:
         _check_alone(submissions[0].name, submissions[0].source)
     for name, content in programs.items():

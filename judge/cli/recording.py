@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from judge.cli.submissions import Submission
-from judge.errors import told
+from judge.errors import HistoryError, told
 from judge.report.screen import note
 from judge.run.result import Result
 
@@ -23,13 +23,14 @@ class Recording:
     that moment. A commit hands it to the system, which outlives the judge (see `judge.database`).
 
     A history that fails gets one note and is then left alone: exit status and verdicts are what they would be
-    without it.
+    without it. One that another program locks for long costs nothing either: the runs are kept beside it.
     """
 
     def __init__(self, path: Path | None, *, wanted: bool = True) -> None:
         self._path = path
         self._wanted = wanted
         self._history: History | None = None
+        self._locked: HistoryError | None = None  # who could not open it, keeps everything beside it
 
     def __enter__(self) -> Recording:
         return self
@@ -44,13 +45,34 @@ class Recording:
             from judge.kata.history import History
 
             with self._spared():
-                self._history = History.open(self._path)
+                try:
+                    self._history = History.open(self._path)
+                except HistoryError as fault:
+                    self._lock(fault)
 
     def add(self, submission: Submission, result: Result) -> None:
         """Keep one result; it is committed when this returns."""
-        if self._history is not None and self._wanted:
-            with self._spared():
-                self._history.add(result, submission.source, _absolute(submission.name))
+        if not self._wanted:
+            return
+        path = _absolute(submission.name)
+        with self._spared():
+            if self._locked is not None:
+                from judge.kata.history import add_beside
+
+                add_beside(self._path, result, submission.source, path, self._locked)
+            elif self._history is not None and not self._history.add(result, submission.source, path):
+                self._lock(HistoryError("another program is writing to the history"))
+
+    def _lock(self, fault: HistoryError) -> None:
+        """Keep what is to come beside the history. Raises the fault where it is another one than a lock."""
+        from judge.database import is_busy
+
+        if self._history is None and not is_busy(fault):
+            raise fault
+        from judge.cli.kept import LOCKED
+
+        self._locked = fault
+        note(LOCKED)
 
     @contextmanager
     def _spared(self) -> Iterator[None]:

@@ -16,12 +16,13 @@ from judge.judging.sources import (
     DANGLING,
     ENVIRONMENT,
     LARGEST,
+    LED_OUT,
     is_dangling,
     why_unreadable,
     within_limit,
 )
 from judge.languages import NAME, PATTERN, is_program
-from judge.reading import read_ordinary, read_pipe
+from judge.reading import LedOutError, read_inside, read_ordinary, read_pipe, real_within
 
 _MOST, _DEEPEST = 10_000, 20  # files in a folder, and levels of folders: a class is smaller
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
@@ -33,6 +34,13 @@ class Submission(Struct, frozen=True):
 
     name: str
     source: bytes
+
+
+class _Entry(Struct, frozen=True):
+    """A file by its name; `folder` is the one that was named where it was found there."""
+
+    name: str
+    folder: str = ""
 
 
 class Unjudged(Struct, frozen=True):
@@ -49,25 +57,28 @@ def read_submissions(names: Iterable[str]) -> list[Submission]:
     Raises:
         UsageError: one is missing, unreadable, no ordinary file or too large, or a folder holds no *.py.
     """
-    submissions, unread = _gathered(names, 0)
+    submissions, unread = _gathered(names, 0, follow=False)
     if unread:
         raise UsageError(unread[0].why, where=unread[0].name)
     return submissions
 
 
-def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission], list[Unjudged]]:
+def gathered(
+    names: Iterable[str], problem: str = "", *, follow: bool = False
+) -> tuple[list[Submission], list[Unjudged]]:
     """The named files, as `read_submissions`, and those of several that cannot be read; `problem` is for all.
 
     A folder stands for every *.py in it and in its folders, but for hidden ones and virtual environments.
+    With `follow` links are followed that lead out of it.
 
     Raises:
         UsageError: one is missing, the only one cannot be read, or a folder holds no *.py.
     """
-    submissions, unread = _gathered(names, _DEEPEST)
+    submissions, unread = _gathered(names, _DEEPEST, follow=follow)
     return submissions, [replace(each, problem=problem) for each in unread]
 
 
-def _gathered(names: Iterable[str], depth: int) -> tuple[list[Submission], list[Unjudged]]:
+def _gathered(names: Iterable[str], depth: int, *, follow: bool) -> tuple[list[Submission], list[Unjudged]]:
     entries = dict.fromkeys(entry for name in names for entry in _entries(name, depth))
     submissions, unread = [], []
     for entry in entries:
@@ -75,15 +86,15 @@ def _gathered(names: Iterable[str], depth: int) -> tuple[list[Submission], list[
             unread.append(entry)
             continue
         try:
-            submissions.append(Submission(entry, _read(entry)))
+            submissions.append(Submission(entry.name, _read(entry.name, "" if follow else entry.folder)))
         except UsageError as fault:
             if len(entries) == 1:
                 raise
-            unread.append(Unjudged(entry, DANGLING if is_dangling(entry) else fault.what))
+            unread.append(Unjudged(entry.name, DANGLING if is_dangling(entry.name) else fault.what))
     return submissions, unread
 
 
-def _entries(name: str, depth: int) -> list[str | Unjudged]:
+def _entries(name: str, depth: int) -> list[_Entry | Unjudged]:
     """The file of that name, or all that is to be judged in the folder, so many levels down.
 
     Raises:
@@ -93,11 +104,11 @@ def _entries(name: str, depth: int) -> list[str | Unjudged]:
         raise UsageError("no such file", where="''", remedy=f"name a {NAME} file")
     try:
         if not stat.S_ISDIR(Path(name).stat().st_mode):
-            return [name]
+            return [_Entry(name)]
         os.scandir(name).close()  # of a folder that cannot be read, that is said
     except OSError as fault:
         if is_dangling(name):
-            return [name]
+            return [_Entry(name)]
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
         raise UsageError("no such file", where=repr(name)) from fault
@@ -111,7 +122,7 @@ def _entries(name: str, depth: int) -> list[str | Unjudged]:
             where=name,
             remedy="name a file, or a folder of submissions",
         )
-    return found
+    return [each if isinstance(each, Unjudged) else _Entry(each, name) for each in found]
 
 
 def _within(folder: str, depth: int) -> Iterator[str | Unjudged]:
@@ -146,14 +157,21 @@ def _below(name: str, path: str, depth: int) -> Iterator[str | Unjudged]:
             yield Unjudged(path, "this is a folder")
 
 
-def _read(name: str) -> bytes:
+def _read(name: str, folder: str = "") -> bytes:
+    """A file's bytes; one that was found in a folder lies there, wherever links lead."""
     path = Path(name)
     try:
+        if folder and path.is_file():
+            root = str(Path(folder).resolve())
+            real = real_within(root, os.path.relpath(name, folder))
+            return within_limit(read_inside(root, real, LARGEST + 1)[0], name)
         mode = path.stat().st_mode
         if stat.S_ISFIFO(mode):
             return within_limit(_piped(name), name)
         if stat.S_ISREG(mode):
             return within_limit(read_ordinary(path, LARGEST + 1), name)
+    except LedOutError as fault:
+        raise UsageError(LED_OUT, where=name) from fault
     except OSError as fault:
         raise _unreadable(name, fault) from fault
     raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")

@@ -4,7 +4,7 @@
     ring.py       the executor: a window of submissions, lost workers, lost schedulers
     parcel.py     what travels
     greeting.py   whether a worker judges as this machine does
-    serve.py      the processes of `judge worker`
+    serve.py      the processes of `judge worker`; quiet.py: without web servers
     reach.py      whether anybody listens there
     keys.py       certificates: who may reach a cluster
     launch.py     workers that `--on` starts itself; ssh.py and slurm.py: with what

@@ -10,7 +10,8 @@ from judge.errors import UsageError
 
 INSTALL = "pip install 'circle-line-judge[cluster]'"
 _SETTINGS = {
-    # Plain HTTP would tell anybody who asks how busy a machine is, and the scheduler's can be a proxy.
+    # Plain HTTP would tell anybody who asks how busy a machine is, and the scheduler's can be a proxy: there
+    # is no server for it (quiet.py), and nothing that it would serve.
     "distributed.scheduler.http.routes": [],
     "distributed.worker.http.routes": [],
     "distributed.scheduler.allowed-failures": 0,  # the executor counts deaths itself

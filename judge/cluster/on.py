@@ -46,4 +46,4 @@ def executor_at(
             config = slurm.read_config(place.file)
             address, held = stack.enter_context(slurm.started(config))
             wait = config.wait
-        yield stack.enter_context(Ring(address, held, wanted, wait=wait))
+        yield stack.enter_context(Ring(address, held, wanted, wait=wait, say=say))

@@ -36,7 +36,8 @@ _LOOK = 2.0  # seconds between looks at who is there
 class Ring:
     """A context manager; on entering, the scheduler is reached and every worker compared with `wanted`.
 
-    `patience` is for how many seconds there may be no worker, `wait` how long the first may take. Raises
+    `patience` is for how many seconds there may be no worker: one that died may just be starting again. The
+    first may take `wait` seconds instead, where that is not 0; `say` is told that it is waited for. Raises
     UsageError where a worker is not as it must be, JudgeError where the scheduler cannot be reached or there
     is no worker.
     """
@@ -48,12 +49,14 @@ class Ring:
         wanted: Offer = Offer({}, {}, ()),  # noqa: B008 - frozen
         patience: float = 60.0,
         wait: float = 0.0,
+        say: Callable[[str], None] = lambda _: None,
     ) -> None:
         self.address = address
         self.wanted = wanted
         self.patience = patience
         self._keys = keys
-        self._wait = wait
+        self._wait = wait or patience
+        self._say = say
         self._client: Any = None
         self._looked = float("-inf")
         self._fit: dict[str, Mapping[str, Any]] = {}
@@ -142,6 +145,8 @@ class Ring:
     def _greet(self) -> None:
         """Compare every worker with what is wanted, and settle on a level of isolation."""
         workers, until = self._workers(), time.monotonic() + self._wait
+        if not workers:
+            self._say(f"there is no worker at {self.address} yet; waiting {self._wait:.0f} s for one")
         while not workers and time.monotonic() < until:
             time.sleep(_PAUSE)
             workers = self._workers()

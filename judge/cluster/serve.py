@@ -7,7 +7,6 @@ import logging
 import os
 import signal
 import sys
-import tempfile
 import threading
 from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack, suppress
@@ -22,6 +21,7 @@ from judge.cluster.need import distributed
 from judge.cluster.reach import check_reached
 from judge.cluster.where import Address
 from judge.errors import JudgeError, unwritable
+from judge.sandbox.temporary import TemporaryFolder
 
 _LOOK = 1.0  # seconds between looks at the workers
 _CONNECT = 15.0  # seconds for a worker to begin
@@ -53,8 +53,8 @@ def serve(plan: Plan, ready: Callable[[str], None], say: Callable[[str], None]) 
         JudgeError: there is no scheduler to be reached, at the start or for too long.
     """
     distributed()
-    with tempfile.TemporaryDirectory(prefix="judge-worker-") as folder:
-        return asyncio.run(_serve(plan, ready, say, folder))
+    with TemporaryFolder(private=True) as folder:
+        return asyncio.run(_serve(plan, ready, say, str(folder)))
 
 
 async def _serve(plan: Plan, ready: Callable[[str], None], say: Callable[[str], None], folder: str) -> bool:
@@ -166,10 +166,13 @@ class _Crew:
         import dask
         from distributed import Nanny
 
+        from judge.cluster.quiet import QuietWorker
+
         # On this machine alone nobody else is to be listened to: what is plain has no keys.
         host = self._plan.address.host if not self._plan.address.safe else None
         nanny = Nanny(
             self.address,
+            worker_class=QuietWorker,
             nthreads=1,
             resources=self._plan.offer.resources() if self._plan.offer else {},
             security=self._security,
@@ -179,7 +182,6 @@ class _Crew:
             death_timeout=_CONNECT,
             silence_logs=logging.CRITICAL,
             dashboard=False,
-            dashboard_address="127.0.0.1:0",
             config=dask.config.config,
             env=dict(self._plan.environment),
         )
@@ -193,15 +195,14 @@ class _Crew:
 
 
 async def _scheduler(address: Address, security: Any) -> Any:
-    from distributed import Scheduler
+    from judge.cluster.quiet import QuietScheduler
 
-    scheduler = Scheduler(
+    scheduler = QuietScheduler(
         host=address.host,
         port=address.port,
         protocol=f"{address.scheme}://",
         security=security,
         dashboard=False,
-        dashboard_address="127.0.0.1:0",
     )
     try:
         return await scheduler

@@ -7,6 +7,8 @@ import os
 from judge.errors import UsageError
 
 LARGEST = 4 * 2**20  # bytes; no person writes more
+NOT_FOLLOWED = "which is not followed; --follow-links follows it"
+LED_OUT = f"it is a link out of the folder, {NOT_FOLLOWED}"
 DANGLING = "it is a link to a file that is not there"
 ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
 

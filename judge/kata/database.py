@@ -15,7 +15,12 @@ from judge.kata.migrations import APPLICATION, MIGRATIONS
 
 VARIABLE = "JUDGE_DB"
 HISTORY = Kind(
-    "history", APPLICATION, MIGRATIONS, f"name another file with --db or ${VARIABLE}", HistoryError
+    "history",
+    APPLICATION,
+    MIGRATIONS,
+    f"name another file with --db or ${VARIABLE}",
+    HistoryError,
+    damaged="move it away, or keep what can be read of it with 'judge history --repair'",
 )
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from judge.report.layout import Line, Span, Style, hanging, line
+from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
+from judge.report.values import counted
 
 if TYPE_CHECKING:
     from judge.languages.find import Found
+    from judge.sandbox.attacking import Attacked
     from judge.sandbox.probe import Level
 
 _LANGUAGES = 12
@@ -43,6 +45,28 @@ def doctor_lines(
     yield line()
     used = Span(f"isolation is {best.name}", Style.STRONG) if best else Span("nothing can be run", Style.BAD)
     yield line(used)
+
+
+def attack_lines(level: str, attacks: Sequence[Attacked], width: int | None) -> Iterator[Line]:
+    """Each attack, whether it was held, and how; and how many were."""
+    columns = (Column("attack"), Column("a submission tries to", flexible=True), Column("result"))
+    rows: list[list[Cell]] = [
+        [
+            Span(each.attack.name, Style.STRONG),
+            each.attack.tries,
+            Span("held", Style.GOOD) if each.held else Span("NOT HELD", Style.BAD),
+        ]
+        for each in attacks
+    ]
+    yield from Table(columns, rows, indent=0).lines(width)
+    yield line()
+    for each in attacks:
+        if not each.held:
+            yield from hanging(Span(each.attack.name, Style.BAD), Span(each.how), width, indent=0, column=20)
+    held = sum(each.held for each in attacks)
+    style = Style.GOOD if held == len(attacks) else Style.BAD
+    text = f"{held} of {counted(len(attacks), 'attack')} held at isolation {level}"
+    yield line(Span(text, style))
 
 
 def _looked(level: Level) -> Iterator[tuple[str, str]]:

@@ -61,7 +61,8 @@ def _properties(result: Result) -> Iterator[tuple[str, str]]:
     for each in result.levels:
         yield f"{each.level.value}_level", level_share(each)
     yield "mode", result.mode.value
-    yield "isolation", result.isolation
+    if result.isolation:
+        yield "isolation", result.isolation
     yield "memory_bytes", str(result.memory_bytes)
     yield "cpu_seconds", f"{result.time.cpu_seconds:.6f}"
     yield "wall_seconds", f"{result.time.wall_seconds:.6f}"

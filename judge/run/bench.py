@@ -231,7 +231,7 @@ def bench(
     base = found.get(entrants[0])
     rows = tuple(_row(each, found.get(each), why_not.get(each, ""), base, bares) for each in entrants)
     bare_start = Spread.of(bares)
-    return Bench(data.problem.id, len(cases), whole, rounds, bare_start, rows, isolation or "limits", beside)
+    return Bench(data.problem.id, len(cases), whole, rounds, bare_start, rows, isolation, beside)
 
 
 def _prepared(

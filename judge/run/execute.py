@@ -114,10 +114,10 @@ def uncompiled(problem: Problem, name: str, failure: Failure, box: Box) -> Resul
     return Result(problem.id, name, FunctionRunner.mode, Verdict.CE, failure=failure, isolation=box.isolation)
 
 
-def judge_fault(problem: str, submission: str, message: str, *, isolation: str = "limits") -> Result:
+def judge_fault(problem: str, submission: str, message: str) -> Result:
     """The result of a submission that could not be judged through the judge's or the problem's own fault."""
     failure = Failure(message)
-    return Result(problem, submission, FunctionRunner.mode, Verdict.JE, failure=failure, isolation=isolation)
+    return Result(problem, submission, FunctionRunner.mode, Verdict.JE, failure=failure)
 
 
 def _result(

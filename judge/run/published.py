@@ -47,7 +47,7 @@ def result_of(
         failure=Failure(**failure) if failure else None,
         time=_timing(published["time"]),
         memory_bytes=published["memory_bytes"],
-        isolation=published["isolation"],
+        isolation=published["isolation"] or "",
         counterexample=published["counterexample"],
         pitfall=_pitfall(pitfall, advice) if pitfall else None,
         thresholds=msgspec.convert(published.get("thresholds", ()), tuple[Threshold, ...]),

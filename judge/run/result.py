@@ -327,7 +327,7 @@ class Result(Struct, frozen=True):
     failure: Failure | None = None
     time: Timing = Timing()
     memory_bytes: int = 0
-    isolation: str = "limits"
+    isolation: str = ""
     counterexample: dict[str, Any] | None = None
     pitfall: Pitfall | None = None
     thresholds: tuple[Threshold, ...] = ()
@@ -386,7 +386,7 @@ class Result(Struct, frozen=True):
             "thresholds": [each.as_json() for each in self.thresholds],
             "time": self.time.as_json(),
             "memory_bytes": self.memory_bytes,
-            "isolation": self.isolation,
+            "isolation": self.isolation or None,
         }
 
 

@@ -83,7 +83,7 @@ class Stressed(Struct, frozen=True):
             "pitfall": result.pitfall.as_json() if result.pitfall else None,
             "thresholds": [each.as_json() for each in result.thresholds],
             "memory_bytes": result.memory_bytes,
-            "isolation": result.isolation,
+            "isolation": result.isolation or None,
         }
 
 

@@ -140,7 +140,7 @@ class Box(Protocol):
 
     @property
     def isolation(self) -> str:
-        """The level that holds it: "full", "strong" or "limits"."""
+        """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
         ...
 
     def __enter__(self) -> Box: ...

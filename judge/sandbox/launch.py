@@ -18,7 +18,7 @@ from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots, open_to_all
 
-_ENVIRONMENT = {
+ENVIRONMENT = {
     "PATH": "/usr/bin:/bin",
     "LANG": "C.UTF-8",
     "TZ": "UTC",
@@ -54,6 +54,7 @@ class Workplace(NamedTuple):
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
     itself: str = ""  # what /proc/self/exe leads to at `full`, where there is no /proc
+    feedback: tuple[int, int] | None = None  # how many files and bytes a program may leave in `scratch`
 
     def where(self, name: str, level: str) -> str:
         """The path inside of one of the folders shown, or of `SCRATCH`."""
@@ -102,7 +103,7 @@ def plan(
         _settle(place, level, roots, config)
         config["passes_on"] = closed
     if level != "full":
-        return Plan(tuple(python), dict(_ENVIRONMENT), config)
+        return Plan(tuple(python), dict(ENVIRONMENT), config)
     command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
 
@@ -114,6 +115,7 @@ def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) 
     config["profile"], config["descriptors"] = place.profile, place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
     config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
+    config["feedback"] = place.feedback
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
     config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
     if place.scratch and level != "full" and config["uid"] is not None:
@@ -155,7 +157,7 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
         kept = ["CAP_SETUID", "CAP_SETGID", *(["CAP_DAC_READ_SEARCH"] if reads_all else [])]
         arguments += [part for capability in kept for part in ("--cap-add", capability)]
-    for key, value in _ENVIRONMENT.items():
+    for key, value in ENVIRONMENT.items():
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):

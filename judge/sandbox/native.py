@@ -56,7 +56,8 @@ class NativeBox:
         self._boxes = boxes
         self._store = store
         self._subtracts = idle
-        self._level = boxes.first()
+        self._level = boxes.first()  # to be begun with
+        self._held = ""  # the level of the last container that was had
         self._inspection: Inspection | None = None
         self._artifact: Files = ()
         self._folder: TemporaryFolder | None = None
@@ -66,8 +67,8 @@ class NativeBox:
 
     @property
     def isolation(self) -> str:
-        """The level that holds it: "full", "strong" or "limits"."""
-        return self._running.level if self._running else self._level
+        """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
+        return self._held
 
     @cached_property
     def _ordered(self) -> Order:
@@ -140,7 +141,7 @@ class NativeBox:
             finally:
                 holder.close(at_once=False)
                 holder.drop()
-            self._level = holder.level
+            self._level = self._held = holder.level
         return made.files, made.fault
 
     def _processes(self) -> int:
@@ -151,7 +152,7 @@ class NativeBox:
 
     def _holder(self, level: str, place: Workplace, more: Sequence[str]) -> Holder:
         share = self._boxes.share
-        roots = find_roots(self._boxes.hide, more)
+        roots = find_roots(self._boxes.hide, more, modules=self._recipe.modules)
         return Holder(level, self._boxes, lambda level: Container(level, "", b"", roots, share, place))
 
     # -- running
@@ -185,6 +186,7 @@ class NativeBox:
     def _ask(self, stdio: Sequence[int], limits: Limits, idle: Usage) -> Done:
         holder = self._run_holder()
         container = holder.here()
+        self._held = holder.level
         place = self._place
         assert place is not None
         recipe, memory = self._recipe, limits.memory_bytes

@@ -52,17 +52,19 @@ class Roots(NamedTuple):
         return open_to_all(named, below=below)
 
 
-def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = ()) -> Roots:
+def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: bool = True) -> Roots:
     """The roots of the interpreter that runs the judge.
 
     `hide` are more folders that must not be seen, `more` files and folders that must be, as a compiler's.
+    Without `modules` those that are installed for any Python here are hidden.
     """
+    more = tuple(more)
     executable = places.real(sys.executable)
     libraries = _libraries()
     path = [places.absolute(entry) for entry in sys.path]
     sites = [entry for entry in path if Path(entry).name in SITE_NAMES]
     stores = [store for store in _STORES if executable.startswith(store)]
-    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites, *more))
+    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *(sites if modules else ()), *more))
     wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
     folders = places.outermost(wanted.values())
     single = [name for name in names if name not in wanted]
@@ -72,14 +74,15 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = ()) -> Roots:
     shown = [*wanted.values(), *files.values(), *_DEVICES, *links]
     searched = concealed.searched(path, (*_LIBRARY_FOLDERS, *libraries))
     secret = concealed.folders(hide, searched, shown)
+    covered = [*secret, *([] if modules else _installed(searched, more))]
     return Roots(
         executable=executable,
         folders=tuple(folders),
         files=tuple(files.values()),
         links=tuple(link for link in links.items() if not places.within(link[0], folders)),
         # What lies in a hidden folder is hidden with it; an empty one could not be laid over it once more.
-        hidden=tuple(places.outermost(path for path in secret if _coverable(path, folders))),
-        imports=_imports(path, sites, libraries),
+        hidden=tuple(places.outermost(path for path in covered if _coverable(path, folders))),
+        imports=_imports(path, sites if modules else [], libraries),
         unseen=concealed.by_every_name(secret, wanted, shown),
         searched=tuple(searched),
     )
@@ -91,9 +94,16 @@ def _libraries() -> list[str]:
     return [str(Path(prefix, part)) for prefix in prefixes for part in parts]
 
 
+def _installed(searched: Iterable[str], more: Iterable[str]) -> list[str]:
+    """The real folders of modules that are installed for a Python, but for those with something wanted."""
+    wanted = [places.real(name) for name in more]
+    found = dict.fromkeys(places.real(entry) for entry in searched if Path(entry).name in SITE_NAMES)
+    return [folder for folder in found if not any(places.within(each, [folder]) for each in wanted)]
+
+
 def _imports(path: list[str], sites: list[str], libraries: list[str]) -> tuple[str, ...]:
     """The entries of sys.path that belong to the interpreter, then those of installed modules, all real."""
-    own = [places.real(entry) for entry in path if entry not in sites]
+    own = [places.real(entry) for entry in path if Path(entry).name not in SITE_NAMES]
     among = [places.real(library) for library in libraries]
     own = [entry for entry in own if places.within(entry, among)]
     return tuple(dict.fromkeys([*own, *map(places.real, sites)]))

@@ -1,6 +1,6 @@
 """The box of a program that reads files and leaves some, such as one that checks another program's output.
 
-It is held as a compiler is: as any submission, but for the folder that it fills and the processes it starts.
+It is held as any submission is, but for the folder that it fills, with so many files and bytes and no more.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from judge.sandbox.recipe import Files, Store
 
 _GIVEN = "/given"
 _FILES = 64  # that a run may leave
-_LEFT_BYTES = 1 << 20
+_LEFT_BYTES = 8 << 20
 _WORK = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=_LEFT_BYTES)
 _BUSY = "judge it again"
 
@@ -49,9 +49,10 @@ class ToolBox(NativeBox):
         (folder / "scratch").mkdir(mode=0o755)
         place = super()._placed(folder, box)
         return place._replace(
-            profile="compile",
+            profile="check",
             shown=(*place.shown, (_GIVEN, str(self._given))),
             scratch=str(folder / "scratch"),
+            feedback=(_FILES + 1, _LEFT_BYTES),  # the folder itself counts
         )
 
     def check(self, stdin: bytes, given: Files, more: Sequence[str], limits: Limits) -> Left:
@@ -67,7 +68,7 @@ class ToolBox(NativeBox):
         assert fault is None, "whoever runs it has looked"
         try:
             folder = self._emptied()
-            place, level, shown = self._place, self.isolation, self._given
+            place, level, shown = self._place, self._run_holder().level, self._given
             assert place is not None
             assert shown is not None
             for name, content in given:

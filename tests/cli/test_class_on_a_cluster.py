@@ -231,8 +231,11 @@ def test_a_cluster_of_others_is_told_before_anything_is_sent(resources, told):
         worker_dashboard_address="127.0.0.1:0",
         resources=resources or {},
     )
-    with started as cluster, pytest.raises(JudgeError, match=told) as fault:
-        Ring(Address.of(cluster.scheduler_address), None, Offer({"judge": "9 (def)"}, {}, ())).__enter__()
+    with started as cluster:
+        wanted = Offer({"judge": "9 (def)"}, {}, ())
+        ring = Ring(Address.of(cluster.scheduler_address), None, wanted, patience=0.1)
+        with pytest.raises(JudgeError, match=told) as fault:
+            ring.__enter__()
     assert "\n" not in str(fault.value)
 
 

@@ -102,6 +102,16 @@ def test_its_wrong_programs_can_be_broken(judge):
     assert (status, found["outcome"], found["case"]["got"]) == (0, "won", "2")
 
 
+def test_it_says_what_is_promised_and_holds_its_own_attacks_far_from_the_checkout(judge):
+    status, (page,) = judge("help", "security", "--json")
+    assert (status, page["title"]) == (0, "Security: what is promised, and how it is tested")
+    status, (found,) = judge("doctor", "--attack", "--json")
+    assert len(found["attacks"]["attacks"]) > 20
+    assert status == (0 if all(each["held"] for each in found["attacks"]["attacks"]) else 1)
+    if found["isolation"] != "limits":
+        assert [each for each in found["attacks"]["attacks"] if not each["held"]] == []
+
+
 def test_a_source_distribution_has_the_five_top_level_names(tmp_path):
     import tarfile
 

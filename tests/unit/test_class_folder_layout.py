@@ -113,9 +113,9 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
     assert why == {
         "well": "",
         "empty": "",
-        "within": "",
+        "within": "it is a link to well's folder, which is not followed; --follow-links follows it",
         "huge": "this file is larger than 4 MB",
-        "out": "it is a link out of the class's folder, which is not followed",
+        "out": "it is a link out of the folder, which is not followed; --follow-links follows it",
         "dangling": "it is a link to a file that is not there",
         "loop": "it is a link to a file that is not there",
         "fifo": "it is no ordinary file",
@@ -130,7 +130,7 @@ def test_a_file_that_may_not_be_read_is_a_row(place, monkeypatch):
     def refused(*_):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(folder_module, "read_ordinary", refused)
+    monkeypatch.setattr(folder_module, "read_inside", refused)
     (only,) = found(place).handins
     assert (only.problem, only.why) == ("middle", "cannot be read (permission denied)")
 

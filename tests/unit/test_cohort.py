@@ -9,10 +9,11 @@ import pytest
 from classes import DEE, class_of, row, small_class
 
 from judge.batch.model import Student
-from judge.report.cohort.gradebook import cell, gradebook, is_gradebook
+from judge.report.cohort.gradebook import gradebook, is_gradebook
 from judge.report.cohort.lines import Glyphs, cohort_lines
 from judge.report.layout import cells
 from judge.report.screen import Screen
+from judge.report.sheet import cell
 
 
 def text(width, **asked):
@@ -130,7 +131,7 @@ def read(content, delimiter=","):
 
 def test_a_line_a_student():
     content = gradebook(small_class())
-    assert content.startswith(b"\xef\xbb\xbfstudent,name,group,segment,count,total,")
+    assert content.startswith(b'\xef\xbb\xbf"student","name","group","segment","count","total",')
     head, *lines = read(content)
     assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake"]
     assert lines[0] == ["ann", "Ann Lee", "A", "30", "90", "120", "WA", "tangent-twice", "AC", ""]
@@ -140,6 +141,7 @@ def test_a_line_a_student():
     assert [each[0] for each in lines] == ["ann", "bob", "cid", "dee\\x1b[31m王", "eve", "zoe"]
     assert content.count(b"\r\n") == 7
     assert is_gradebook(content[:100])
+    assert is_gradebook(b"\xef\xbb\xbfstudent,name,group,segment\r\n")
     assert not is_gradebook(b"name,student\r\n")
     assert "\\udcff" in gradebook(class_of(students=[Student("a\udcff")])).decode()  # half a character
 

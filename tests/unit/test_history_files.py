@@ -24,7 +24,9 @@ from judge.kata.history import Current, History
 NEWER = len(migrations.MIGRATIONS) + 1
 CHANGES = {
     f"PRAGMA user_version = {NEWER}": f"newer judge (version {NEWER}, this one knows {NEWER - 1}); upgrade",
-    "PRAGMA user_version = 1094795585": "the history is damaged; move it away",
+    "PRAGMA user_version = 1094795585": "written by a newer judge",
+    "PRAGMA user_version = 1001": "written by a newer judge",
+    "PRAGMA user_version = -1": "is damaged; move it away",
     "PRAGMA application_id = 7": "another program's database",
 }
 
@@ -112,19 +114,26 @@ def test_a_damaged_history_says_so(own_history):
 RESULTS = [b"", zlib.compress(b"[]"), zlib.compress(b"[" * 100_000), "text"]
 DAMAGED = ["verdict = 'XX'", "mode = 'none'", "time = 9223372036854775807", "time = 'now'"]
 DAMAGED += ["problem = x'ff'", "passed = x'ff'"]
-DAMAGED += [f"result = {each!r}" if type(each) is str else f"result = x'{each.hex()}'" for each in RESULTS]
 
 
-@pytest.mark.parametrize("change", DAMAGED, ids=lambda each: each[:20])
-def test_what_no_judge_wrote_is_told_in_a_line(change, own_history):
-    filled(own_history, runs=1)
-    changed(own_history, f"UPDATE runs SET {change}")
+@pytest.mark.parametrize("change", DAMAGED)
+def test_a_run_that_no_judge_wrote_is_left_out(change, own_history):
+    filled(own_history, runs=3)
+    changed(own_history, f"UPDATE runs SET {change} WHERE id = 2")
     with History.open(reading=True) as history:
-        if not change.startswith("result"):
-            with pytest.raises(HistoryError, match="run 1 is damaged"):
-                history.runs()
-        with pytest.raises(HistoryError, match="run 1 is damaged"):
-            history.run(1).result  # noqa: B018
+        assert [run.id for run in history.runs()] == [1, 3]
+        assert history.left_out == ["run 2"]
+        with pytest.raises(HistoryError, match="run 2 is damaged; 'judge history --repair'"):
+            history.run(2)
+
+
+@pytest.mark.parametrize("packed", RESULTS, ids=range(4))
+def test_a_result_that_no_judge_wrote_is_told_in_a_line(packed, own_history):
+    filled(own_history, runs=1)
+    value = repr(packed) if type(packed) is str else f"x'{packed.hex()}'"
+    changed(own_history, f"UPDATE runs SET result = {value}")
+    with History.open(reading=True) as history, pytest.raises(HistoryError, match="run 1 is damaged"):
+        history.run(1).result  # noqa: B018
 
 
 def test_nobody_else_can_read_it(tmp_path):

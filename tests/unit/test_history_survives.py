@@ -61,11 +61,13 @@ def test_a_reader_does_not_wait_for_a_writer_and_a_writer_does(own_history, monk
     with History.open(reading=True) as history:
         assert len(history.runs()) == 3
         assert history.current() is None
-    with History.open() as history, pytest.raises(HistoryError, match="another program is writing to it"):
-        history.add(past_result(), b"", "")
+    with History.open() as history:
+        with pytest.raises(HistoryError, match="another program is writing to it"):
+            history.take_up("segment", "")
+        assert history.add(past_result(), b"", "") == 0  # it is kept beside the file
     ended(holder)
     with History.open() as history:
-        assert history.add(past_result(), b"", "") == 4
+        assert history.add(past_result(), b"", "") == 5
 
 
 def test_a_judge_that_is_killed_while_it_writes_leaves_the_file_as_it_was(own_history):

@@ -55,7 +55,7 @@ def test_other_kinds_are_refused_in_a_line(tmp_path, text, why):
         ("[1, 2", "this is no YAML"),
         ("just words", "no keys"),
         ("limits: 5", "limits holds no keys"),
-        ("limits: {memory: much}", "memory is much"),
+        ("limits: {memory: much}", "memory is 'much'"),
         ("limits: {memory: 1e999}", "memory"),
         ("limits: {memory: 1" + "0" * 310 + "}", "from 1 to 1,048,576"),
         ("limits: {memory: .nan}", "memory is nan"),

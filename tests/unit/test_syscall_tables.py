@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import errno
 import re
-import struct
 from pathlib import Path
 
 import pytest
+from bpf_machine import decision as _run
 
 from judge.sandbox.linux import bpf, seccomp, syscalls
 
@@ -42,29 +42,6 @@ def test_numbers_are_the_kernels(machine: str, paths: list[Path]) -> None:
 @pytest.mark.parametrize("call", ["landlock_create_ruleset", "landlock_add_rule", "landlock_restrict_self"])
 def test_landlock_has_the_same_numbers_everywhere(call: str) -> None:
     assert syscalls.number(call, "x86_64") == syscalls.number(call, "aarch64")
-
-
-def _run(rows: list[bpf.Instruction], machine: str, call: int | str, *arguments: int) -> int:
-    """What a filter says of a call: an interpreter of the few instructions the filters use."""
-    number = syscalls.number(call, machine) if isinstance(call, str) else call
-    assert number is not None
-    words = [argument & (1 << 64) - 1 for argument in (*arguments, 0, 0, 0, 0, 0, 0)][:6]
-    data = struct.pack("<IIQ6Q", number, syscalls.audit_architecture(machine), 0, *words)
-    place = accumulator = 0
-    while True:
-        code, yes, no, constant = rows[place]
-        place += 1
-        if code == 0x20:
-            accumulator = int.from_bytes(data[constant : constant + 4], "little")
-        elif code == 0x06:
-            return constant
-        else:
-            tests = {
-                0x15: accumulator == constant,
-                0x25: accumulator > constant,
-                0x35: accumulator >= constant,
-            }
-            place += yes if tests.get(code, bool(accumulator & constant)) else no
 
 
 @pytest.mark.parametrize("machine", NUMBERS)

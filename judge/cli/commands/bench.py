@@ -186,7 +186,7 @@ def as_object(found: Bench) -> dict[str, Any]:
         "interrupted": found.interrupted,
         "rounds_beside_others": found.beside,
         "bare_start_seconds": _spread(found.bare),
-        "isolation": found.isolation,
+        "isolation": found.isolation or None,
         "rows": [_row(row) for row in found.rows],
     }
 

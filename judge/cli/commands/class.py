@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from judge.cli.judging_options import (
+    follow_links_option,
     isolation_option,
     jobs_option,
     junit_option,
@@ -60,6 +61,7 @@ if TYPE_CHECKING:
     multiple=True,
     help="Judge a student's, a problem's or one file anew; may be given again.",
 )
+@follow_links_option
 @no_name_option
 @level_option
 @isolation_option
@@ -106,6 +108,7 @@ def command(
     place: Path | None,
     only: tuple[str, ...],
     again: tuple[str, ...],
+    follow_links: bool,
     no_name: bool,
     kata_level: str | None,
     level: str | None,
@@ -165,6 +168,7 @@ def command(
         parts=parts,
         as_json=as_json,
         quiet=quiet,
+        follow=follow_links,
     )
     with Store.open(wanted.place) as store:
         classroom = Classroom(wanted, store)

@@ -8,10 +8,10 @@ from typing import Any
 import click
 
 from judge.cli.commands.history import as_object as run_object
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, write_json
 from judge.errors import ExitCode
 from judge.kata.changes import Change, change
-from judge.kata.history import History
 from judge.report.history import change_lines
 from judge.report.screen import out
 
@@ -29,7 +29,7 @@ def command(old: int, new: int, as_json: bool, db: Path | None) -> ExitCode:
     What became of verdict, points, mistake, time and test groups, and the difference of the two sources. The
     numbers of the runs are those of 'judge history'.
     """
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         found = change(history.run(old), history.run(new), (history.source(old), history.source(new)))
     if as_json:
         write_json(as_object(found))

@@ -8,21 +8,25 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 import click
+from msgspec import Struct
 
 from judge import __version__
+from judge.cli.judging_options import isolation_option
 from judge.cli.options import json_option, write_json
-from judge.errors import ExitCode
+from judge.errors import ExitCode, UsageError
 from judge.folders import cache_folder
 from judge.judging.containment import every_hidden_folder
 from judge.judging.isolation import keep_level
 from judge.languages.find import Found
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.doctor import doctor_lines
+from judge.report.doctor import attack_lines, doctor_lines
+from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.sandbox import levels
 
 if TYPE_CHECKING:
+    from judge.sandbox.attacking import Attacked
     from judge.sandbox.probe import Level
 
 SCHEMA = 1
@@ -32,8 +36,10 @@ SCHEMA = 1
 @click.option(
     "--languages", "tries", is_flag=True, help="Compile and run the empty program of each language."
 )
+@click.option("--attack", "attacks", is_flag=True, help="Run harmless attacks, and say which were held.")
+@isolation_option
 @json_option
-def command(tries: bool, as_json: bool) -> ExitCode:
+def command(tries: bool, attacks: bool, level: str | None, as_json: bool) -> ExitCode:
     """Say how well submissions are contained on this machine.
 
     Each isolation level is tried with a submission that looks for the judge, its problems and its solutions.
@@ -42,14 +48,22 @@ def command(tries: bool, as_json: bool) -> ExitCode:
     The best level is kept: from then on the other commands refuse to judge below it, until `judge doctor`
     finds another or --isolation asks for one.
 
-    Exit status: 0 always; the level that is used without --isolation is the first that works.
+    With --attack, submissions try what none may: read the judge's files and yours, use the network, start and
+    signal processes, fill memory and disk, never end. They are harmless where they succeed. They are held at
+    the level that is used, or at the one that --isolation names.
+
+    Exit status: 0, or 1 where an attack was not held. The level that is used without --isolation is the first
+    that works.
     """
+    if level is not None and not attacks:
+        raise UsageError("--isolation goes with --attack", remedy="leave it out")
     found = levels(every_hidden_folder())
     best = next((level.name for level in found if level.available), None)
     others = [found_of(language) for language in languages()]
     if tries and best:
         others = _tried(others, best)
     _keep(found)
+    made = _attacked(level or best) if attacks else None
     facts = {
         "judge": __version__,
         "python": f"{platform.python_version()} at {sys.executable}",
@@ -58,11 +72,35 @@ def command(tries: bool, as_json: bool) -> ExitCode:
         "cache": str(cache_folder()),
     }
     if as_json:
-        write_json(_as_object(facts, best, found, others))
+        write_json(_as_object(facts, best, found, others, made))
+    elif made is not None:
+        screen = out()
+        screen.show(attack_lines(made.level, made.each, screen.width))
     else:
         screen = out()
         screen.show(doctor_lines(facts, found, others, screen.width))
-    return ExitCode.ACCEPTED
+    broken = made is not None and not all(each.held for each in made.each)
+    return ExitCode.NOT_ACCEPTED if broken else ExitCode.ACCEPTED
+
+
+class _Attacks(Struct, frozen=True):
+    """What came of the attacks, and the level that they were made at."""
+
+    level: str
+    each: tuple[Attacked, ...]
+
+
+def _attacked(level: str | None) -> _Attacks:
+    """Run the attacks. Raises UsageError where nothing can be run, or not at that level."""
+    from judge.sandbox import Boxes
+    from judge.sandbox.attacking import attacked
+
+    if level is None:
+        raise UsageError("nothing can be run here", remedy="see 'judge doctor'")
+    hidden = list(every_hidden_folder())
+    boxes = Boxes(level, hidden)
+    with progress("attacking") as seen:
+        return _Attacks(level, tuple(attacked(boxes, hidden, seen or (lambda *_: None))))
 
 
 def _keep(found: tuple[Level, ...]) -> None:
@@ -84,7 +122,11 @@ def _tried(others: list[Found], level: str) -> list[Found]:
 
 
 def _as_object(
-    facts: dict[str, str], best: str | None, found: tuple[Level, ...], others: list[Found]
+    facts: dict[str, str],
+    best: str | None,
+    found: tuple[Level, ...],
+    others: list[Found],
+    made: _Attacks | None,
 ) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
@@ -112,5 +154,14 @@ def _as_object(
             }
             for each in others
         ],
+        "attacks": None
+        if made is None
+        else {
+            "isolation": made.level,
+            "attacks": [
+                {"name": each.attack.name, "tries": each.attack.tries, "held": each.held, "how": each.how}
+                for each in made.each
+            ],
+        },
         **facts,
     }

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from judge.cli.drilling import known_cards
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata import history as kept
@@ -31,7 +32,7 @@ def command(as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCo
     Judging a file that was accepted before counts for nothing. Cards (judge quiz) come again in the same way.
     """
     now = kept.now().astimezone()
-    with kept.History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         runs = history.runs()
         found = reviews(runs, history.helps(), now)
         cards = card_reviews(history.answers(), now)

@@ -10,11 +10,11 @@ import click
 from msgspec.structs import replace
 
 from judge.cli.judging_options import isolation_option
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.data.given import line_of, read_case
 from judge.errors import ExitCode, HistoryError, UsageError, told
 from judge.kata.hacks import Hack, HackState, Outcome, hack_states, was_shown
-from judge.kata.history import History
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
 from judge.problem.find import find_problem
 from judge.report.hacking import answer_lines, list_lines, lost_lines, puzzle_lines, told_lines, won_lines
@@ -235,7 +235,7 @@ class _Hacking:
                 "got": said.got,
                 "message": said.message,
                 "verdict": said.verdict.value,
-                "isolation": said.isolation,
+                "isolation": said.isolation or None,
             }
         write_json(
             {
@@ -254,13 +254,13 @@ class _Hacking:
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
         try:
-            with History.open(self._db) as history:
+            with history_at(self._db) as history:
                 history.add_hack(self._problem.id, puzzle.mistake, case, outcome)
         except HistoryError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:
-        with History.open(self._db, reading=True) as history:
+        with history_at(self._db, reading=True) as history:
             return history.hacks(self._problem.id)
 
     def _states(self) -> dict[str, HackState]:

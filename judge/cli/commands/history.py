@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode, UsageError
-from judge.kata.history import History, Run
+from judge.kata.history import Run
 from judge.problem.find import find_problem
-from judge.report.history import history_lines, restored_lines
-from judge.report.layout import line, printable
+from judge.report.history import history_lines, repaired_lines, restored_lines
+from judge.report.layout import line
 from judge.report.screen import out
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ _ON_SCREEN = 20  # runs, unless it is said how many
     help="Restore it to this file instead.",
 )
 @click.option("--force", is_flag=True, help="Restore it over another source.")
+@click.option("--repair", "repairs", is_flag=True, help="Take what is damaged out of the history.")
 @json_option
 @click.option("--csv", "as_csv", is_flag=True, help="Write CSV, a run a line below the columns' names.")
 @db_option
@@ -52,6 +54,7 @@ def command(
     number: int | None,
     target: Path | None,
     force: bool,
+    repairs: bool,
     as_json: bool,
     as_csv: bool,
     db: Path | None,
@@ -64,9 +67,16 @@ def command(
 
     With --restore, nothing is shown but where the source that a run judged is again. A file that holds
     something else by now is left as it is, unless you say --force; then you are told whether a run keeps it.
+
+    A run that is damaged is left out, and a note says so. With --repair, a history without what is damaged
+    takes the place of the old one, which is kept beside it.
     """
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", remedy="give one of them")
+    if repairs:
+        if as_csv or limit is not None or name is not None or number is not None or target or force:
+            raise UsageError("--repair takes no other choice", remedy="leave the rest out")
+        return _repair(db, as_json=as_json)
     if number is not None:
         if as_csv or limit is not None or name is not None:
             raise UsageError(
@@ -76,9 +86,11 @@ def command(
     if target is not None or force:
         raise UsageError("--out and --force go with --restore RUN", remedy="say which run")
     on_screen = not (as_json or as_csv)
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         most = _ON_SCREEN + 1 if on_screen and limit is None else limit
         runs = history.runs(name, most)
+        if not on_screen:
+            runs = history.with_results(runs)
         if not runs and name is not None:
             _check(name, folders, {run.problem for run in history.runs()})
     if as_json:
@@ -95,10 +107,26 @@ def command(
     return ExitCode.ACCEPTED
 
 
+def _repair(db: Path | None, *, as_json: bool) -> ExitCode:
+    from judge.kata.database import history_path
+    from judge.kata.repair import repair  # only who asks for it waits for it
+
+    path = history_path() if db is None else db
+    done = repair(path)
+    if as_json:
+        before = None if done.before is None else str(done.before)
+        left_out = list(done.left_out)
+        write_json({"schema": SCHEMA, "kept": done.runs, "left_out": left_out, "before": before})
+    else:
+        screen = out()
+        screen.show(repaired_lines(done.runs, done.left_out, done.before, screen.width))
+    return ExitCode.ACCEPTED
+
+
 def _restore(number: int, target: Path | None, db: Path | None, *, force: bool, as_json: bool) -> ExitCode:
     from judge.cli.restoring import restore  # only who asks for it waits for it
 
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         restored = restore(history, number, target, force=force)
     if as_json:
         write_json(
@@ -158,12 +186,12 @@ def _check(name: str, folders: Sequence[Path], known: set[str]) -> None:
 
 
 def _write_csv(runs: Sequence[Run]) -> None:
-    import csv  # only who asks for it waits for it
+    from judge.report.sheet import csv_text  # only who asks for it waits for it
 
-    writer = csv.DictWriter(sys.stdout, _COLUMNS, extrasaction="ignore", lineterminator="\n")
-    writer.writeheader()
+    rows: list[Sequence[object]] = [_COLUMNS]
     for run in runs:
         names = {"passed": run.passed, "failed": run.failed, "levels": run.levels}
         row = as_object(run) | {key: " ".join(found) for key, found in names.items()}
-        writer.writerow({key: printable(str(row[key])) for key in _COLUMNS if row[key] is not None})
+        rows.append(["" if row[key] is None else row[key] for key in _COLUMNS])
+    sys.stdout.write(csv_text(rows, "\n"))
     sys.stdout.flush()

@@ -70,9 +70,9 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
 
 def _current(db: Path | None) -> Current | None:
     """The kata in hand, if there is one."""
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         return history.current()
 
 

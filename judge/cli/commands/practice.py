@@ -10,6 +10,7 @@ import click
 from msgspec import Struct
 
 from judge.cli.kata import folder_to_keep, shown, tell_faults, write_stub
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata.history import Current, History
@@ -57,7 +58,7 @@ def command(name: str, as_json: bool, db: Path | None, folders: tuple[Path, ...]
             screen.show(writing_lines(problem, file, screen.width))
 
     screen = out()
-    with History.open(db) as history:
+    with history_at(db) as history:
         found = standings(history.runs())
         kata = _taken_up(history, chosen.problems, found, tell)
     katas = [(problem, found.get(problem.id, Standing())) for problem in chosen.problems]

@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from judge.cli.kata import tell_faults
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.table import COMMANDS
 from judge.errors import ExitCode
@@ -79,7 +80,7 @@ def command(
     for fault in unknown_skills(chosen.problems, folders):
         note(str(fault), Style.BAD)
     names = {problem.id for problem in chosen.problems}
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         runs = [run for run in history.runs() if run.problem in names]
         hacks = history.hacks()
         parts = _parts(history, chosen.name, folders)
@@ -141,7 +142,7 @@ def _questions(
     name: str, one: str | None, as_json: bool, db: Path | None, folders: Sequence[Path]
 ) -> ExitCode:
     """Every question of the set, or one."""
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         parts = _parts(history, USUAL if one else name, folders)
     found = [(section, row) for section, rows in parts for row in rows]
     if one:

@@ -12,10 +12,10 @@ import click
 
 from judge.cli.asking import SCHEMA, AsEvents, OnScreen, Round, StoppedError, Voice
 from judge.cli.drilling import to_drill
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option
 from judge.errors import ExitCode, UsageError, nearest
 from judge.kata import history as kept
-from judge.kata.history import History
 from judge.kata.quiz.cards import Card, all_cards, cards_of
 from judge.kata.quiz.choose import next_cards, next_due
 from judge.kata.quiz.sources import Sources
@@ -95,7 +95,7 @@ def command(
     if checking:
         return _check(cards, sources, as_json=as_json)
     voice: Voice = AsEvents(seed) if as_json else OnScreen()
-    with History.open(db) as history:
+    with history_at(db) as history:
         asking = Round(sources, voice, history)
         if interview:
             from judge.cli.interview import Interview, hold  # who quizzes alone does without judging
@@ -193,7 +193,7 @@ def _list(cards: Sequence[Card], db: Path | None, *, as_json: bool) -> ExitCode:
     from judge.report.quiz import list_lines
 
     now = _now()
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         reviews = {review.card: review for review in card_reviews(history.answers(), now)}
     if as_json:
         for card in cards:

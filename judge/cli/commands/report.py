@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
+from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.table import COMMANDS
 from judge.cli.target import OutFile, moment
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
-from judge.kata.history import History, Run
+from judge.kata.history import Run
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
@@ -68,7 +69,7 @@ def command(
     """
     target = OutFile(path, "--out", "report", _is_report)
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
-    with History.open(db, reading=True) as history:
+    with history_at(db, reading=True) as history:
         runs = history.runs()
         answers, hacks = history.answers(), history.hacks()
         if not (runs or answers or hacks):
@@ -142,7 +143,7 @@ def _ready(
     from judge.kata.checklist import by_section
 
     try:
-        with History.open(db, reading=True) as history:
+        with history_at(db, reading=True) as history:
             checklist, rows, faults = assessed_rows(history, problems, folders, COMMANDS)
     except ProblemError as fault:
         note(f"the questions are left out: {fault}")

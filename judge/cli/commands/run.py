@@ -14,6 +14,7 @@ from judge.cli.judging_options import (
     TEXT,
     all_option,
     chosen_format,
+    follow_links_option,
     format_option,
     isolation_option,
     jobs_option,
@@ -60,6 +61,12 @@ from judge.problem.choose import chosen_groups
 @no_name_option
 @jobs_option
 @isolation_option
+@follow_links_option
+@click.option(
+    "--package-limits",
+    is_flag=True,
+    help="Take a package's own limits where they are above the judge's; memory is bounded by the machine's.",
+)
 @mode_option
 @no_shrink_option
 @save_regression_option
@@ -82,6 +89,8 @@ def command(
     no_name: bool,
     jobs: int,
     level: str | None,
+    follow_links: bool,
+    package_limits: bool,
     mode: str | None,
     unshrunk: bool,
     regression: Path | None,
@@ -120,7 +129,13 @@ def command(
             {f"--format {form}": chosen_format(form, as_json=as_json) not in (TEXT, JSON)},
         )
         as_json = chosen_format(form, as_json=as_json) == JSON
-        return run_package(Asked(first, rest, whole, as_json, quiet, level))
+        from judge.packs.foreign.package import OURS, THEIRS
+
+        bounds = THEIRS if package_limits else OURS
+        return run_package(Asked(first, rest, whole, as_json, quiet, level, bounds, follow_links))
+    if package_limits:
+        what = "--package-limits goes with a package of another judge"
+        raise UsageError(what, remedy="leave it out, or name a package first")
     from judge.cli.judging import all_judged
 
     current = None
@@ -135,7 +150,7 @@ def command(
         problem = None
         if name is not None:
             problem = problem_of(current, folders) if current else named_problem(name, folders)
-        submissions, unread = gathered(files, problem.id if problem else "")
+        submissions, unread = gathered(files, problem.id if problem else "", follow=follow_links)
         tasks, unfit = assigned(submissions, problem, folders, db)
         total = show.expect(tasks, [*unread, *unfit])
         if regression is not None:

@@ -125,9 +125,9 @@ def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, 
 
     Raises UsageError where it is neither.
     """
-    from judge.kata.history import History
+    from judge.cli.kept import history_at
 
-    with History.open(db, reading=not giving_up) as history:
+    with history_at(db, reading=not giving_up) as history:
         solved = [run for run in history.runs(problem.id) if run.solved]
         if solved:
             return solved[-1], history.source(solved[-1].id)

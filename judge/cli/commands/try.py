@@ -109,7 +109,7 @@ def _as_object(
             "verdict": said.verdict.value,
             "got": said.got,
             "message": said.message,
-            "isolation": said.isolation,
+            "isolation": said.isolation or None,
         }
     return {
         "schema": SCHEMA,

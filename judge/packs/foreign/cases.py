@@ -35,10 +35,11 @@ def test_files(package: Package) -> list[DataFile]:
     """All of them.
 
     Raises:
-        ProblemError: there are none, an answer is missing, or a link leads out of the package.
+        ProblemError: there are none, an answer is missing, a link leads out of the package, or they are more
+            than the package may have.
         UsageError: one is run in a way that is not known here.
     """
-    opened, found = package.opened, []
+    opened, found, left = package.opened, [], package.bounds.data
     settings: dict[Path, tuple[str, ...] | None] = {}
     for part in _PARTS:
         folder = opened.root / _DATA / part
@@ -49,6 +50,10 @@ def test_files(package: Package) -> list[DataFile]:
             if not answer.is_file():
                 raise ProblemError("there is no answer file beside it", where=opened.name_of(path))
             opened.check(answer)
+            left -= opened.size(path) + opened.size(answer)
+            if left < 0:
+                most = f"the test files together are larger than {package.bounds.data >> 20:,} MB"
+                raise ProblemError(most, where=package.name, remedy="--package-limits allows more")
             if path.with_suffix(".files").exists():
                 what = "this test file comes with files of its own, which is not judged"
                 raise UsageError(what, where=opened.name_of(path))

@@ -13,7 +13,7 @@ from judge.packs.foreign.package import Package
 from judge.packs.foreign.programs import Content, NotRunError, program_of, validator_box
 from judge.packs.foreign.tokens import BadFlagsError, difference, rules_of
 from judge.problem.verdict import Verdict
-from judge.sandbox.boundary import Stop
+from judge.sandbox.boundary import Stop, Usage
 from judge.sandbox.factory import Boxes
 from judge.sandbox.tool import Left, ToolBox
 
@@ -22,6 +22,8 @@ _MESSAGE, _SCORE = "judgemessage.txt", "score.txt"
 _SAID = 2000  # characters of the judge message
 _MOST_FILES, _MOST_BYTES = 200, 64 << 20  # of a program
 _ENDED = (Stop.ANSWERED, Stop.EXITED)
+_HANGS = (Stop.CPU, Stop.WALL, Stop.WAITING)
+_IDLE_SECONDS, _IDLE_SHARE = 60.0, 16.0  # that a validator may wait in all, and more for each second of work
 
 
 class Checked(Struct, frozen=True):
@@ -35,6 +37,9 @@ class Checked(Struct, frozen=True):
 class Checker:
     """A context manager; a package's own validator is compiled on entering.
 
+    `hung` says of a validator that took too long on one test file, or waited too long on all of them, which
+    and where; nothing more is to be judged then.
+
     Raises:
         ProblemError: the validator does not compile, or is not run here.
         JudgeError: nothing can be run here.
@@ -44,6 +49,8 @@ class Checker:
         self._package = package
         self._boxes = boxes
         self._box: ToolBox | None = None
+        self._used = Usage()
+        self.hung = ""
 
     def __enter__(self) -> Checker:
         path = self._package.validator
@@ -75,7 +82,20 @@ class Checker:
             return _by_tokens(test, answer, output)
         files = [("test.in", given), ("test.ans", answer)]
         left = self._box.check(output, files, test.flags, self._package.validating)
-        return _by_validator(left)
+        self._look_at_time(left, test)
+        return Checked(Verdict.JE, self.hung) if self.hung else _by_validator(left)
+
+    def _look_at_time(self, left: Left, test: DataFile) -> None:
+        """Find out whether the validator hangs."""
+        self._used += left.run.usage
+        why = left.run.detail if left.run.stop in _HANGS else ""
+        waited = self._used.waiting_seconds
+        if waited > _IDLE_SECONDS + _IDLE_SHARE * self._used.cpu_seconds:
+            why = why or f"has waited {waited:.0f} s in all"
+        path = self._package.validator
+        if why and path is not None:
+            name = self._package.opened.name_of(path)
+            self.hung = f"the output validator {name} {why}, on {test.name}"
 
 
 def content_of(opened: Opened, path: Path) -> Content:

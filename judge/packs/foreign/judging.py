@@ -17,6 +17,7 @@ from judge.run.replies import VERDICTS
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Stop
 from judge.sandbox.factory import Boxes
 
+Seen = Callable[[int, str], None]  # told of each test file before it is run: how many were, and its name
 _PATIENCE, _AT_LEAST = 4.0, 4.0  # wall time for CPU time, and seconds more
 EXCERPT = 1000  # bytes of an input, an answer or an output that are shown
 
@@ -88,11 +89,15 @@ class Court(Struct, frozen=True):
         program: Program,
         limit: TimeLimit,
         goes_on: Callable[[Collection[Verdict]], bool] = lambda _: False,
+        seen: Seen = lambda *_: None,
     ) -> Judged:
         """Judge a submission; `goes_on` says, of the verdicts so far, whether one that fails is run further.
 
-        A fault of the judge's own, or of the output validator's, is a result too, JE.
+        A fault of the judge's own, or of the output validator's, is a result too, JE; so is everything once a
+        validator hangs.
         """
+        if self.checker.hung:
+            return unjudged(program.name, f"not judged: {self.checker.hung}", program.language)
         try:
             with submission_box(program, self.boxes, self.package.memory_bytes) as box:
                 fault = box.inspect().fault
@@ -100,7 +105,7 @@ class Court(Struct, frozen=True):
                     place = f" (line {fault.line})" if fault.line else ""
                     failed = Failure(f"{fault.message}{place}")
                     return self._ended(program, Verdict.CE, box, failure=failed)
-                return self._on_all(program, box, limit, goes_on)
+                return self._on_all(program, box, limit, goes_on, seen)
         except UsageError:
             raise
         except JudgeError as fault:
@@ -113,11 +118,17 @@ class Court(Struct, frozen=True):
         )
 
     def _on_all(
-        self, program: Program, box: Box, limit: TimeLimit, goes_on: Callable[[Collection[Verdict]], bool]
+        self,
+        program: Program,
+        box: Box,
+        limit: TimeLimit,
+        goes_on: Callable[[Collection[Verdict]], bool],
+        seen: Seen,
     ) -> Judged:
         results: list[FileResult] = []
         failure, sensitive, verdict = None, "", Verdict.AC
-        for test in self.tests:
+        for count, test in enumerate(self.tests):
+            seen(count, test.name)
             result, failed, close = self._on(test, box, limit)
             results.append(result)
             if failed is None:
@@ -161,6 +172,12 @@ class Court(Struct, frozen=True):
                 Verdict.TLE,
                 f"used {_at_least(run, limit)} of CPU time, {limit.seconds:g} s are allowed",
             )
+        why_lower = {
+            Verdict.MLE: self.package.lowered.get("memory"),
+            Verdict.OLE: self.package.lowered.get("output"),
+            Verdict.TLE: limit.lowered,
+        }.get(verdict)
+        message = f"{message}; {why_lower}" if why_lower else message
         result = FileResult(test.name, verdict, spent, run.usage.memory_bytes)
         if verdict is Verdict.AC:
             return result, None, ""

@@ -18,7 +18,7 @@ from typing import IO
 
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.packs.foreign.look import DESCRIPTION, ENDINGS
-from judge.reading import read_ordinary
+from judge.reading import LedOutError, read_inside, real_within
 from judge.sandbox.temporary import TemporaryFolder
 
 MOST_FILES = 20_000
@@ -108,20 +108,35 @@ class Opened:
         except (OSError, RuntimeError):  # a link to itself
             inside = False
         if not inside:
-            raise ProblemError("this link leads out of the package", where=self.name_of(path))
+            raise self._led_out(path)
+
+    def size(self, path: Path) -> int:
+        """A file's length in bytes. Raises ProblemError where it cannot be looked at."""
+        try:
+            return path.stat().st_size
+        except OSError as fault:
+            raise self._unreadable(path, fault) from None
 
     def read(self, path: Path, most: int = _LARGEST) -> bytes:
         """A file's content. Raises ProblemError where it is larger, leads out, or cannot be read."""
-        self.check(path)
+        root = str(self.root)
         try:
-            content = read_ordinary(path, most + 1)
+            content, _ = read_inside(root, real_within(root, os.path.relpath(path, root)), most + 1)
+        except LedOutError:
+            raise self._led_out(path) from None
         except (OSError, ValueError) as fault:
-            reason = (getattr(fault, "strerror", None) or str(fault)).lower()
-            raise ProblemError(f"it cannot be read ({reason})", where=self.name_of(path)) from None
+            raise self._unreadable(path, fault) from None
         if len(content) > most:
             size = f"{most >> 20} MB" if most >> 20 else f"{most >> 10} KB"
             raise ProblemError(f"it is larger than {size}", where=self.name_of(path))
         return content
+
+    def _led_out(self, path: Path) -> ProblemError:
+        return ProblemError("this link leads out of the package", where=self.name_of(path))
+
+    def _unreadable(self, path: Path, fault: OSError | ValueError) -> ProblemError:
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
+        return ProblemError(f"it cannot be read ({reason})", where=self.name_of(path))
 
 
 def _temporary(word: str) -> TemporaryFolder:

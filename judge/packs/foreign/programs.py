@@ -220,4 +220,5 @@ def _python() -> Recipe:
         allowance=_PYTHON_ALLOWANCE,
         out_of_memory="MemoryError",
         empty=("main.py", b"import sys\n"),
+        modules=True,
     )

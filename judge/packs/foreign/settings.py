@@ -83,7 +83,8 @@ def number(settings: Settings, key: str, usual: float, least: float, most: float
         return usual
     sound = isinstance(found, int | float) and not isinstance(found, bool)
     if not sound or not least <= found <= most:  # nor is nan between them
-        what = f"{key} is {str(found)[:40] if not isinstance(found, dict | list) else 'no number'}"
+        shown = repr(found[:40]) if isinstance(found, str) else str(found)[:40]
+        what = f"{key} is {'no number' if isinstance(found, dict | list) else shown}"
         raise ProblemError(f"{what}: it must be from {least:,} to {most:,}", where=where)
     return float(found)
 

@@ -32,12 +32,23 @@ UNBOUNDED_SECONDS = 60.0  # for an accepted submission, whose time is only now m
 class TimeLimit(Struct, frozen=True):
     """CPU seconds that a test file may take, and the margin beyond which it is certainly too slow.
 
-    `slowest` are those of the slowest accepted submission, where the limit follows from it.
+    `slowest` are those of the slowest accepted submission, where the limit follows from it. `wanted` is the
+    limit by the package's rule, which may be more.
     """
 
     seconds: float
     margin: float
     slowest: float | None = None
+    wanted: float = 0.0
+
+    @property
+    def lowered(self) -> str:
+        """What is to be said of a limit that is lower than the package wants it; empty for others."""
+        if self.wanted <= self.seconds:
+            return ""
+        return (
+            f"the time limit is {self.wanted:,g} s by the package's rule, and {self.seconds:g} s are allowed"
+        )
 
 
 UNKNOWN = TimeLimit(UNBOUNDED_SECONDS, UNBOUNDED_SECONDS)
@@ -47,11 +58,13 @@ UNKNOWN = TimeLimit(UNBOUNDED_SECONDS, UNBOUNDED_SECONDS)
 def limit_of(rule: TimeRule, slowest: float | None) -> TimeLimit:
     """The limit that a rule comes to; `slowest` is not asked for where the rule itself names one."""
     if rule.fixed is not None:
-        return TimeLimit(rule.fixed, rule.fixed * rule.margin)
-    assert slowest is not None
-    units = math.ceil(slowest * rule.factor / rule.resolution - 1e-9)
-    seconds = max(1, units) * rule.resolution
-    return TimeLimit(seconds, seconds * rule.margin, slowest)
+        wanted, slowest = rule.fixed, None
+    else:
+        assert slowest is not None
+        units = math.ceil(slowest * rule.factor / rule.resolution - 1e-9)
+        wanted = max(1, units) * rule.resolution
+    most = rule.most
+    return TimeLimit(min(wanted, most), min(wanted * rule.margin, most), slowest, wanted)
 
 
 def found_limit(package: Package, level: str, measure: Callable[[], float | None]) -> TimeLimit:

@@ -7,6 +7,9 @@ It watches them as the fork server watches its children: trusted code only, alon
               descriptor; the replies say their names and sizes, or why they were not copied
     EMPTY     payload folder: take away what is below it; a note says where that failed
 
+Where a program may leave files (`feedback` of the configuration: how many, how many bytes), the server ends
+it once it has left more: a folder of this machine has no limit of its own.
+
 What was started has no descriptor of the region and none of the channel: a note there is the server's own.
 """
 
@@ -18,7 +21,7 @@ import os
 import stat
 import time
 
-from judge.sandbox.inside import child, server, wire
+from judge.sandbox.inside import child, clear, server, wire
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,6 +34,7 @@ if TYPE_CHECKING:
 _DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
+_LOOK_NS = 20_000_000  # between two looks at what a program has left
 
 
 def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
@@ -52,6 +56,8 @@ class ExecServer(server.Server):
         super().__init__(line, region, confinement, config, source)
         for folder in config["folders"]:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
+        self._filled: list[str] = config["filled"]
+        self._feedback: tuple[int, int] | None = config["feedback"]
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         if job.kind == wire.COLLECT:
@@ -73,9 +79,17 @@ class ExecServer(server.Server):
             self._region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
 
+    def _limit(self, pid: int, watch: server.Watch) -> tuple[int, int]:
+        reason, left = super()._limit(pid, watch)
+        if reason or self._feedback is None:
+            return reason, left
+        if any(clear.holds_more(folder, *self._feedback) for folder in self._filled):
+            return wire.FOR_FILLING, 0
+        return reason, min(left, _LOOK_NS)
+
     def _ask_where(self, pid: int, reason: int) -> int:
         """The reason to kill it, after a last look at one that waits: others may have the processor."""
-        if reason == wire.FOR_CPU:
+        if reason in (wire.FOR_CPU, wire.FOR_FILLING):
             return reason
         before = server._cpu_clock(pid)
         until = time.perf_counter_ns() + server.LAST_MOMENT_NS
@@ -87,8 +101,8 @@ class ExecServer(server.Server):
     def _empty(self, job: wire.Request) -> bytes:
         """Take away what an earlier run has left."""
         try:
-            _take_away(marshal.loads(self._region.payload(job.payload)))
-        except (OSError, RecursionError) as fault:
+            clear.empty(marshal.loads(self._region.payload(job.payload)))
+        except OSError as fault:
             self._region.write_note(wire.BROKEN_BOX, f"{type(fault).__name__}: {fault}")
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 1)
 
@@ -119,17 +133,6 @@ def _files(folder: str) -> Iterator[str]:
             path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
             if stat.S_ISREG(os.lstat(path).st_mode):
                 yield path
-
-
-def _take_away(folder: str) -> None:
-    """All that is below a folder, no link followed."""
-    for entry in list(os.scandir(folder)):
-        if entry.is_dir(follow_symlinks=False):
-            os.chmod(entry.path, 0o700)  # noqa: PTH101 - pathlib takes longer to import
-            _take_away(entry.path)
-            os.rmdir(entry.path)  # noqa: PTH106
-        else:
-            os.unlink(entry.path)  # noqa: PTH108
 
 
 def _first(paths: Iterator[str], count: int) -> Iterator[str]:

@@ -185,7 +185,7 @@ class Server:
             raise Lacking(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
-        watch = _Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
+        watch = Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
         reason, status, usage = self._watch(pid, watch)
         baseline = watch.baseline
         wall = time.perf_counter_ns() - watch.began
@@ -219,11 +219,8 @@ class Server:
             region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
 
-    def _watch(self, pid: int, watch: _Watch) -> tuple[int, int, resource.struct_rusage]:
-        """Wait until the child is dead, or kill it at a limit; pass it on from series to series.
-
-        Gives the reason it was killed for, its wait status and its usage.
-        """
+    def _watch(self, pid: int, watch: Watch) -> tuple[int, int, resource.struct_rusage]:
+        """Pass the child on from series to series until it is dead; what killed it, its status, its usage."""
         reason = wire.NOT_KILLED
         while True:
             gone, status, usage = os.wait4(pid, 0 if reason else os.WNOHANG | os.WUNTRACED)
@@ -232,7 +229,7 @@ class Server:
                 return reason, status, usage
             if watch.baseline is None:
                 watch.baseline = self._baseline()
-            reason, left = watch.limit(_cpu_clock(pid), time.perf_counter_ns())
+            reason, left = self._limit(pid, watch)
             if stopped and not reason:
                 reason = self._next_series(pid, watch, status, usage.ru_maxrss * _PEAK_UNIT)
                 if not reason:
@@ -243,6 +240,10 @@ class Server:
                 if not stopped:
                     reason = self._ask_where(pid, reason)
                 os.kill(pid, signal.SIGKILL)
+
+    def _limit(self, pid: int, watch: Watch) -> tuple[int, int]:
+        """The limit that is passed, if one is, or else how many ns none can be."""
+        return watch.limit(_cpu_clock(pid), time.perf_counter_ns())
 
     def _ask_where(self, pid: int, reason: int) -> int:
         """Let a child whose time is up say where it stands; the reason, after a last look at it.
@@ -259,7 +260,7 @@ class Server:
         at_work = reason != wire.FOR_CPU and _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK
         return wire.FOR_BEING_SLOW if at_work else reason
 
-    def _next_series(self, pid: int, watch: _Watch, status: int, peak: int) -> int:
+    def _next_series(self, pid: int, watch: Watch, status: int, peak: int) -> int:
         """Let a child that has stopped itself begin its next series, or say why it must be killed."""
         series = watch.series
         if not series.more or os.WSTOPSIG(status) != signal.SIGSTOP:
@@ -305,7 +306,7 @@ class Server:
         return spent
 
 
-class _Watch:
+class Watch:
     """The clocks of one child: what it had used before the series that it is in."""
 
     __slots__ = ("_job", "baseline", "before", "began", "cores", "idle", "series", "waited")

@@ -58,6 +58,7 @@ FOR_WAITING = 3  # it waited too long in all its series together
 FOR_STOPPING = 4  # it stopped itself where no series ends
 FOR_OUTPUT = 5  # it wrote more in a series than it may
 FOR_BEING_SLOW = 7  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
+FOR_FILLING = 8  # it left more in the folder that it may fill than it may
 FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
 IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in

@@ -3,7 +3,8 @@
 The big one is an allow-list, loaded once by the fork server and inherited; every call it does not name
 fails with EPERM. The small one is added by each child before the submission runs and takes away what only
 the server needs: new processes, signals to others, descriptors over sockets, other processes' limits.
-What runs in the container (`judge.sandbox.linux.profiles`) needs more calls, or must not have some.
+`judge.sandbox.linux.syscalls` says which calls these are, `judge.sandbox.linux.profiles` for whom. This
+module looks at the arguments of those that are allowed for some arguments alone.
 """
 
 from __future__ import annotations
@@ -23,26 +24,6 @@ if TYPE_CHECKING:
 _REFUSED = bpf.errno_action(errno.EPERM)
 _UNKNOWN = bpf.errno_action(errno.ENOSYS)
 
-_FREE = """
-    read write readv writev pread64 pwrite64 preadv pwritev close close_range lseek
-    open openat stat fstat lstat newfstatat statx access faccessat faccessat2 getdents getdents64 getcwd
-    dup dup2 dup3 fsync fdatasync ftruncate fadvise64
-    pipe pipe2 poll ppoll select pselect6 epoll_create1 epoll_ctl epoll_wait epoll_pwait eventfd2
-    recvfrom shutdown getsockname
-    mmap munmap mprotect mremap madvise mincore brk membarrier
-    rt_sigaction rt_sigprocmask rt_sigreturn rt_sigpending rt_sigtimedwait rt_sigsuspend sigaltstack pause
-    alarm getitimer setitimer restart_syscall
-    nanosleep clock_nanosleep clock_gettime clock_getres gettimeofday time times
-    futex set_robust_list get_robust_list rseq set_tid_address exit exit_group wait4 waitid
-    sched_yield sched_getaffinity sched_getparam sched_getscheduler
-    sched_get_priority_max sched_get_priority_min getcpu
-    getpid gettid getppid getuid geteuid getgid getegid getgroups getresuid getresgid
-    getpgrp getpgid getsid getpriority
-    uname sysinfo getrandom getrusage getrlimit setrlimit umask
-"""
-_FORK_SERVER = "fork vfork kill tgkill sendmsg recvmsg seccomp prctl prlimit64"
-_NOT_IN_A_CHILD = "sendmsg recvmsg seccomp"
-_NEW_PROCESSES = "fork vfork"
 _SHARED_NOWHERE = 0x21  # MAP_SHARED and MAP_ANONYMOUS
 
 _IOCTL = (
@@ -84,14 +65,20 @@ def server_filter(machine: str, profile: Profile = PYTHON) -> list[bpf.Instructi
     """The server's filter: an allow-list, everything else is EPERM."""
     x32 = syscalls.X32_BIT if machine == "x86_64" else None
     rows = bpf.check_architecture(syscalls.audit_architecture(machine), x32, _UNKNOWN)
-    for first, last in _runs(_numbers(f"{_FREE} {_FORK_SERVER} {profile.more}", machine)):
+    ruled = {
+        "ioctl": bpf.one_of(_number("ioctl", machine), 1, _IOCTL, bpf.errno_action(errno.ENOTTY)),
+        "fcntl": bpf.one_of(_number("fcntl", machine), 1, _FCNTL, _REFUSED),
+        "socketpair": _socket_pairs(machine),
+        "sendto": bpf.null_pointer(_number("sendto", machine), 4, _REFUSED),
+        "clone": bpf.without_bits(_number("clone", machine), 0, _CLONE_NAMESPACES, _REFUSED),
+    }
+    plain = (call for call in syscalls.calls_of(profile.server) if call not in ruled)
+    for first, last in _runs(_numbers(plain, machine)):
         rows += bpf.decide_range(first, last, bpf.ALLOW)
-    rows += bpf.one_of(_number("ioctl", machine), 1, _IOCTL, bpf.errno_action(errno.ENOTTY))
-    rows += bpf.one_of(_number("fcntl", machine), 1, _FCNTL, _REFUSED)
-    rows += _socket_pairs(machine)
-    rows += bpf.null_pointer(_number("sendto", machine), 4, _REFUSED)
-    rows += bpf.without_bits(_number("clone", machine), 0, _CLONE_NAMESPACES, _REFUSED)
-    rows += bpf.decide(_number("clone3", machine), _UNKNOWN)  # the C library falls back on clone
+    for rule in ruled.values():
+        rows += rule
+    for number in _numbers(syscalls.calls_of((syscalls.NEVER,)), machine):
+        rows += bpf.decide(number, _UNKNOWN)
     return rows + bpf.otherwise(_REFUSED)
 
 
@@ -106,8 +93,8 @@ def child_filter(machine: str, pid: int, profile: Profile = PYTHON) -> list[bpf.
         rows += bpf.one_of(_number("prctl", machine), 0, _PRCTL, _REFUSED)
         rows += bpf.with_bits(_number("clone", machine), 0, _CLONE_THREAD, _REFUSED)
     rows += bpf.one_of(_number("prlimit64", machine), 0, (0, pid) if profile.alone else (0,), _REFUSED)
-    refused = f"{_NOT_IN_A_CHILD} {_NEW_PROCESSES if profile.alone else ''} {profile.not_in_a_child}"
-    for number in _numbers(refused, machine):
+    servers = [whose for whose in profile.server if whose not in profile.child]
+    for number in _numbers(syscalls.calls_of(servers), machine):
         rows += bpf.decide(number, _REFUSED)
     return rows + bpf.otherwise(bpf.ALLOW)
 
@@ -162,9 +149,9 @@ def _number(call: str, machine: str) -> int:
     return number
 
 
-def _numbers(calls: str, machine: str) -> list[int]:
-    """The numbers of the calls in a text, those that the machine has."""
-    found = (syscalls.number(call, machine) for call in calls.split())
+def _numbers(calls: Iterable[str], machine: str) -> list[int]:
+    """The numbers of the calls, those that the machine has."""
+    found = (syscalls.number(call, machine) for call in calls)
     return sorted(number for number in found if number is not None)
 
 

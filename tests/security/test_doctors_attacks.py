@@ -1,0 +1,77 @@
+"""`judge doctor --attack`: each attack works without containment, and is held at the upper levels."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from attackers import Attacker
+from jsonschema import Draft202012Validator
+from residents import Resident
+from sampling import nightly
+
+from judge.sandbox.attacks import ATTACKS
+from judge.schema import schema_of
+
+NAMES = [attack.name for attack in ATTACKS]
+MAYBE = {"namespace", "trace", "memory-of-others", "proc"}  # what some kernels let nobody do
+ALWAYS = {"environment", "descriptors", "limits", "memory", "output", "loop", "sleep"}  # held at `limits` too
+FOUND: dict[tuple[str, str], dict[str, dict[str, Any]]] = {}
+
+
+def outcomes(attacker: Attacker, level: str) -> dict[str, dict[str, Any]]:
+    """What came of all attacks; they are made together, once."""
+    if (attacker.name, level) not in FOUND:
+        rows = attacker.run("doctors_attacks.py", level)
+        FOUND[attacker.name, level] = {row["name"]: row for row in rows}
+    return FOUND[attacker.name, level]
+
+
+def test_there_are_twenty_at_least_and_each_has_a_name() -> None:
+    assert len(set(NAMES)) == len(NAMES) >= 20
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("level", ["full", nightly("strong")])
+def test_it_is_held(attacker: Attacker, level: str, name: str) -> None:
+    attacker.require(level)
+    outcome = outcomes(attacker, level)[name]
+    assert outcome["held"], outcome
+    assert outcome["how"], outcome
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", NAMES)
+def test_it_is_an_attack(attacker: Attacker, name: str) -> None:
+    outcome = outcomes(attacker, "none")[name]
+    if name in MAYBE and not outcome["works"]:
+        pytest.skip(f"this kernel does not let {attacker.name} do it: {outcome['how']}")
+    assert outcome["works"], outcome
+
+
+@pytest.mark.nightly
+def test_what_limits_does_not_hold_is_said(attacker: Attacker) -> None:
+    attacker.require("limits")
+    found = outcomes(attacker, "limits")
+    broken = {name for name, outcome in found.items() if not outcome["held"]}
+    assert {"judge", "file", "connect", "write"} <= broken
+    assert not broken & ALWAYS
+    assert all("BREACH" in found[name]["how"] for name in broken), found
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(("level", "status"), [(None, 0), ("limits", 1)])
+def test_the_command(resident: Resident, level: str | None, status: int) -> None:
+    words = ["--isolation", level] if level else []
+    ended = resident.run(["-m", "judge", "doctor", "--attack", "--json", *words])
+    assert ended.returncode == status, ended.stderr
+    (told,) = map(json.loads, ended.stdout.splitlines())
+    Draft202012Validator(schema_of("doctor")).validate(told)
+    assert told["attacks"]["isolation"] == (level or told["isolation"])
+    assert [each["name"] for each in told["attacks"]["attacks"]] == NAMES
+    assert all(each["held"] for each in told["attacks"]["attacks"]) == (status == 0)
+    shown = resident.run(["-m", "judge", "doctor", "--attack", *words])
+    assert shown.returncode == status
+    held = sum(each["held"] for each in told["attacks"]["attacks"])
+    assert f"{held} of {len(NAMES)} attacks held at isolation {told['attacks']['isolation']}" in shown.stdout

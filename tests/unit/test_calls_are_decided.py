@@ -1,0 +1,105 @@
+"""Every system call of the kernel is allowed by name, with a reason, or refused; a new one is refused."""
+
+from __future__ import annotations
+
+import errno
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+from bpf_machine import decision
+
+from judge.sandbox.linux import bpf, profiles, seccomp, syscalls
+
+TESTS = Path(__file__).parents[1]
+MACHINES = ("x86_64", "aarch64")
+HEADERS = {
+    "x86_64": [Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h"), Path("/usr/include/asm/unistd_64.h")],
+    "aarch64": [Path("/usr/include/asm-generic/unistd.h")],
+}
+OF_32_BITS = range(403, 424)  # in the generic header, times of 64 bits for machines of 32
+REFUSED = {bpf.errno_action(errno.EPERM), bpf.errno_action(errno.ENOSYS)}
+NEWEST = 471
+ANY = ((), (1,), (0x10000,), (0, 0, 2, 2), (4711, 9))  # arguments
+
+
+def kernels():
+    """Each call's numbers, by its name."""
+    text = (TESTS / "fixtures" / "linux_system_calls.txt").read_text(encoding="utf-8")
+    rows = (line.split() for line in text.splitlines() if line and not line.startswith("#"))
+    return {name: (int(x86), None if arm == "-" else int(arm)) for name, x86, arm in rows}
+
+
+def refused():
+    """Why each call that is not allowed is refused, by its name."""
+    groups = tomllib.loads((TESTS / "security" / "refused_calls.toml").read_text(encoding="utf-8"))["refused"]
+    return {call: group["why"] for group in groups for call in group["calls"].split()}
+
+
+def test_each_is_allowed_or_refused_and_none_is_both():
+    assert set(syscalls.TABLE) | set(refused()) == set(kernels()), "decide about these"
+    assert not set(syscalls.TABLE) & set(refused())
+
+
+def test_each_has_a_reason_and_an_owner():
+    for call, (_, _, whose, why) in syscalls.TABLE.items():
+        assert len(why) > 5, call
+        assert whose in range(11), call
+    assert all(refused().values())
+
+
+def test_the_numbers_are_the_kernels():
+    listed = kernels()
+    assert {call: row[:2] for call, row in syscalls.TABLE.items()} == {
+        call: listed[call] for call in syscalls.TABLE
+    }
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_the_headers_of_this_machine_have_no_call_that_nobody_has_decided_about(machine):
+    path = next((path for path in HEADERS[machine] if path.exists()), None)
+    if path is None:
+        pytest.skip("linux-libc-dev is not installed")
+    found = re.findall(
+        r"^#define\s+__NR(?:3264)?_(\w+)\s+(\d+)", path.read_text(encoding="ascii"), re.MULTILINE
+    )
+    skipped = {"syscalls", "arch_specific_syscall"}
+    numbers = {int(number) for name, number in found if name not in skipped} - set(OF_32_BITS)
+    column = MACHINES.index(machine)
+    assert numbers - {row[column] for row in kernels().values()} == set(), "decide about these"
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("profile", profiles.BY_NAME.values(), ids=profiles.BY_NAME)
+def test_what_is_not_in_the_table_is_refused_in_every_container(machine, profile):
+    allowed = {syscalls.number(call, machine) for call in syscalls.TABLE}
+    rows = seccomp.server_filter(machine, profile)
+    for number in set(range(NEWEST + 100)) - allowed:
+        assert all(decision(rows, machine, number, *arguments) in REFUSED for arguments in ANY), number
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("profile", profiles.BY_NAME.values(), ids=profiles.BY_NAME)
+def test_the_owner_in_the_table_is_who_may(machine, profile):
+    server = seccomp.server_filter(machine, profile)
+    child = seccomp.child_filter(machine, 4711, profile)
+    for call, row in syscalls.TABLE.items():
+        number, whose = syscalls.number(call, machine), row[2]
+        if number is None or whose == syscalls.LOOKED:
+            continue
+        by_server = decision(server, machine, number) == bpf.ALLOW
+        by_child = by_server and decision(child, machine, number) == bpf.ALLOW
+        assert (by_server, by_child) == (whose in profile.server, whose in profile.child), call
+
+
+def test_a_validator_starts_nothing_and_has_no_memory_that_is_not_counted():
+    child = seccomp.child_filter("x86_64", 4711, profiles.CHECK)
+    server = seccomp.server_filter("x86_64", profiles.CHECK)
+    for call in ("fork", "vfork", "chmod", "fchmodat", "setpgid", "chdir"):
+        assert decision(child, "x86_64", call) in REFUSED, call
+    for call in ("memfd_create", "link", "symlink", "utimensat"):
+        assert decision(server, "x86_64", call) in REFUSED, call
+    assert decision(child, "x86_64", "clone", 17) in REFUSED
+    assert decision(child, "x86_64", "clone", 0x10000) == bpf.ALLOW
+    assert decision(child, "x86_64", "mmap", 0, 0, 3, 0x21) in REFUSED

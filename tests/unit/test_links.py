@@ -1,0 +1,220 @@
+"""Links in folders that others fill: nobody gets another's file by one, not even by exchanging it in time."""
+
+from __future__ import annotations
+
+import os
+import threading
+from pathlib import Path
+
+import pytest
+from foreign_packages import LEGACY, written
+
+from judge import reading
+from judge.batch import folder as class_folder
+from judge.batch.folder import read_class
+from judge.errors import ProblemError
+from judge.packs.foreign.cases import test_files as files_of
+from judge.packs.foreign.opening import Opened
+from judge.packs.foreign.package import read_package
+from judge.reading import LedOutError, read_inside, real_within
+
+PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
+OWN, OTHERS = "def middle(a, b):\n    return a\n", "def middle(a, b):\n    return (a + b) / 2\n"
+
+
+@pytest.fixture
+def place(tmp_path):
+    """A class of two; the second student's file is right."""
+    root = tmp_path / "class"
+    for name, text in (("ada/middle.py", OWN), ("bob/middle.py", OTHERS), ("bob/old/middle.py", OTHERS)):
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return root
+
+
+def class_of(root, **how):
+    found = read_class(root, folders=[PACK], **how)
+    return {each.file: each for each in found.handins}, {each.file: each.why for each in found.unplaced}
+
+
+def linked(path, target):
+    path.unlink(missing_ok=True)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.symlink_to(target)
+
+
+@pytest.mark.parametrize("target", ["../bob/middle.py", "../bob/old/../old/middle.py", "more"])
+def test_a_link_to_another_students_file_is_refused_in_its_row(place, target):
+    if target == "more":  # a link to a link
+        linked(place / "ada/more.py", "../bob/middle.py")
+        target = "more.py"
+    linked(place / "ada/middle.py", target)
+    rows, _ = class_of(place)
+    assert rows["ada/middle.py"].why.startswith("it is a link to bob's folder, which is not followed")
+    assert "--follow-links" in rows["ada/middle.py"].why
+    assert rows["ada/middle.py"].source == b""
+    assert (rows["bob/middle.py"].why, rows["bob/middle.py"].source) == ("", OTHERS.encode())
+
+
+def test_and_one_out_of_the_class_or_to_nobodys_file(place, tmp_path):
+    (tmp_path / "outside.py").write_text(OTHERS)
+    (place / "model.py").write_text(OTHERS)
+    linked(place / "ada/middle.py", tmp_path / "outside.py")
+    linked(place / "ada/deep/middle.py", "../../model.py")
+    rows, _ = class_of(place)
+    assert "a link out of the folder" in rows["ada/middle.py"].why
+    assert "a link to a file of nobody" in rows["ada/deep/middle.py"].why
+    assert not any(each.source for each in rows.values() if each.student == "ada")
+
+
+def test_one_to_the_students_own_file_is_followed(place):
+    (place / "ada/old").mkdir()
+    (place / "ada/middle.py").rename(place / "ada/old/first.py")
+    linked(place / "ada/middle.py", "old/first.py")
+    rows, _ = class_of(place)
+    assert rows["ada/middle.py"].source == OWN.encode()
+
+
+def test_in_a_folder_for_each_problem_too(place, tmp_path):
+    root = tmp_path / "problems-first"
+    (root / "middle").mkdir(parents=True)
+    (root / "middle/bob.py").write_text(OTHERS)
+    linked(root / "middle/ada.py", "bob.py")
+    rows, _ = class_of(root)
+    assert "a link to bob's folder" in rows["middle/ada.py"].why
+
+
+def test_a_folder_that_is_a_link_is_named_and_not_entered(place, tmp_path):
+    linked(place / "eve", "bob")
+    linked(place / "ada/more", "../bob")
+    _, unplaced = class_of(place)
+    for name in ("eve", "ada/more"):
+        assert unplaced[name].startswith("it is a link to a folder, which is not followed; --follow-links")
+
+
+def test_who_wants_links_gets_them(place, tmp_path):
+    (tmp_path / "home").mkdir()
+    (tmp_path / "home/middle.py").write_text(OTHERS)
+    linked(place / "eve", tmp_path / "home")
+    linked(place / "ada/middle.py", "../bob/middle.py")
+    linked(place / "ada/again", "..")
+    linked(place / "ada/again2", "..")
+    rows, _ = class_of(place, follow=True)
+    assert rows["eve/middle.py"].source == OTHERS.encode()
+    assert rows["ada/middle.py"].source == OTHERS.encode()
+    assert len(rows) < 20  # each folder once for each student, however the links lead round
+
+
+def test_a_hard_link_is_nobodys_where_nothing_tells_whose_it_is(place):
+    (place / "ada/middle.py").unlink()
+    os.link(place / "bob/middle.py", place / "ada/middle.py")
+    rows, _ = class_of(place)
+    assert "the same file as bob/middle.py (a hard link)" in rows["ada/middle.py"].why
+    assert "the same file as ada/middle.py (a hard link)" in rows["bob/middle.py"].why
+    rows, _ = class_of(place, follow=True)
+    assert {each.why for each in rows.values()} == {""}
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+def test_and_its_owners_where_the_system_knows(place):
+    for path in (place / "bob", place / "bob/middle.py"):
+        os.chown(path, 4321, 4321)
+    os.chown(place / "ada", 4322, 4322)
+    (place / "ada/middle.py").unlink()
+    os.link(place / "bob/middle.py", place / "ada/middle.py")
+    rows, _ = class_of(place)
+    assert "a hard link" in rows["ada/middle.py"].why
+    assert rows["bob/middle.py"].source == OTHERS.encode()
+
+
+def test_two_names_in_one_students_folder_are_no_matter(place):
+    os.link(place / "bob/middle.py", place / "bob/middle_2.py")
+    rows, _ = class_of(place)
+    assert rows["bob/middle.py"].why == ""
+
+
+@pytest.mark.parametrize("which", ["the file", "its folder"])
+def test_a_link_that_is_set_between_looking_and_reading_leads_nowhere(place, monkeypatch, which):
+    (place / "ada/sub").mkdir()
+    (place / "ada/middle.py").rename(place / "ada/sub/middle.py")
+
+    def exchanged(root, path):
+        found = real_within(root, path)
+        if path == "ada/sub/middle.py":
+            if which == "the file":
+                linked(place / path, "../../bob/middle.py")
+            else:
+                (place / "ada/sub").rename(place / "ada/away")
+                (place / "ada/sub").symlink_to("../bob")
+        return found
+
+    monkeypatch.setattr(class_folder, "real_within", exchanged)
+    rows, _ = class_of(place)
+    assert rows["ada/sub/middle.py"].source == b""
+    assert "cannot be read" in rows["ada/sub/middle.py"].why
+
+
+@pytest.mark.nightly
+def test_nobody_wins_the_race(place):
+    """A student exchanges file and link as fast as it goes, while the class is read again and again."""
+    ended = threading.Event()
+
+    def exchange():
+        while not ended.is_set():
+            for target in (None, "../bob/middle.py"):
+                fresh = place / "ada/fresh"
+                if target:
+                    fresh.symlink_to(target)
+                else:
+                    fresh.write_text(OWN)
+                fresh.rename(place / "ada/middle.py")
+
+    thread = threading.Thread(target=exchange)
+    thread.start()
+    try:
+        seen = {class_of(place)[0]["ada/middle.py"].source for _ in range(300)}
+    finally:
+        ended.set()
+        thread.join()
+    assert OTHERS.encode() not in seen
+
+
+def test_the_race_is_won_where_links_are_followed(place):
+    """The same without the looking: the attack is one."""
+    linked(place / "ada/middle.py", "../bob/middle.py")
+    assert class_of(place, follow=True)[0]["ada/middle.py"].source == OTHERS.encode()
+
+
+def test_in_a_package_an_exchanged_link_leads_nowhere(tmp_path, monkeypatch):
+    (tmp_path / "secret").write_text("of the machine")
+    opened = Opened(str(written(tmp_path / "sum", LEGACY)))
+    test = files_of(read_package(opened))[0]
+
+    def exchanged(root, path):
+        found = real_within(root, path)
+        linked(test.given, tmp_path / "secret")
+        return found
+
+    monkeypatch.setattr("judge.packs.foreign.opening.real_within", exchanged)
+    with pytest.raises(ProblemError, match="cannot be read"):
+        opened.read(test.given)
+    monkeypatch.undo()
+    with pytest.raises(ProblemError, match="leads out of the package"):
+        opened.read(test.given)
+
+
+def test_reading_below_a_folder(tmp_path):
+    (tmp_path / "a/b").mkdir(parents=True)
+    (tmp_path / "a/b/c").write_text("text")
+    (tmp_path / "link").symlink_to("a/b")
+    root = str(tmp_path)
+    assert real_within(root, "link/c") == "a/b/c"
+    assert read_inside(root, "a/b/c", 2)[0] == b"te"
+    for path in ("link/c", "a", "a/b", "a/b/c/d"):
+        with pytest.raises(OSError):
+            read_inside(root, path)
+    for path in ("..", "link/../../..", "/etc/passwd"):
+        with pytest.raises(LedOutError):
+            real_within(root, path)
+    assert not reading._AS_A_FOLDER & os.O_WRONLY

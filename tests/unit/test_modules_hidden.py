@@ -1,0 +1,71 @@
+"""The modules that are installed for Python are Python's: a compiled program sees none of them."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from native import ran
+
+from judge.packs.foreign.programs import Program, submission_box
+from judge.sandbox import Boxes, levels
+from judge.sandbox.boundary import Limits
+from judge.sandbox.concealed import SITE_NAMES
+from judge.sandbox.roots import find_roots
+
+LEVELS = [level.name for level in levels() if level.available and level.name != "limits"]
+LIMITS = Limits(5.0, 20.0, 512 << 20, 1 << 20)
+LISTS = """
+#include <dirent.h>
+#include <stdio.h>
+#include <string.h>
+int main(void) {
+    char path[4096];
+    while (fgets(path, sizeof path, stdin)) {
+        path[strcspn(path, "\\n")] = 0;
+        DIR *folder = opendir(path);
+        struct dirent *entry;
+        while (folder && (entry = readdir(folder)))
+            if (entry->d_name[0] != '.') puts(path), puts(entry->d_name);
+    }
+}
+"""
+IMPORTS = b"import msgspec\nprint(msgspec.__name__, sum(map(int, input().split())))\n"
+
+
+def sites():
+    return [
+        entry for entry in find_roots().searched if Path(entry).name in SITE_NAMES and Path(entry).is_dir()
+    ]
+
+
+def test_some_are_installed_here():
+    assert any(list(Path(entry).iterdir()) for entry in sites())
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_compiled_program_lists_none(level):
+    run = ran("lists.c", LISTS, "\n".join([*sites(), ""]).encode(), level=level)
+    assert (run.code, run.stdout) == (0, b""), run
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("several", [True, False])
+def test_a_python_program_has_them(level, several):
+    files = (("main.py", IMPORTS), ("helper.py", b"")) if several else (("main.py", IMPORTS),)
+    with submission_box(Program("sum", files), Boxes(level), LIMITS.memory_bytes) as box:
+        run = box.run_program(b"1 2\n", LIMITS)
+    assert run.stdout == b"msgspec 3\n", run
+
+
+def test_what_is_wanted_is_shown():
+    wanted = sites()[:1]
+    hidden = find_roots(modules=False).hidden
+    assert set(map(str, map(Path.resolve, map(Path, sites())))) & set(hidden)
+    tool = str(Path(wanted[0], "a-tool"))  # of a compiler that is installed so
+    assert str(Path(wanted[0]).resolve()) not in find_roots((), [tool], modules=False).hidden
+    assert not [entry for entry in find_roots(modules=False).imports if Path(entry).name in SITE_NAMES]
