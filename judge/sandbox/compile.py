@@ -31,6 +31,7 @@ PROCESSES = 256  # of all that the compiler starts, where they have a user of th
 DESCRIPTORS = 512
 _SAID = 1 << 15  # bytes of what a compiler says that are looked at
 _SHOWN = 300
+_LONGEST = 500  # characters of a line of it
 _NAME = re.compile(r"[\w$+-][\w$.+-]*(/[\w$+-][\w$.+-]*)*")
 _PATH = re.compile(r"(?<![\w.])/[\w.+-]+(?:/[\w.+-]+)+/")
 _PLACED = re.compile(
@@ -178,10 +179,9 @@ def _fault(
 
 
 def wire_lines(text: str) -> str:
-    """Foreign text as lines that cannot move a terminal's cursor, indented as they were."""
-    return "\n".join(
-        " " * (len(line) - len(line.lstrip())) + wire.printable(line) for line in text.splitlines()
-    )
+    """Foreign text as lines that cannot move a terminal's cursor, indented as they were, none too long."""
+    lines = (line[:_LONGEST] for line in text.splitlines())
+    return "\n".join(" " * (len(line) - len(line.lstrip())) + wire.printable(line) for line in lines)
 
 
 def _told(said: str, sources: Sources, complaint: str, status: int) -> SourceFault:
