@@ -9,23 +9,28 @@ import errno
 import os
 import select
 import stat
+from collections.abc import Container
 from pathlib import Path
 
 _AT_ONCE = 65536  # bytes
 
 
-def read_ordinary(path: Path, most: int = -1) -> bytes:
+def read_ordinary(path: Path, most: int = -1, owners: Container[int] | None = None) -> bytes:
     """The first `most` bytes of an ordinary file, all of them without it.
 
     Raises:
-        OSError: it cannot be read; of what is no ordinary file its text says that.
+        OSError: it cannot be read, or is not of one of the `owners`; of what is no ordinary file its text
+            says that.
         ValueError: there is a NUL in the name.
     """
     check_ordinary(path.stat())
     # What is there may have changed since.
     descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC)
     with os.fdopen(descriptor, "rb") as file:
-        check_ordinary(os.fstat(descriptor))
+        found = os.fstat(descriptor)
+        check_ordinary(found)
+        if owners is not None and found.st_uid not in owners:
+            raise PermissionError(errno.EPERM, "it is another user's")
         return file.read(most)
 
 

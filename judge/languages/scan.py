@@ -17,7 +17,7 @@ from functools import cache
 
 from judge.errors import JudgeError
 
-SECONDS = 1.0  # of CPU time, for all that is to be found in one text
+SECONDS = 2.0  # of CPU time, for all that is to be found in one text
 WINDOW = 2_000  # characters that a match may have; a comment or a string has any number
 AT_ONCE = 6_000  # characters that are looked through between two looks at the clock
 

@@ -137,7 +137,7 @@ def test_a_text_that_takes_too_long_is_given_up():
     with pytest.raises(JudgeError) as fault, reading("a.c"):
         list(met(SLOW, "a" * 10**8))
     assert str(fault.value) == (
-        "a.c: it takes more than 1 s to look through this text; take out what no person would write"
+        "a.c: it takes more than 2 s to look through this text; take out what no person would write"
     )
 
 

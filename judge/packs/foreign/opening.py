@@ -42,6 +42,7 @@ class Opened:
 
     def __init__(self, word: str) -> None:
         self.word = word
+        self.described = 0  # bytes of YAML that were read
         self._folder: TemporaryFolder | None = None
         place = Path(word)
         if not word.endswith(ENDINGS) or place.is_dir():
