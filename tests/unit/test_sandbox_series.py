@@ -94,7 +94,7 @@ def test_an_exception_costs_its_own_call_alone():
 def test_a_submission_that_stops_itself_gains_nothing():
     body = "import os, signal\ndef f(n):\n    os.kill(os.getpid(), signal.SIGSTOP)\n    return n"
     (result,) = run(body)
-    assert [(reply.stop, reply.detail) for reply in result.replies] == [(Stop.EXITED, "it stopped itself")]
+    assert [(reply.stop, reply.detail) for reply in result.replies] == [(Stop.EXITED, "stopped itself")]
     assert run("def f(n): return n")[2].replies[-1].stop is Stop.ANSWERED
 
 

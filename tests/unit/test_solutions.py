@@ -93,7 +93,9 @@ def test_a_file_that_is_no_python_is_told_and_no_program(content, problem, add):
     add("accepted/broken.py", content)
     programs, (fault,) = read_solutions(problem)
     assert programs == ()
-    assert str(fault).startswith("middle/accepted/broken.py: no Python: ")
+    assert fault.where in ("middle/accepted/broken.py", "middle/accepted/broken.py:1")
+    assert fault.what.startswith("no Python: ")
+    assert "<unknown>" not in fault.what
     assert "\n" not in str(fault)
 
 

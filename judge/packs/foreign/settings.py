@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -47,10 +48,12 @@ def read_settings(package: Opened, path: Path) -> Settings:
     except yaml.MarkedYAMLError as fault:
         place = fault.problem_mark
         line = f":{place.line + 1}" if place else ""
-        raise ProblemError(f"this is no YAML: {fault.problem}", where=f"{where}{line}") from None
+        raise ProblemError(f"this is no YAML: {_said(fault)}", where=f"{where}{line}") from None
     except (LookupError, AttributeError) as fault:  # how PyYAML fails on `!!int ""`, `!!bool x`
         raise ProblemError("this is no YAML: a value is none of what its tag says", where=where) from fault
-    except (yaml.YAMLError, ValueError, OverflowError, TypeError, RecursionError) as fault:
+    except (ValueError, OverflowError, TypeError):
+        raise ProblemError("this is no YAML: a number or a date in it is none", where=where) from None
+    except (yaml.YAMLError, RecursionError) as fault:
         deep = isinstance(fault, RecursionError)
         what = "it is nested too deeply" if deep else str(fault).partition("\n")[0]
         raise ProblemError(f"this is no YAML: {what[:200]}", where=where) from None
@@ -59,6 +62,13 @@ def read_settings(package: Opened, path: Path) -> Settings:
     if not isinstance(found, dict):
         raise ProblemError("it holds no keys with their values", where=where)
     return {str(key): value for key, value in found.items() if isinstance(key, str | int | float)}
+
+
+def _said(fault: Any) -> str:
+    """PyYAML's words, without signs of its own; some of its sentences begin in another place."""
+    problem = fault.problem or "it is not well formed"
+    whole = f"{fault.context}, {problem}" if problem.startswith("but ") and fault.context else problem
+    return re.sub(r"'?<([a-z ]{1,30}+)>'?", r"the \1", whole)[:200]
 
 
 def _too_much(tokens: Iterator[Any]) -> str:
