@@ -45,14 +45,14 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.lines import key_lines
-from judge.report import layout, places
+from judge.report import editor, github, junit, layout, places
 from judge.report.cohort import gradebook
 from judge.run import hurdle, printed, program
 from judge.run.execute import judge_fault
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources
-from judge.values.grammar import parse
+from judge.values.grammar import TypeFault, parse
 from judge.values.reread import reread
 
 SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
@@ -233,7 +233,9 @@ def _failed(text: str) -> None:
         places.fault_place(replace(result, verdict=verdict))
     program._CHOKED.match(text)
     hurdle._failed_import(text, called=True)
-    layout.wrap(text[:4000], 80)  # which no message is longer than
+    github.annotation(result, b"", "line_count", {})
+    list(editor.editor_lines(result, b"", "line_count"))
+    junit.junit([result])
 
 
 def _annotated(text: str) -> None:
@@ -311,6 +313,11 @@ def _typed(text: str) -> None:
             read(text)
 
 
+def _type(text: str) -> None:
+    with suppress(TypeFault):
+        parse(text)
+
+
 def _students(text: str) -> None:
     path = _place() / "students.csv"
     path.write_text(f"id;name\n{text}", encoding="utf-8", newline="")
@@ -352,6 +359,8 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "typed": _typed,
         "students": _students,
         "gradebook": gradebook.cell,
+        "wrapped": partial(layout.wrap, width=80),
+        "type": _type,
         "regression": _regression,
         "toml lines": key_lines,
     }
