@@ -45,6 +45,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.lines import key_lines
+from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
 from judge.report.cohort import gradebook
 from judge.run import hurdle, printed, program
@@ -68,7 +69,24 @@ _FILES = {
 _SIGNS = (
     *("\"'`\\()[]{}<>,;.:=+-*/%#@!&|$ \t\n\r\0é"),
     *("1", "a", "_", '"""', "'''", "//", "/*", "*/", "/**/", "#!", "#![", "->", "=[", "=/[", "= /", "\\\\"),
-    *("\\\n", "\n ", "\r\n", "\n#", "\n//", ") ", "()", "[]", "{}", "( ", "a(", "a b", "a,", "a: ", "a=1\n"),
+    *(
+        "\u0301\u0316",
+        "\\\n",
+        "\n ",
+        "\r\n",
+        "\n#",
+        "\n//",
+        ") ",
+        "()",
+        "[]",
+        "{}",
+        "( ",
+        "a(",
+        "a b",
+        "a,",
+        "a: ",
+        "a=1\n",
+    ),
 )
 _HEADS = (
     *(
@@ -363,10 +381,12 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "type": _type,
         "regression": _regression,
         "toml lines": key_lines,
+        "toml": partial(toml_of, name="cards.toml"),
     }
 
 
 READERS = _readers()
+_TOML = ("[a", "[[a", ".a", "'a'", '"a"', "a.", "a .", "a=", "\na = 1", '\\"', '"\\"".')
 _OWN_SIGNS = {
     "yaml": (
         *("a: &a ", "*a ", "<<: *a\n", "- ", "? ", "\n- a", "\n a: ", "!!int ", "!a ", "---\n", "0:", "0x"),
@@ -381,7 +401,8 @@ _OWN_SIGNS = {
         *("ConversionSyntax", "ModuleNotFoundError: No module named 'a"),
     ),
     "package": ("@EXPECTED_RESULTS@", "{a,b}", "*a", "?", "[a", "main ", "#!python2"),
-    "toml lines": ("[a", "[[a", ".a", "'a'", '"a"', "a.", "a .", "a=", "\na = 1"),
+    "toml lines": _TOML,
+    "toml": _TOML,
     "regression": ("\ndef test_a():", "def test_a_count_all_000000()\n"),
     "compared": ("1.", "0x", "e1", "1e", "p1", "9"),
 }
