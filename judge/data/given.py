@@ -138,6 +138,8 @@ def _call(problem: Problem, text: str) -> ast.Call:
 def _argument(problem: Problem, name: str, node: ast.expr) -> Any:
     try:
         return tupled(_value(node, 0))
+    except OverflowError:  # of which Python says (34, 'Numerical result out of range')
+        raise _unreadable(problem, f"{name}: a number is too large") from None
     except (ValueError, TypeError, ArithmeticError, RecursionError) as fault:
         raise _unreadable(problem, f"{name}: {fault}") from None
 

@@ -1,6 +1,7 @@
 """Failing cases as a pytest file of their own: it imports the submission by its path and needs no judge.
 
-A function in another language than Python cannot be imported: there the test replays the case with the judge.
+A function in another language than Python cannot be imported, and what a problem itself accepts has
+no bounds: there the test replays the case with the judge.
 
 The file begins with a line that says who wrote it. A file that does not is never added to.
 """
@@ -82,15 +83,16 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
 
 def _case(place: str, data: ProblemData, found: Counterexample) -> str:
     """The body of the test."""
-    if language_of(place) is not None:
-        return _REPLAYED.format(command=f"judge replay {found.replay}", replay=found.replay, place=place)
     problem = data.problem
     group = problem.group(found.group)
     assert group is not None
     answer, tolerance = data.exact(found.case, group)
+    target = problem.answer.target(answer, tolerance)
+    if language_of(place) is not None or _is_decided(target):
+        return _REPLAYED.format(command=f"judge replay {found.replay}", replay=found.replay, place=place)
     values = zip(problem.parameters, found.case, strict=True)
     arguments = "".join(f"        {parameter.type.literal(value)},\n" for parameter, value in values)
-    conditions = _asserts(problem.answer, problem.answer.target(answer, tolerance))
+    conditions = _asserts(problem.answer, target)
     lines = [
         f"    # judge replay {found.replay}",
         *(line for name, line in _IMPORTS.items() if any(name in text for text in (arguments, *conditions))),
@@ -98,6 +100,13 @@ def _case(place: str, data: ProblemData, found: Counterexample) -> str:
         *conditions,
     ]
     return "\n".join(lines) + "\n"
+
+
+def _is_decided(target: Target) -> bool:
+    """Whether the problem itself says which answers are right, of the whole or of a part."""
+    if type(target) is dict:
+        return "such as" in target or any(map(_is_decided, target.values()))
+    return isinstance(target, list | tuple) and any(map(_is_decided, target))
 
 
 def _free_name(place: str, found: Counterexample, content: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -14,6 +14,7 @@ from hypothesis import Phase, Verbosity, find, settings
 from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
 from hypothesis.database import InMemoryExampleDatabase
 from hypothesis.errors import HypothesisException
+from hypothesis.internal.conjecture import providers
 from msgspec import Struct
 
 from judge.data.draw import Draw
@@ -69,7 +70,11 @@ def shrunk(
         verbosity=Verbosity.quiet,
     )
     # Nothing found, or a submission that answers at random: `best` is what there is.
-    with _keeping_nothing(), warnings.catch_warnings(), suppress(HypothesisException, _Spent):
+    with ExitStack() as stack:
+        stack.enter_context(_keeping_nothing())
+        stack.enter_context(_without_neighbours())
+        stack.enter_context(warnings.catch_warnings())
+        stack.enter_context(suppress(HypothesisException, _Spent))
         warnings.simplefilter("ignore")  # what Hypothesis has to say of our settings is not for the person
         find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
     return best[0] if best else None
@@ -84,6 +89,24 @@ def _keeping_nothing() -> Iterator[None]:
         yield
     finally:
         set_hypothesis_home_dir(before if isinstance(before, Path) else before.path)  # by its version
+
+
+@contextmanager
+def _without_neighbours() -> Iterator[None]:
+    """Draw no constants from the code of modules that lie in the current folder: elsewhere there are others.
+
+    Versions that do not look for them have no such function.
+    """
+    known = getattr(providers, "_get_local_constants", None)
+    if known is None:
+        yield
+        return
+    nothing = type(known())()
+    providers._get_local_constants = lambda: nothing
+    try:
+        yield
+    finally:
+        providers._get_local_constants = known
 
 
 def _as_bytes(choices: Sequence[int]) -> bytes | None:

@@ -119,8 +119,12 @@ def _passed(result: Result, rights: Mapping[str, Sequence[Outline]]) -> Iterator
 
 
 def _in_words(answer: Outline) -> str:
-    numbers = ", ".join(f"{number:g}" for number in answer[1])
-    return numbers or "The empty list"
+    form, numbers = answer
+    if numbers:
+        return ", ".join(f"{number:g}" for number in numbers)
+    if form.startswith("word "):
+        return repr(form.removeprefix("word "))
+    return "The empty list" if form.endswith(" 0") else "One value"
 
 
 def _same(numbers: Sequence[float], wanted: Sequence[float]) -> bool:

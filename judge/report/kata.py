@@ -10,6 +10,8 @@ from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.screen import Screen, is_terminal
 
+_ROOM = 12  # columns that a sentence wants beside a command
+
 
 def pointer_lines(problem: str, screen: Screen) -> list[Line]:
     """After an accepted submission, on a terminal: where to go from there."""
@@ -78,7 +80,11 @@ def finished_lines(width: int | None) -> list[Line]:
 
 
 def command_lines(commands: dict[str, str], width: int | None) -> Iterator[Line]:
-    """Commands, each with what it does."""
+    """Commands, each with what it does: beside it, or below it where there is no room."""
     column = 2 + max(map(len, commands)) + 2
     for command, about in commands.items():
-        yield from hanging(Span(command), Span(about, Style.FAINT), width, indent=2, column=column)
+        if width is not None and width - column < _ROOM:
+            yield line("  ", Span(command))
+            yield from hanging(Span(""), Span(about, Style.FAINT), width, indent=4, column=4)
+        else:
+            yield from hanging(Span(command), Span(about, Style.FAINT), width, indent=2, column=column)

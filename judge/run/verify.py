@@ -304,10 +304,12 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport], made: froz
 
 
 def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem: Problem) -> list[Fault]:
+    if not report.name:  # which is told
+        return []
     where = f"{problem.solutions.name}/{report.file}"
     stem = Path(report.file).stem
     faults = []
-    if report.name and stem != report.name and not stem.startswith(f"{report.name}-"):
+    if stem != report.name and not stem.startswith(f"{report.name}-"):
         what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
         remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
         faults.append(Fault(what, where, remedy))

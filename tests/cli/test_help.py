@@ -1,37 +1,49 @@
-"""`judge help`: the manual's topics, its pages on a terminal and in a pipe, and what is found in them."""
+"""`judge help` and `--help`: the manual goes out as it is, and each command's examples can be typed.
+
+What they say is in the record's transcripts of `help/` and `screens/help`.
+"""
 
 from __future__ import annotations
 
+import importlib
 import re
+import shlex
 
 import pytest
-from test_run_screen import on_a_terminal
+from terminals import on_a_terminal
 
-from judge.cli.table import COMMANDS
+from judge.cli.app import app
+from judge.cli.table import COMMANDS, EXAMPLES, FIRST, FURTHER, TOPICS
 from judge.manual import page, pages, search, topics
 
+QUIET = (  # need no file of one's own, no history, and no time
+    "judge progress --row Q7",
+    "judge list --json",
+    "judge show count",
+    "judge help quiz",
+    "judge help --search tolerance",
+    "judge why count close-points",
+    'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
+    "judge hack count --list",
+    "judge schema run",
+    "judge completion bash",
+    'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
+)
 
-def test_the_topics_are_listed_each_with_its_title(judge):
-    shown = judge("help").out
-    for each in pages():
-        assert re.search(rf"^  {each.name} +{re.escape(each.title)}$", shown, re.MULTILINE)
 
-
-@pytest.mark.parametrize("name", topics())
-def test_a_page_goes_into_a_pipe_as_it_is(name, judge):
-    ended = judge("help", name)
-    assert (ended.status, ended.out.rstrip()) == (0, page(name).text.rstrip())
-
-
-def test_the_words_of_a_topic_may_stand_apart(judge):
+def test_pages_go_into_a_pipe_as_they_are(judge):
+    for name in topics():
+        ended = judge("help", name)
+        assert (ended.status, ended.out.rstrip()) == (0, page(name).text.rstrip())
     assert judge("help", "problem", "toml").out == judge("help", "problem-toml").out
 
 
-@pytest.mark.parametrize("name", sorted({*COMMANDS} - {*topics()}))
-def test_the_name_of_a_command_shows_its_help(name, judge):
-    assert judge("help", name).out == judge(name, "--help").out
+def test_the_name_of_a_command_that_is_no_topic_shows_its_help(judge):
+    for name in {*COMMANDS} - {*topics()}:
+        assert judge("help", name).out == judge(name, "--help").out
 
 
+@pytest.mark.slow
 def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path):
     seen, pager = tmp_path / "seen", tmp_path / "pager"
     pager.write_text(f"#!/bin/sh\ncat > {seen}\n")
@@ -41,37 +53,12 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
     assert "Sets and skills" in paged
     assert "## " not in paged  # it is rendered
     assert "Sets and skills" not in shown
-
-
-def test_a_short_page_is_shown_at_once():
     assert "The report loads and runs nothing" in on_a_terminal("help", "privacy", PAGER="false")[1]
 
 
-def test_words_are_found_wherever_they_stand_headings_first(judge):
-    ended = judge("help", "--search", "Exit", "status")
-    assert ended.status == 0
-    assert ended.lines[0].startswith("scripts: Exit status")
+def test_headings_are_found_first(judge):
+    assert judge("help", "--search", "Exit", "status").lines[0].startswith("scripts: Exit status")
     assert next(hit.heading for hit in search(["fresh", "cases"])) == "Fresh cases"
-
-
-def test_words_that_are_nowhere_say_so(judge):
-    ended = judge("help", "--search", "zeppelin")
-    assert (ended.status, ended.out) == (1, "The manual does not have 'zeppelin'.\n")
-
-
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["help", "tiem"], "the manual has no topic 'tiem'; did you mean 'time'?"),
-        (["help", "qqq"], "the manual has no topic 'qqq'; judge help lists the topics"),
-        (["help", "--search"], "nothing to search for; write judge help --search WORD"),
-    ],
-)
-def test_what_is_not_there_is_one_line(words, said, judge):
-    ended = judge(*words)
-    assert ended.status == 2
-    assert said in ended.err
-    assert ended.err.count("\n") == 1
 
 
 def test_no_heading_within_a_block_is_a_section():
@@ -79,3 +66,54 @@ def test_no_heading_within_a_block_is_a_section():
     for each in pages():
         headings = [section.heading for section in each.sections]
         assert len(headings) == len(set(headings)), each.name
+
+
+# -- the help of each command -------------------------------------------------------------------------------
+
+
+def test_every_command_has_examples_and_a_page():
+    assert [*EXAMPLES] == [*COMMANDS] == [*TOPICS]
+    assert {*TOPICS.values()} <= {*topics()}
+    assert len(FURTHER) + sum(map(len, FIRST.values())) == len(COMMANDS)
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, judge):
+    ended = judge(name, "--help")
+    command = app.get_command(None, name)
+    assert COMMANDS[name] in ended.out
+    assert command.help.splitlines()[0] == COMMANDS[name]
+    assert all(parameter.help for parameter in command.params if parameter.param_type_name == "option")
+    start = ended.lines.index("  For example:") + 1
+    assert tuple(line.strip() for line in ended.lines[start : start + len(EXAMPLES[name])]) == EXAMPLES[name]
+    assert ended.lines[-1] == f"  More: judge help {TOPICS[name]}"
+    assert max(map(len, ended.lines)) < 80
+    assert "--json" in ended.out
+    assert f"`judge {name}" in page("commands").text
+
+
+def test_the_help_is_one_screen_and_names_every_command(judge, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    shown = judge("--help").out
+    assert shown == judge().out
+    assert shown.count("\n") <= 23
+    assert max(map(len, shown.splitlines())) <= 80
+    assert all(re.search(rf"\b{name}\b", shown) for name in COMMANDS)
+
+
+def test_the_words_and_options_of_each_example_are_its_commands_own():
+    for name, examples in EXAMPLES.items():
+        command = importlib.import_module(f"judge.cli.commands.{name}").command
+        for example in examples:
+            program, first, *words = shlex.split(example)
+            assert (program, first) == ("judge", name)
+            with command.make_context(name, words) as parsed:  # raises where an option or a number is none
+                assert parsed.args == []
+
+
+@pytest.mark.parametrize("example", QUIET)
+def test_examples_that_need_nothing_succeed(example, judge):
+    assert example in {each for examples in EXAMPLES.values() for each in examples}
+    ended = judge(*shlex.split(example)[1:])
+    assert (ended.status, ended.err) == (0, "")
+    assert ended.out

@@ -5,68 +5,28 @@ from __future__ import annotations
 import json
 import os
 import re
-import select
 import shutil
 import signal
 import subprocess
 import sys
+import termios
 import time
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from sampling import nightly
+from terminals import PATIENCE, Terminal
 
 from judge.kata.history import History
 
-pty = pytest.importorskip("pty")
-import fcntl  # noqa: E402 - where there is pty there are these
-import struct  # noqa: E402
-import termios  # noqa: E402
-
 pytestmark = pytest.mark.slow
 
-PATIENCE = 60  # seconds for something that is bound to come
 HOME, REST = "\x1b[H", "\x1b[J"
 KEYS = "n next   h hint   l list   w why   p picture   r run again   q quit"
 
 
-class Terminal:
-    """`judge watch` on a terminal of its own."""
-
-    def __init__(self, folder, *words, columns=80, rows=30, **settings):
-        self.ours, theirs = pty.openpty()
-        self.resize(columns, rows, tell=False)
-        self.before = termios.tcgetattr(self.ours)
-        settings = {"TERM": "xterm-256color", "NO_COLOR": "1", "PYTHONPATH": str(ROOT), **settings}
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "judge", "watch", *map(str, words)],
-            cwd=folder,
-            env={**os.environ, **settings},
-            stdin=theirs,
-            stdout=theirs,
-            stderr=theirs,
-            start_new_session=True,
-            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
-        )
-        os.close(theirs)
-        self.written = ""
-
-    def resize(self, columns, rows, *, tell=True):
-        fcntl.ioctl(self.ours, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
-        if tell:
-            os.kill(self.process.pid, signal.SIGWINCH)
-
-    def press(self, keys):
-        os.write(self.ours, keys.encode())
-
-    def read(self, seconds=0.2):
-        """Take in what has been written; whether more may come."""
-        if select.select([self.ours], [], [], seconds)[0]:
-            try:
-                part = os.read(self.ours, 65536)
-            except OSError:  # Linux says so when the other side is closed
-                return False
-            self.written += part.decode()
-        return True
+class Watching(Terminal):
+    """`judge watch`, which draws one picture over the other."""
 
     @property
     def frame(self):
@@ -89,33 +49,33 @@ class Terminal:
             assert self.read(), self.written
         raise AssertionError(f"no {words} in:\n{self.frame}")
 
-    def ends(self):
-        """Wait for the end; its status."""
-        end = time.monotonic() + PATIENCE
-        while self.process.poll() is None and time.monotonic() < end:
-            self.read()
-        while select.select([self.ours], [], [], 0)[0] and self.read():
-            pass
-        return self.process.wait(timeout=1)
+    def begins(self):
+        """Wait until it judges the file for the first time."""
+        while "judging mine.py" not in self.written:
+            assert self.read()
 
-    def close(self):
-        if self.process.poll() is None:
-            self.process.kill()
-        self.process.wait()
-        os.close(self.ours)
+    def leaves(self, key="q", status=0):
+        """Ask it to end, and see that the terminal is given back."""
+        if isinstance(key, str):
+            self.press(key)
+        else:
+            os.kill(self.process.pid, key)
+        assert self.ends() == status
+        assert termios.tcgetattr(self.ours) == self.before
+        assert "Traceback" not in self.written
 
 
 @pytest.fixture
-def watch(tmp_path):
+def watch():
     open_ones = []
 
-    def start(*words, **settings):
-        open_ones.append(Terminal(tmp_path, *words, **settings))
+    def start(*words, rows=30):
+        open_ones.append(Watching("watch", *words, rows=rows, NO_COLOR="1"))
         return open_ones[-1]
 
     yield start
     for terminal in open_ones:
-        terminal.close()
+        terminal.__exit__()
 
 
 def last(lines):
@@ -132,10 +92,11 @@ def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
     lines = terminal.sees("AC  accepted")
     assert last(lines).startswith("AC  accepted, 100 of 100 points")
     assert "n goes on to the next kata" in " ".join(lines)
-    terminal.press("q")
-    assert terminal.ends() == 0
-    assert termios.tcgetattr(terminal.ours) == terminal.before
-    assert "Traceback" not in terminal.written
+    terminal.leaves()
+    for picture in terminal.written.split("\x1b[?2026h")[1:]:  # in one write, which clears nothing first
+        assert picture.startswith(HOME)
+        assert "\x1b[?2026l" in picture
+    assert "\x1b[2J" not in terminal.written
     with History.open() as history:
         assert [run.verdict.value for run in history.runs("middle")] == ["WA", "AC"]
         assert history.current().path == str(tmp_path / "mine.py")
@@ -159,8 +120,7 @@ def test_a_file_is_replaced_deleted_and_written_in_pieces(watch, submit, tmp_pat
             file.write(piece)
             file.flush()
     terminal.sees("WA  wrong answer")
-    terminal.press("q")
-    assert terminal.ends() == 0
+    terminal.leaves()
 
 
 def test_the_keys(watch, submit):
@@ -183,8 +143,7 @@ def test_the_keys(watch, submit):
     assert last(terminal.sees("middle is not solved yet; n once more leaves it for now")).startswith("WA  ")
     terminal.press("\n")
     terminal.sees("smallest case found", without=["once more"])
-    terminal.press("Q")
-    assert terminal.ends() == 0
+    terminal.leaves("Q")
     with History.open() as history:
         assert history.hints_seen("middle") == 2
         assert len(history.runs("middle")) == 2
@@ -209,10 +168,10 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     terminal.sees("AC  accepted")
     terminal.press("n")
     assert last(terminal.sees("every other kata of the path is passed")).startswith("AC  ")
-    terminal.press("q")
-    assert terminal.ends() == 0
+    terminal.leaves()
 
 
+@pytest.mark.nightly
 def test_another_size_is_drawn_anew(watch, submit):
     terminal = watch("middle", submit(FLOOR), rows=12)
     lines = terminal.sees("WA  wrong answer")
@@ -220,48 +179,38 @@ def test_another_size_is_drawn_anew(watch, submit):
     terminal.resize(200, 60)
     lines = terminal.sees("half      WA")
     assert "  1 group accepted" in lines
-    terminal.press("q")
-    assert terminal.ends() == 0
+    terminal.leaves()
 
 
 @pytest.mark.parametrize(
-    ("ending", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), ("\x03", 130), ("\x04", 0)]
+    ("ending", "status"),
+    [("\x03", 130), nightly(signal.SIGINT, 130), nightly(signal.SIGTERM, 143), nightly("\x04", 0)],
 )
 def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submit):
     terminal = watch("middle", submit(MEAN))
     terminal.sees("AC  accepted")
-    if isinstance(ending, str):
-        terminal.press(ending)
-    else:
-        os.kill(terminal.process.pid, ending)
-    assert terminal.ends() == status
-    assert termios.tcgetattr(terminal.ours) == terminal.before
-    assert "Traceback" not in terminal.written
+    terminal.leaves(ending, status)
 
 
+@pytest.mark.nightly
 def test_it_ends_in_the_middle_of_judging_too(watch, submit):
     terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.5)\n    return a\n"))
-    while "judging mine.py" not in terminal.written:
-        assert terminal.read()
-    terminal.press("q")
-    assert terminal.ends() == 0
-    assert termios.tcgetattr(terminal.ours) == terminal.before
-    assert "Traceback" not in terminal.written
+    terminal.begins()
+    terminal.leaves()
     with History.open() as history:
         assert history.runs("middle") == []
 
 
+@pytest.mark.nightly
 def test_a_save_while_judging_causes_one_more_run(watch, submit):
     terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.02)\n    return a\n"))
-    while "judging mine.py" not in terminal.written:
-        assert terminal.read()
+    terminal.begins()
     submit(FLOOR)
     submit(MEAN)
     terminal.sees("AC  accepted")
     for _ in range(5):  # nothing follows
         terminal.read()
-    terminal.press("q")
-    assert terminal.ends() == 0
+    terminal.leaves()
     with History.open() as history:
         assert [run.verdict.value for run in history.runs("middle")][-1] == "AC"
         assert len(history.runs("middle")) <= 2
@@ -273,33 +222,17 @@ SLEEPS = "import time\ndef middle(a, b):\n    time.sleep(999)\n"
 def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
     """Every call of it would wait for the wall limit; nothing is told or kept of it."""
     terminal = watch("middle", submit(SLEEPS))
-    while "judging mine.py" not in terminal.written:
-        assert terminal.read()
+    terminal.begins()
     submit(MEAN)
     terminal.sees("AC  accepted")
     assert "TLE" not in terminal.written
-    terminal.press("q")
-    assert terminal.ends() == 0
-    assert "Traceback" not in terminal.written
+    terminal.leaves()
     with History.open() as history:
         assert [run.verdict.value for run in history.runs("middle")] == ["AC"]
 
 
-def test_every_picture_comes_in_one_write_and_clears_nothing_first(watch, submit):
-    terminal = watch("middle", submit(MEAN))
-    terminal.sees("AC  accepted")
-    terminal.press("l")
-    terminal.sees("The whole path")
-    terminal.press("q")
-    terminal.ends()
-    for picture in terminal.written.split("\x1b[?2026h")[1:]:
-        assert picture.startswith(HOME)
-        assert "\x1b[?2026l" in picture
-    assert "\x1b[2J" not in terminal.written
-
-
 @pytest.fixture
-def piped(tmp_path):
+def piped():
     """`judge watch` without a terminal; what it writes, line by line."""
     open_ones = []
 
@@ -307,7 +240,6 @@ def piped(tmp_path):
         command = [sys.executable, "-m", "judge", "watch", *map(str, words)]
         process = subprocess.Popen(
             command,
-            cwd=tmp_path,
             env={**os.environ, "PYTHONPATH": str(ROOT)},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -323,6 +255,7 @@ def piped(tmp_path):
         process.communicate()
 
 
+@pytest.mark.nightly
 def test_without_a_terminal_each_result_is_written(piped, submit):
     watching = piped("middle", submit(FLOOR))
     while not (line := watching.stdout.readline()).startswith("WA  "):
@@ -336,6 +269,7 @@ def test_without_a_terminal_each_result_is_written(piped, submit):
     assert (watching.returncode, out, err.strip()) == (130, "", "")
 
 
+@pytest.mark.nightly
 def test_without_a_terminal_too_a_save_gives_up_the_run_before(piped, submit, tmp_path):
     watching = piped("middle", submit(SLEEPS), "--json", "--no-history")
     while not _judging_below(watching.pid):
@@ -364,23 +298,3 @@ def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
     assert (watching.returncode, out, err) == (143, "", "")
     with History.open() as history:
         assert (history.runs(), history.current()) == ([], None)
-
-
-@pytest.mark.parametrize(
-    ("words", "wanted"),
-    [
-        ([], "there is no kata in hand"),
-        (["middle"], "missing argument 'FILE'"),
-        (["none.py"], "none.py: no such file"),
-        (["middle", "none.py"], "none.py: no such file; 'judge init middle none.py' begins it"),
-        (["middle", "nowhere/none.py"], "there is no folder nowhere"),
-        (["middle", "."], ".: this is a folder; name the file to watch"),
-        (["middle", "mine.py", "--group", "hlaf"], "did you mean 'half'?"),
-    ],
-)
-def test_what_cannot_be_watched_is_one_line(words, wanted, judge, submit):
-    submit(MEAN)
-    ended = judge("watch", *words)
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err.count("\n") == 1
-    assert wanted in ended.err

@@ -76,7 +76,13 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
         runs.append(_usual("run", "--json", "middle", "floor.py", "mean.py", "--no-shrink", "--no-name"))
     if chance.random() < 0.15:
         runs.append(_usual("init", "--json", "middle"))
-    return [], [*runs, _odd(chance)]
+    odd = _odd(chance)
+    if any(_BROKEN in (word or "") for word in (*odd.words, *odd.settings.values())):
+        from broken_problems import FAULTS, broken  # late: there is no other way to a folder above
+
+        for name in FAULTS:
+            broken(name, folder / "broken")
+    return [], [*runs, odd]
 
 
 def _usual(*words: str) -> Run:
@@ -85,10 +91,6 @@ def _usual(*words: str) -> Run:
 
 def _lay_out(folder: Path) -> None:
     shutil.copytree(_FIXTURES / "pack", folder, dirs_exist_ok=True)
-    from broken_problems import FAULTS, broken  # late: there is no other way to a folder above
-
-    for name in FAULTS:
-        broken(name, folder / "broken")
     work = folder / "work"
     for name, source in _FILES.items():
         path = work / name

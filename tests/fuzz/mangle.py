@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import random
 import re
+import tomllib
 from collections.abc import Callable
+from functools import cache
+from pathlib import Path
 from typing import TypeVar
 
 T = TypeVar("T", bytes, str)
@@ -17,6 +20,16 @@ ODD_CHARACTERS = (
 )
 _BAD_BYTES = (b"\xff", b"\xc3", b"\xed\xa0\x80", b"\xf5\x80\x80\x80", b"\xc0\x80", b"\x80", b"\x00")
 _MARKS = (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff", b"\x00\x00\xfe\xff", b"\x1f\x8b", b"#!", b"PK\x03\x04")
+
+
+@cache
+def _parts() -> dict[str, list[str]]:
+    return tomllib.loads((Path(__file__).parent / "odd" / "parts.toml").read_text(encoding="utf-8"))
+
+
+def pool(name: str) -> list[str]:
+    """A list of odd/parts.toml."""
+    return _parts()[name]
 
 
 def mangled_bytes(chance: random.Random, data: bytes) -> tuple[str, bytes]:

@@ -9,11 +9,13 @@ from __future__ import annotations
 import os
 import random
 import re
+import shlex
 import tomllib
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from mangle import mangled_bytes, mangled_text
+from mangle import mangled_bytes, mangled_text, pool
 from runs import ROOT, Run
 from tables import changed_table
 
@@ -23,91 +25,13 @@ _MODULES = Path(__file__).parent / "odd" / "modules.txt"  # lines that a setter 
 _ACCEPTED, _WRONG = 2, 3  # programs of a problem that come along
 _CASES = 3  # of a group
 _SHARED = ("sets/path.toml", "sets/junior.toml", "skills.toml")
-_OWN = (
-    "problem.toml",
-    "problem.toml",
-    "problem.toml",
-    "statement.md",
-    "statement.md",
-    "hints.md",
-    "hashes.json",
-)
+_OWN = (*["problem.toml"] * 3, *["statement.md"] * 2, "hints.md", "hashes.json")
 
-_CALLS = (
-    *("()", "(1)", "(1, 2, 3)", "(a, b)", "(-1, 1)", "(+1, --1)", "(nan, 1)", "(1e999, 1)", "(True, None)"),
-    *("(1j, 2)", "((1, 2), 3)", "([1], [2, 3])", "({}, set())", "(*[1], 2)", "(a=1, b=2)", "(1, 2)(3)"),
-    *(
-        "(__import__('os'), 1)",
-        "(lambda: 1, 2)",
-        "(1 + 2j, -2)",
-        "(10 ** 9, 1)",
-        "(...,  1)",
-        "(1 if 1 else 2, 3)",
-    ),
-    *("(" + "(" * 300 + "1" + ")" * 300 + ", 1)", "(" + "-" * 3000 + "1, 1)", "(" + "9" * 5000 + ", 1)"),
-    *("(0x" + "f" * 5000 + ", 1)", "(1e400, -1e400)", "(1_0, 0b1)", "(1;2)", "(1,\n... 2)", "(\0)", ""),
-    *("((1, 2, 3), 4)", "(0, 0, 1, (0, 1), (4, 1))", "(0, 0, 1, (0, 1), (4, [1]))", "(0, 0, 1, (), ())"),
-    *(
-        "(0, 0, -1, (0, 1), (4, 1))",
-        "(0, 0, 1, 2, 3)",
-        "(0, 0, 1, (0, 1), (0, 1))",
-        "(0, 0, 1, (0, {}), (4, 1))",
-    ),
-    *("(0.5, 0, 1, (0, 1), (4, 1))", "(0, 0, 1, (0, True), (4, 1))", "(0, 0, 1, (0, 1), (4, 1), 5)"),
-)
+_DEEP = ("(" * 300 + "1" + ")" * 300, "-" * 3000 + "1", "9" * 5000, "0x" + "f" * 5000)
+_CALLS = (*pool("calls"), *(f"({deep}, 1)" for deep in _DEEP))
 _ANSWERS = (
-    *(
-        "1",
-        "0",
-        "2",
-        "-1",
-        "1.5",
-        "None",
-        "True",
-        "'1'",
-        "b'1'",
-        "[]",
-        "[1]",
-        "[(1, 2)]",
-        "[(1, 2, 3)]",
-        "(1, 2)",
-    ),
-    *(
-        "{}",
-        "{1}",
-        "{1: 2}",
-        "1e999",
-        "-1e999",
-        "nan",
-        "[(1e999, 0)]",
-        "[(None, 1)]",
-        "[[1, 2]]",
-        "[1, 2]",
-        "1j",
-    ),
-    *("9" * 5000, "0x" + "f" * 5000, "[" * 150 + "]" * 150, "[" * 5000, "-" * 5000 + "1", "...", "x", "1 2"),
-    *(
-        "[('a', 'b')]",
-        "[(True, False)]",
-        "()",
-        "((1, 2),)",
-        "'a' 'b'",
-        "1 +",
-        "\0",
-        "__import__('os')",
-        "-0.0",
-    ),
-    *(
-        "[(0, 1)]",
-        "[(0, 1), (0, 1)]",
-        "[(0.0, 1), [1, 0]]",
-        "10 ** 400",
-        "1e400",
-        "1e-400",
-        "[b'']",
-        "[()]",
-        "",
-    ),
+    *(*pool("answers"), "9" * 5000, "0x" + "f" * 5000),
+    *("[" * 150 + "]" * 150, "[" * 5000, "-" * 5000 + "1"),
 )
 
 
@@ -236,39 +160,31 @@ def _write(path: Path, content: bytes) -> None:
     path.write_bytes(content)
 
 
+_CHEAP = (
+    *("list", "show {problem}", "why {problem}", "why {problem} {group}", "init {problem}", "hint {problem}"),
+    *("hint {problem} --all", "next --init", "practice", "practice junior", "progress", "progress junior"),
+    *("solution {problem} --give-up", "due"),
+)
+_DEAR = (
+    *("data {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
+    *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "report --no-matrix"),
+    *("stress {problem} {program} --for 0.05s --seed 7", "try {problem} '1 2' {program}"),
+    "replay {problem}:{group}:v1,2:000000 {program}",
+)
+
+
+def _commands(texts: Sequence[str], problem: str, group: str, program: str) -> list[tuple[str, ...]]:
+    given = {"problem": problem, "group": group, "program": program}
+    return [tuple(word.format(**given) for word in shlex.split(text)) for text in texts]
+
+
 def _runs(chance: random.Random, problem: str, files: dict[str, bytes]) -> list[Run]:
     """Two to four commands that read the problem."""
     programs = [name for name in files if name.startswith(f"solutions/{problem}/")]
     program = f"../{chance.choice(programs)}"
     table = tomllib.loads(_base()[f"problems/{problem}/problem.toml"].decode())
     group = chance.choice([each["name"] for each in table["groups"]])
-    cheap = [
-        ("list",),
-        ("show", problem),
-        ("why", problem),
-        ("why", problem, group),
-        ("init", problem),
-        ("hint", problem),
-        ("hint", problem, "--all"),
-        ("next", "--init"),
-        ("practice",),
-        ("practice", "junior"),
-        ("progress",),
-        ("progress", "junior"),
-        ("solution", problem, "--give-up"),
-        ("due",),
-    ]
-    dear = [
-        ("data", problem, "--out", "data"),
-        ("run", problem, program),
-        ("run", problem, program, "--group", group, "--seed", "7"),
-        ("verify", problem, "--matrix"),
-        ("verify", problem, "--pin"),
-        ("stress", problem, program, "--for", "0.05s", "--seed", "7"),
-        ("replay", f"{problem}:{group}:v1,2:000000", program),
-        ("try", problem, "1 2", program),
-        ("report", "--no-matrix"),
-    ]
+    cheap, dear = (_commands(texts, problem, group, program) for texts in (_CHEAP, _DEAR))
     chosen = [
         *chance.sample(cheap, chance.choice((1, 1, 2))),
         *chance.sample(dear, chance.choice((0, 0, 0, 1))),

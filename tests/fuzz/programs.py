@@ -3,7 +3,7 @@
     odd/answers.txt   expressions, a line each; most are no answer to anything
     odd/classes.txt   the classes and functions that they name
     odd/shapes.txt    submissions around an answer, which ANSWER stands for, with `---` between them
-    odd/lines.txt     whole submissions of one line
+    odd/lines.txt     whole submissions of one line; more are in odd/parts.toml
 
 ENTRY stands for the function's name, ARGS for its parameters.
 """
@@ -14,33 +14,14 @@ import random
 from functools import cache
 from pathlib import Path
 
-from mangle import mangled_bytes, mangled_text
+from mangle import mangled_bytes, mangled_text, pool
 
 _ODD = Path(__file__).with_name("odd")
 _DEEP = "".join(f"{' ' * depth}if 1:\n" for depth in range(120)) + " " * 120 + "pass\n"
-_WHOLE = (  # submissions that no line of a text file holds
-    *("", "\n", "\0", "x = 1\0", "# \0", "'\0'", "\x1a", "\x04", "é = 1", "print('\u0663')"),
-    *(
-        "\ufeffdef ENTRY(ARGS): return 1",
-        "\x0cdef ENTRY(ARGS): return 1",
-        "x = 1\rdef ENTRY(ARGS): return 1\r",
-    ),
-    *("def ENTRY(ARGS):\n\treturn 1\n        pass", "def f(): f()\nf()", "x = [0]\nwhile 1: x += x", _DEEP),
-    *(
-        "# -*- coding: rot13 -*-\nqrs s(): cnff",
-        "# coding: latin-1\nx = 'é'",
-        "# coding: utf-16\nx",
-        "#!/bin/sh\nls",
-    ),
-    *(
-        "(" * 500 + ")" * 500,
-        "[" * 10_000,
-        "-" * 50_000 + "1",
-        "9" * 5000,
-        "x = " + "9" * 4000,
-        "0x" + "f" * 10**5,
-    ),
-    *("x = " + "1+" * 5000 + "1", "x = " + "f" * 10**5, "x = '" + "a" * 10**6 + "'", "a = 1\n" * 50_000),
+_WHOLE = (
+    *(*pool("programs"), _DEEP, "(" * 500 + ")" * 500, "[" * 10_000, "-" * 50_000 + "1", "9" * 5000),
+    *("x = " + "9" * 4000, "0x" + "f" * 10**5, "x = " + "1+" * 5000 + "1", "x = " + "f" * 10**5),
+    *("x = '" + "a" * 10**6 + "'", "a = 1\n" * 50_000),
 )
 
 

@@ -12,6 +12,7 @@ import tomllib
 from functools import cache
 from pathlib import Path
 
+from mangle import pool
 from programs import changed_program, odd_program
 from runs import ROOT, Ended, Run
 
@@ -20,38 +21,7 @@ _LONGEST = 100_000  # characters of a result
 _CASES = 2  # of a test group
 _PROBLEMS = ("middle", "count", "segment", "ray-nearest", "exact-count")
 _PACKS = {"middle": ROOT / "tests" / "fixtures" / "pack"}  # the others are shipped
-_NAMES = (
-    *(
-        "new\nline",
-        "\x1b[31mred",
-        "-dash",
-        "é",
-        "e\u0301",
-        "\u202eabc",
-        "a b",
-        "x" * 200,
-        ".hidden",
-        "..",
-        "a.b",
-        "%s",
-        "{0}",
-    ),
-    *(
-        "no\udcffutf8",
-        "'quoted'",
-        '"quoted"',
-        "$HOME",
-        "*",
-        "<b>",
-        "&amp;",
-        "COM1",
-        "__init__",
-        "__main__",
-        "json",
-        "sys",
-        "\U0001f600",
-    ),
-)
+_NAMES = (*(name.replace("<byte>", "\udcff") for name in pool("names")), "x" * 200)
 _RIGHT, _WRONG = "0-right.py", "1-wrong.py"
 
 

@@ -8,149 +8,18 @@ from __future__ import annotations
 import random
 import re
 
+from mangle import pool
+
 _PAIR = re.compile(r"^(?P<indent>\s*)(?P<key>[\w-]+)(?P<equals>\s*=\s*)(?P<value>.*)$")
 _HEADER = re.compile(r"^\[+.*\]+\s*$")
 
-_NUMBERS = (
-    *(
-        "0",
-        "-0",
-        "1",
-        "-1",
-        "2",
-        "100",
-        "101",
-        "0.5",
-        "-0.0",
-        "0.0",
-        "1e-9",
-        "1e9",
-        "1e400",
-        "-1e400",
-        "1e-400",
-    ),
-    *("1e4000", "1e4001", "-1e4001", "1e-4001", "1e999999999", "1e-999999999", "nan", "-nan", "inf", "-inf"),
-    *("0x7fffffffffffffff", "9223372036854775808", "-9223372036854775809", "9" * 400, "9" * 4300, "9" * 4301),
-    *("9" * 20_000, "0." + "3" * 5000, "0.1e-300", "123_456", "0o17", "0b1"),
-)
-_TEXTS = (
-    *(
-        '""',
-        '" "',
-        '"x"',
-        "'x'",
-        '"\\u0000"',
-        '"\\u001b[31mred"',
-        '"\\n"',
-        '"a\\nb"',
-        '"\\u202eabc"',
-        '"\\ufeff"',
-    ),
-    *(
-        '"None"',
-        '"class"',
-        '"print"',
-        '"__import__"',
-        '"é"',
-        '"ａ"',
-        '"a b"',
-        '"a.b"',
-        '"../x"',
-        '"/etc/passwd"',
-    ),
-    *(
-        '"examples"',
-        '"count"',
-        '"points"',
-        '"parameter"',
-        '"number"',
-        '"integer"',
-        '"point"',
-        '"integer-point"',
-    ),
-    *(
-        '"\\"\\"\\""',
-        '"\\\\"',
-        '"{{a.low}}"',
-        '"{{"',
-        '"%s"',
-        '"]]>"',
-        '"<b>"',
-        '"\\U0001F600"',
-        '"1"',
-        '"nan"',
-    ),
-    *('"junior"', '"professional"', f'"{"x" * 20_000}"', f'"{"x " * 5_000}"', '"""\na\nb\n"""', "'''\n'''"),
-    *(
-        '"x.py"',
-        '".py"',
-        '"..py"',
-        '"quadratic.py"',
-        '"exact.py"',
-        '"program.py"',
-        '"floor-division"',
-        '"Émile"',
-    ),
-    '"\\u0007\\u0008\\u007f\\u0085\\u2028"',
-)
-_OTHERS = (
-    *(
-        "true",
-        "false",
-        "[]",
-        "{}",
-        "[1]",
-        "[1, 2]",
-        "[true]",
-        '["a"]',
-        '["a", "a"]',
-        "[[]]",
-        "[{}]",
-        "{ a = 1 }",
-    ),
-    *(
-        "1979-05-27",
-        "07:32:00",
-        "1979-05-27T07:32:00Z",
-        "[nan]",
-        "[1e4000]",
-        '{ "" = 1 }',
-        "{ a = { b = 1 } }",
-    ),
-    *('{ "\\u0000" = 1 }', "[" * 50 + "]" * 50, "[" * 3000 + "]" * 3000, "{a=" * 300 + "1" + "}" * 300),
-    *('{ size = "x" }', "{ size = -1 }", "{ size = 0 }", "{ self = 1 }", "{ draw = 1 }", "{ size = 1e400 }"),
-    *("{ odd = 7 }", "{ odd = [] }", '["examples"]', '[""]', "", "#", "=", "x", '"', "[", "{"),
-)
-_LINES = (
-    *(
-        "[parameters]",
-        "[[parameters]]",
-        "[groups]",
-        "[[groups]]",
-        "[limits]",
-        "[tolerance]",
-        "[time]",
-        "[bands]",
-    ),
-    *(
-        "[[time]]",
-        "[x]",
-        "[[x]]",
-        "[groups.tolerance]",
-        "[a.b.c]",
-        "[]",
-        '[""]',
-        "x = 1",
-        '"" = 1',
-        "a.b = 1",
-    ),
-    *('"a.b" = 1', "bands.x = 1", "limits.cpu_seconds = 1", "parameters = []", "groups = []", "time = {}"),
-    *('kills = ["x"]', "skills = []", 'problems = ["count"]', "needs = []", "= 1", "\\", "[[groups]] # x"),
-    *('[time]\nlimit = 2\nfunction = "exact.py"', '[time]\nlimit = 1e300\nfunction = "mean.py"', "count = 3"),
-    *("[bands]\ntangent = 1e-9", "[bands]\nx = nan", "seed = -1", "seed = 1" + "0" * 400, "tolerance = 1"),
-)
+_DEEP_TABLE = "{a=" * 300 + "1" + "}" * 300
+_NUMBERS = (*pool("numbers"), *("9" * count for count in (400, 4300, 4301, 20_000)), "0." + "3" * 5000)
+_TEXTS = (*pool("texts"), f'"{"x" * 20_000}"', f'"{"x " * 5_000}"')
+_OTHERS = (*pool("others"), "[" * 3000 + "]" * 3000, _DEEP_TABLE)
+_LINES = (*pool("lines"), "seed = 1" + "0" * 400)
 _CALM = re.compile(r"count|points|size|cpu_seconds|wall_seconds")  # where a big number is only much work
-_SMALL = ("0", "-1", "1", "2", "3.5", "1e-9", "-0.0", "nan", "inf", "1e400", "-5", "9" * 30, "9" * 400)
+_SMALL = (*pool("small"), "9" * 400)
 
 
 def changed_table(chance: random.Random, text: str) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""The fuzz: the same few hundred cases every time, and that it would see a fault if there were one.
+"""The fuzz: some cases every day, a few hundred by night, always the same; and that it would see a fault.
 
 CONTRIBUTING says how to run thousands of others.
 """
@@ -13,9 +13,16 @@ import pytest
 from contract import faults
 from fuzz import TARGETS, findings
 from runs import Ended, Run, Worker
+from sampling import nightly
 from worker import CLOSED, FULL, KEPT, NULL, TERMINAL
 
-COUNTS = {"problems": 100, "submissions": 3, "commands": 70}  # the submissions come in batches of a dozen
+COUNTS = {  # by day and in all; the submissions come in batches of a dozen
+    "problems": (16, 100),
+    "submissions": (1, 3),
+    "commands": (8, 70),
+}
+SEEDS = [(target, range(day)) for target, (day, _) in COUNTS.items()]
+SEEDS += [nightly(target, range(day, night)) for target, (day, night) in COUNTS.items()]
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the worker waits by Linux's descriptors")
 
@@ -26,13 +33,10 @@ def worker():
         yield process
 
 
-def test_every_target_has_its_share():
+@pytest.mark.parametrize(("target", "seeds"), SEEDS)
+def test_no_case_ends_as_none_may_end(target, seeds, worker, tmp_path):
     assert set(COUNTS) == set(TARGETS)
-
-
-@pytest.mark.parametrize("target", COUNTS)
-def test_no_case_ends_as_none_may_end(target, worker, tmp_path):
-    found = list(findings(target, range(COUNTS[target]), tmp_path, worker))
+    found = list(findings(target, seeds, tmp_path, worker))
     assert not found, "\n\n".join(map(str, found))
     assert list(tmp_path.iterdir()) == []
 

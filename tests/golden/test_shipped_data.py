@@ -1,4 +1,4 @@
-"""The shipped problems' data: pinned, proved, and buildable from any seed."""
+"""The shipped problems' data: pinned, and good for any seed. The gate asks whether each case is proved."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 from judge.data import load_data
-from judge.data.module import load_module
 from judge.data.pins import differences, read_pins
-from judge.data.validate import Validator, prove
+from judge.languages import language_of
+from judge.problem import Verdict
 from judge.problem.load import load_problem
+from judge.run import Settings, run_submission
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 NAMES = sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml"))
@@ -30,12 +31,7 @@ def test_every_group_is_as_it_was_pinned(problem, data):
     pins = read_pins(problem)
     assert pins is not None
     assert differences(pins, data.groups) == []
-
-
-def test_every_case_is_proved(problem, data):
-    validator = Validator(problem, load_module(problem).solve)
     for group in data.groups:
-        prove(validator, group.group.name, group.cases, problem.id)
         assert len(group.cases) == len(group.targets) == group.group.count
 
 
@@ -47,9 +43,16 @@ def test_there_are_cases_and_points_enough(problem, data):
     assert problem.examples
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", [0, 20261120, 2**70])
-def test_any_seed_gives_full_groups_of_other_cases(problem, data, seed):
+def test_any_seed_gives_full_groups_of_other_cases_that_accepted_solutions_pass(problem, data, seed):
+    """By their answers: their time is measured on the pinned data, by the gate."""
     other = load_data(problem, seed=seed, cache=False)
     assert [len(group.cases) for group in other.groups] == [group.count for group in problem.groups]
     changed = sum(a.cases != b.cases for a, b in zip(data.groups, other.groups, strict=True))
     assert changed == (len(problem.groups) - 1 if problem.parameters else 0)  # all but the examples
+    for path in sorted((problem.solutions / "accepted").glob("*.py")):
+        if seed == 20261120 and not language_of(path):
+            settings = Settings(measured=False)
+            result = run_submission(problem, other, path.read_bytes(), path.name, settings=settings)
+            assert result.verdict is Verdict.AC, path.name

@@ -14,7 +14,6 @@ every mutant; here a mutant is a submission, and it is judged as one.
 from __future__ import annotations
 
 import ast
-import copy
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -79,11 +78,12 @@ def mutants(source: str) -> list[Mutant]:
     tree = ast.parse(source)
     lines = tuple(ast.unparse(tree).splitlines())
     route = Route("", "", "", lines, (), lines)
+    places, names = _places(tree), _names_around(tree)
     seen: Counter[tuple[str, str]] = Counter()
     found = []
-    for place, node in enumerate(ast.walk(tree)):
-        for changed in _changes(node, _names_around(tree, node)):
-            after = ast.unparse(_replaced(tree, place, changed)).splitlines()
+    for node in ast.walk(tree):
+        for changed in _changes(node, names.get(id(node), frozenset())):
+            after = _unparsed_with(tree, places[id(node)], node, changed)
             pairs = enumerate(zip(lines, after, strict=True))
             different = [(i, was, becomes) for i, (was, becomes) in pairs if was != becomes]
             if not different:
@@ -94,6 +94,37 @@ def mutants(source: str) -> list[Mutant]:
             change = Change("", (Piece(line, line + 1, (becomes,)),), line + 1)
             found.append(Mutant(route, change, seen[key]))
     return found
+
+
+Place = tuple[ast.AST, str, int | None]  # whose child a node is, by which field, and which of several
+
+
+def _places(tree: ast.Module) -> dict[int, Place]:
+    """Where every node is, by its id."""
+    found: dict[int, Place] = {}
+    for node in ast.walk(tree):
+        for name, value in ast.iter_fields(node):
+            several = isinstance(value, list)
+            for at, child in enumerate(value if several else [value]):
+                found[id(child)] = (node, name, at if several else None)
+    return found
+
+
+def _unparsed_with(tree: ast.Module, place: Place, node: ast.AST, other: ast.AST) -> list[str]:
+    """The lines of the tree where another node stands in the place of this one, for as long as that takes."""
+    try:
+        _put(place, other)
+        return ast.unparse(tree).splitlines()
+    finally:
+        _put(place, node)
+
+
+def _put(place: Place, node: ast.AST) -> None:
+    parent, name, at = place
+    if at is None:
+        setattr(parent, name, node)
+    else:
+        getattr(parent, name)[at] = node
 
 
 def _changes(node: ast.AST, names: frozenset[str]) -> Iterator[ast.expr]:
@@ -146,36 +177,13 @@ def _twin(name: str, names: frozenset[str]) -> str | None:
     return alike[0] if alike else None
 
 
-def _names_around(tree: ast.Module, node: ast.AST) -> frozenset[str]:
-    """The names bound in the innermost function that a name is read in."""
-    if not isinstance(node, ast.Name):
-        return frozenset()
-    around = [
-        function
-        for function in ast.walk(tree)
-        if isinstance(function, ast.FunctionDef) and any(each is node for each in ast.walk(function))
-    ]
-    if not around:
-        return frozenset()
-    inner = min(around, key=lambda function: sum(1 for _ in ast.walk(function)))
-    bound = {argument.arg for argument in inner.args.args}
-    bound |= {
-        each.id for each in ast.walk(inner) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
-    }
-    return frozenset(bound)
-
-
-def _replaced(tree: ast.Module, place: int, changed: ast.expr) -> ast.Module:
-    """A copy of the tree in which the node at that place of the walk is another one."""
-    twin = copy.deepcopy(tree)
-    target = next(node for index, node in enumerate(ast.walk(twin)) if index == place)
-    return ast.fix_missing_locations(_Exchange(target, changed).visit(twin))
-
-
-class _Exchange(ast.NodeTransformer):
-    def __init__(self, target: ast.AST, changed: ast.expr) -> None:
-        self._target = target
-        self._changed = changed
-
-    def visit(self, node: ast.AST) -> ast.AST:
-        return self._changed if node is self._target else self.generic_visit(node)
+def _names_around(tree: ast.Module) -> dict[int, frozenset[str]]:
+    """The names bound in the innermost function around each name that is read, by its id."""
+    found: dict[int, frozenset[str]] = {}
+    functions = [list(ast.walk(node)) for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    for inside in sorted(functions, key=len, reverse=True):
+        names = [each for each in inside if isinstance(each, ast.Name)]
+        bound = {each.id for each in names if isinstance(each.ctx, ast.Store)}
+        bound |= {argument.arg for argument in inside[0].args.args}
+        found |= dict.fromkeys(map(id, names), frozenset(bound))
+    return found

@@ -8,6 +8,7 @@ import random
 import pytest
 from mutants import mutants
 from mutate import PROBLEMS, equivalents, main, mutants_of, outcomes, unread
+from sampling import daily
 
 SAMPLE = {"listed": 3, "others": 6}  # of each problem; the command judges all of them
 
@@ -64,7 +65,7 @@ def test_equal_changes_of_equal_lines_are_numbered():
     assert [mutant.source for mutant in found] == ["f(a - b)\nf(a + b)\n", "f(a + b)\nf(a - b)\n"]
 
 
-@pytest.fixture(scope="module", params=PROBLEMS)
+@pytest.fixture(scope="module", params=daily(PROBLEMS, ["count", "exact-count", "tangents", "which-side"]))
 def made(request):
     return request.param, mutants_of(request.param)
 

@@ -33,13 +33,13 @@ _PIECE = re.compile(
 )
 
 
-def real_run() -> str:
+def real_run(cache: Path | None = None) -> str:
     """What a terminal shows of judging a wrong program, with its colours; the command line first."""
     with tempfile.TemporaryDirectory() as folder:
         family = Family(find_problem("segment"))
         wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
         (Path(folder) / "segment.py").write_text(family.program(wrong), encoding="utf-8")
-        settings = {"JUDGE_CACHE": f"{folder}/cache", "JUDGE_DB": f"{folder}/history.sqlite3"}
+        settings = {"JUDGE_CACHE": str(cache or f"{folder}/cache"), "JUDGE_DB": f"{folder}/history.sqlite3"}
         settings["PYTHONPATH"] = str(ROOT)
         command = [sys.executable, "-m", *_COMMAND.split()]
         _, shown, _ = run(command, Path(folder), settings)

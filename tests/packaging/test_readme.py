@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -11,10 +13,10 @@ import sys
 import pytest
 from gallery import FOLDER, gallery, levels, path_of
 from mistaken import mistaken
-from pages import ROOT, claims_hold, prose
 from screenshot import PICTURE, real_run, text_of
-from walk import WALKS, go, missing, plain, steps
+from walk import ROOT, WALKS, claims_hold, go, missing, plain, steps
 
+from judge.cli import main
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.find import all_problems
@@ -119,8 +121,8 @@ def test_the_tour_shows_every_stage():
         assert part in shown
 
 
-def test_the_picture_is_of_a_run_as_it_goes_now(screenshot):
-    lacking = missing(plain(text_of(screenshot)), plain(real_run()))
+def test_the_picture_is_of_a_run_as_it_goes_now(screenshot, built):
+    lacking = missing(plain(text_of(screenshot)), plain(real_run(built)))
     assert lacking is None, f"python tests/packaging/screenshot.py draws it anew; it lacks\n{lacking}"
 
 
@@ -149,18 +151,57 @@ def homework(tmp_path):
 
 
 @pytest.mark.parametrize("place", [0, 1])
-def test_the_programs_that_judge_do_as_told(place, homework):
+def test_the_programs_that_judge_do_as_told(place, homework, built):
     blocks = python_blocks("library.md")
     assert len(blocks) == 2
     (homework / "marks.py").write_text(blocks[place], encoding="utf-8")
     command = [sys.executable, "marks.py"]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "JUDGE_CACHE": str(built)}
     ended = subprocess.run(
         command, cwd=homework, env=environment, capture_output=True, text=True, timeout=300
     )
     assert (ended.returncode, ended.stderr) == (0, "")
     wanted = r"alice.py AC 100 \nbob.py WA \d+ tangent-twice\n" if place == 0 else ""
     assert re.fullmatch(wanted, ended.stdout), ended.stdout
+
+
+@pytest.mark.parametrize(
+    ("body", "place", "said"),
+    [
+        (":\n    return a", None, "WA"),
+        (":\n    x = 1\n    return x / 0", "3", "RTE"),
+        ("\n    return a", "1", "CE"),
+    ],
+)
+def test_the_task_for_vs_code_finds_a_failure_at_its_line(body, place, said, tmp_path, monkeypatch, capsys):
+    """What the judge really writes, read as README's task reads it."""
+    (block,) = [each for each in re.findall(r"(?ms)^```json\n(.*?)^```$", README) if "problemMatcher" in each]
+    (task,) = json.loads(block)["tasks"]
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "mine.py").write_text(f"def middle(a, b){body}\n")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(ROOT / "tests" / "fixtures" / "pack" / "problems"))
+    name, *words = shlex.split(task["command"].replace("${relativeFile}", "src/mine.py"))
+    monkeypatch.setattr(sys, "argv", [name, *words, "--no-history"])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    out, err = capsys.readouterr()
+    assert (name, ended.value.code, err) == ("judge", 1, "")
+    pattern = task["problemMatcher"]["pattern"]
+    found = [re.match(pattern["regexp"], line) for line in out.splitlines()]
+    assert found
+    assert all(found), out
+    first, *others = found
+    assert (first[pattern["file"]], first[pattern["severity"]]) == ("src/mine.py", "error")
+    assert place in (None, first[pattern["line"]])
+    assert first[pattern["message"]].split(" ")[0].rstrip(":") == said
+    assert {each[pattern["severity"]] for each in others} <= {"note"}
+
+
+def prose(page):
+    """The lines of a page outside its blocks."""
+    parts = re.split(r"^```.*$", page, flags=re.MULTILINE)
+    return [line for part in parts[::2] for line in part.splitlines()]
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -18,6 +18,7 @@ import re
 import shlex
 import sys
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -144,6 +145,17 @@ def missing(claimed: str, shown: str) -> str | None:
             return "\n".join(part)
         rest, whole = rest[at + size :], False
     return "\n".join(rest) if rest and not left_open else None
+
+
+def claims_hold(taken: Sequence[Taken]) -> None:
+    """Fails where a command did not show what its page says."""
+    assert taken
+    for each in taken:
+        lacking = missing(each.step.text, each.shown)
+        assert lacking is None, (
+            f"$ {each.step.words} (status {each.status}) does not show as told:\n{lacking}\n"
+            f"but:\n{each.shown}{each.errors}\npython tests/packaging/walk.py brings the page up to date"
+        )
 
 
 def _section(page: str, title: str) -> str:

@@ -30,7 +30,7 @@ def main() -> int:
     if unknown:
         parser.error(f"no part is called {', '.join(sorted(unknown))}: there are {', '.join(PARTS)}")
     items = [Item(part, key) for part in asked.parts or PARTS for key in keys(part) if asked.only in key]
-    found = 0
+    found, seen = 0, sys.stderr.isatty()
     with tempfile.TemporaryDirectory(prefix="judge-tests-") as world:
         os.environ["JUDGE_CACHE"] = os.environ.get("JUDGE_CACHE") or f"{world}/cache"
         os.environ["JUDGE_LOCKS"] = f"{world}/locks"
@@ -46,13 +46,14 @@ def main() -> int:
                     print(f"{item.part} {item.key}: {type(fault).__name__}: {fault}")
                     continue
                 fresh = task.result()
-                print(f"\r{done} of {len(items)}  {item.part} {item.key}\x1b[K", end="", file=sys.stderr)
+                if seen:
+                    print(f"\r{done} of {len(items)}  {item.part} {item.key}\x1b[K", end="", file=sys.stderr)
                 for text in differences(kept(item), fresh):
                     found += 1
-                    print(f"\r\x1b[K{text}" if sys.stderr.isatty() else text)
+                    print(f"\r\x1b[K{text}" if seen else text)
                 if asked.write:
                     write(item, fresh)
-    print(f"\r\x1b[K{found or 'no'} difference{'' if found == 1 else 's'}", file=sys.stderr)
+    print("\r\x1b[K" * seen + f"{found or 'no'} difference{'' if found == 1 else 's'}", file=sys.stderr)
     return 1 if found and not asked.write else 0
 
 

@@ -1,4 +1,4 @@
-"""Digests of pictures: of two cases of every group, drawn with the right answer and with none."""
+"""Digests of pictures: of two cases of every group, drawn with its answer, with none and with another's."""
 
 from __future__ import annotations
 
@@ -26,14 +26,20 @@ def record(kata: str) -> dict[str, dict[str, str]]:
     for group in data.groups:
         if group.group.size is not None:
             continue  # a big case is not shown
-        for place, case in enumerate(group.cases[:_CASES]):
+        tolerance = group.group.tolerance
+        solved = [(case, module.solve(*case).answer) for case in group.cases[:_CASES]]
+        wanted = [problem.answer.wanted(problem.answer.target(exact, tolerance)) for _, exact in solved]
+        for place, (case, exact) in enumerate(solved):
             values = {each.name: value for each, value in zip(problem.parameters, case, strict=True)}
-            exact = module.solve(*case).answer
-            wanted = problem.answer.wanted(problem.answer.target(exact, group.group.tolerance))
-            for got in (wanted, "None"):
+            answers = {"right": wanted[place], "none": "None", "wrong": wanted[place - 1]}
+            for kind, got in answers.items():
+                if kind != "right" and got == wanted[place]:
+                    continue
                 given = reread(problem.answer, got)
-                picture = module.topic.picture(Shown(problem, values, exact, wanted, got, given, "a case"))
-                key = f"{kata}/{group.group.name}/{place} {'right' if got is wanted else 'none'}"
+                picture = module.topic.picture(
+                    Shown(problem, values, exact, wanted[place], got, given, "a case")
+                )
+                key = f"{kata}/{group.group.name}/{place} {kind}"
                 if picture is None:
                     found[key] = {"svg": "no picture"}
                     continue

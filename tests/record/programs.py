@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 from unittest.mock import patch
@@ -62,16 +62,21 @@ def record(kata: str, chosen: Iterable[Program] | None = None) -> dict[str, dict
             result = (timed if "/slow/" in program.key else plain).judge(program.source, program.name)
             if "/slow/" in program.key and result.verdict is Verdict.AC:  # a close race on a busy machine
                 result = timed.judge(program.source, program.name)
-            found[program.key] = told(result)
+            found[program.key] = told(result, {group.name for group in problem.groups if group.size})
     return found
 
 
-def told(result: Result) -> dict[str, Any]:
-    """What is kept of a result: nothing that another run would say otherwise."""
-    if result.verdict is Verdict.TLE:  # which group ran out of time is the machine's
+def told(result: Result, sized: Collection[str] = ()) -> dict[str, Any]:
+    """What is kept of a result: nothing that another run would say otherwise.
+
+    Whether a wrong program comes to its end in a group of a given size, or is too slow, is the machine's.
+    """
+    if result.verdict is Verdict.TLE:
         return {"verdict": "TLE"}
     plain = result.as_json()
-    kept = {"verdict": plain["verdict"], "mode": plain["mode"], "score": plain["score"]}
+    kept = {"verdict": plain["verdict"], "mode": plain["mode"]}
+    if result.verdict is Verdict.AC or not sized:
+        kept["score"] = plain["score"]
     if result.levels:
         kept["levels"] = [level.level.value for level in result.levels if level.passed]
     if result.verdict is Verdict.AC:
@@ -80,7 +85,7 @@ def told(result: Result) -> dict[str, Any]:
         kept["fails"] = {
             group.name: group.cases - group.passed
             for group in result.groups
-            if group.verdict is not Verdict.AC
+            if group.verdict is not Verdict.AC and group.name not in sized
         }
         kept["failure"] = _case(plain["failure"])
         kept["smallest"] = _case(plain["counterexample"])

@@ -12,10 +12,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 from msgspec.structs import replace
 
+from judge.judging import replaying
 from judge.judging.containment import Containment
 from judge.judging.job import version_of
 from judge.judging.session import Session
@@ -25,6 +27,7 @@ from judge.run.result import Growth, Ratio, Result
 _RATIO = Ratio(0.8, 0.75, 0.9, 3)
 _GROWTH = re.compile(r"n\^\d\.\d")
 _SECONDS = re.compile(r"\d+(\.\d+)?(?= s\b)")
+_BUSY = re.compile(r"took \S+ s for \S+ s of CPU time: it was working, on a busy machine")
 _NOISE = re.compile(r"^(waited|isolation is|its time)")
 
 
@@ -40,10 +43,14 @@ def steady(result: Result) -> Result:
         import_seconds=0.05 if result.time.import_tells else 0.0,
     )
     failure = result.failure
+    smallest = result.counterexample
     if failure is not None and result.verdict is Verdict.TLE:
-        failure = replace(failure, message=_SECONDS.sub("1", _GROWTH.sub("n^1.0", failure.message)))
+        failure = replace(failure, message=_timeless(failure.message))
+    if smallest is not None and result.verdict is Verdict.TLE:
+        smallest = {**smallest, "message": _timeless(smallest["message"])}
     return replace(
         result,
+        counterexample=smallest,
         groups=tuple(replace(group, cpu_seconds=0.001) for group in result.groups),
         failure=failure,
         time=time,
@@ -51,6 +58,11 @@ def steady(result: Result) -> Result:
         isolation="full",
         notes=tuple(note for note in result.notes if not _NOISE.match(note)),
     )
+
+
+def _timeless(message: str) -> str:
+    message = _BUSY.sub("used more than 1 s of CPU time", message)
+    return _SECONDS.sub("1", _GROWTH.sub("n^1.0", message))
 
 
 def _grown(growth: Growth) -> Growth:
@@ -81,5 +93,13 @@ def steadied(folder: Path) -> Iterator[None]:
             new.replace(path)
         return replace(result, submission=name)
 
-    with patch.object(Session, "judge", judged), patch.object(Containment, "boot", lambda *_: None):
+    def alone(*words: Any) -> Result:
+        return steady(replayed(*words))
+
+    replayed = replaying.replayed
+    with (
+        patch.object(Session, "judge", judged),
+        patch.object(Containment, "boot", lambda *_: None),
+        patch.object(replaying, "replayed", alone),
+    ):
         yield

@@ -3,11 +3,14 @@
     # terminal 80x24               a terminal of that size reads; without it, a pipe
     # needs tests/fixtures/pack    this folder of the repository is copied beside the files
     # needs broken                 ../broken holds every broken problem of tests/broken_problems.py
-    $ judge run middle floor.py    a command, in a folder that holds a copy of tests/golden/record/files
+    + one.py                       a file is written, into a copy of tests/golden/record/files,
+    | def middle(a, b): return 1   with these lines
+    $ judge run middle one.py      a command, in that copy
     < n                            a line that is typed
       WA  floor.py                 standard output, two characters to the right
     ! judge: no such file          standard error
     = 1                            the exit status, where it is not 0
+    $ cat out.xml                  a file that was written
 
 What differs from machine to machine is masked. To add a call, write its line and run
 `python -m tests.record transcripts --only NAME --write`.
@@ -67,8 +70,12 @@ _MASKS = [  # of text, each as wide as what it hides
 
 
 class Step(NamedTuple):
-    """One command of a transcript: its words, and the lines that are typed."""
+    """One command of a transcript: its words, and the lines that are typed.
 
+    Its `kind` is `judge`, `cat` for a file that is shown, or `+` for one that is written with those lines.
+    """
+
+    kind: str
     words: str
     typed: str = ""
 
@@ -87,9 +94,10 @@ class Transcript(NamedTuple):
         steps: list[Step] = []
         terminal, needs, head = None, [], []
         for line in text.splitlines():
-            if line.startswith("$ judge"):
-                steps.append(Step(line[7:].strip()))
-            elif line.startswith("< "):
+            kind, _, words = line.removeprefix("$ ").partition(" ")
+            if line.startswith(("$ judge", "$ cat ", "+ ")):
+                steps.append(Step(kind, words.strip()))
+            elif line.startswith(("< ", "|")):
                 steps[-1] = steps[-1]._replace(typed=f"{steps[-1].typed}{line[2:]}\n")
             elif line.startswith("# ") and not steps:
                 head.append(line)
@@ -189,6 +197,18 @@ class _Stream(io.TextIOWrapper):
 
 
 def _shown(step: Step, terminal: tuple[int, int] | None) -> str:
+    """A step with what it shows."""
+    if step.kind == "judge":
+        return _judged(step, terminal)
+    if step.kind == "+":
+        Path(step.words).parent.mkdir(parents=True, exist_ok=True)
+        Path(step.words).write_text(step.typed, encoding="utf-8")
+        return "\n".join([f"+ {step.words}", *(f"| {line}".rstrip() for line in step.typed.splitlines())])
+    written = _masked(Path(step.words).read_text(encoding="utf-8"))
+    return "\n".join([f"$ cat {step.words}", *(f"  {line}".rstrip() for line in written.splitlines())])
+
+
+def _judged(step: Step, terminal: tuple[int, int] | None) -> str:
     """A command with what it shows."""
     out, err = _Stream(terminal=terminal is not None), _Stream()
     status = 0
@@ -237,6 +257,7 @@ def _masked(text: str) -> str:
     folder = str(Path.cwd())
     for place, mask in ((folder, "."), (str(Path(folder).parent), ".."), (str(ROOT), "<judge>")):
         text = text.replace(place, mask)
+    text = text.replace(f"isolation on {os.uname().nodename}", "isolation on <here>")
     for pattern, mask in _MASKS:
         text = pattern.sub(mask, text)
     return text.replace(__version__, "<version>").replace(str(Path.home()), "~")

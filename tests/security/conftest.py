@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pwd
 import shutil
@@ -9,13 +10,17 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
+from zlib import crc32
 
 import pytest
-from attackers import HERE, Attacker
+from attackers import HERE, LEVELS, USERS, Attacker
+from driver import possible
 from residents import Resident
+from sampling import daily
 
 from judge.sandbox import levels
 
@@ -29,44 +34,100 @@ def _levels_here() -> frozenset[str]:
     return frozenset(level.name for level in levels() if level.available)
 
 
-@pytest.fixture(params=["full", "strong", "limits"])
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Have a test that does not say so itself run in each world: by day in one, which its name chooses."""
+    said = {name for mark in metafunc.definition.iter_markers("parametrize") for name in _names(mark.args[0])}
+    turn = crc32(metafunc.definition.originalname.encode())
+    for name, worlds in (("user", USERS), ("level", LEVELS)):
+        if name in metafunc.fixturenames and name not in said:
+            metafunc.parametrize(name, daily(worlds, [worlds[turn % len(worlds)]]), indirect=True)
+
+
+def _names(told: str | Sequence[str]) -> Sequence[str]:
+    return told.split(",") if isinstance(told, str) else told
+
+
+@pytest.fixture
 def level(request: pytest.FixtureRequest) -> str:
-    """Each level that this machine gives to whoever runs the tests."""
+    """A level, if whoever runs the tests may have it on this machine."""
     if request.param not in _levels_here():
+        assert not possible(request.param), f"{request.param} is denied where this machine gives it"
         pytest.skip(f"{request.param} cannot be had here")
     return str(request.param)
 
 
-@pytest.fixture(scope="session", params=["root", "plain"])
-def attacker(request: pytest.FixtureRequest) -> Iterator[Attacker]:
-    if not sys.platform.startswith("linux"):
-        pytest.skip("the attacks are Linux's")
-    with tempfile.TemporaryDirectory(prefix="judge-suite-") as folder:
-        home = Path(folder)
-        home.chmod(0o755)
-        shutil.copytree(
-            PACKAGE / "sandbox", home / "judge" / "sandbox", ignore=shutil.ignore_patterns("__pycache__")
-        )
-        shutil.copytree(HERE, home / "security", ignore=shutil.ignore_patterns("__pycache__"))
-        for own in ("__init__.py", "errors.py"):
-            shutil.copy(PACKAGE / own, home / "judge" / own)
-        if request.param == "root":
-            if os.geteuid() != 0:
-                pytest.skip("not started as root")
-            yield Attacker("root", sys.executable, home, None)
-        elif os.geteuid() != 0:
-            yield Attacker("plain", sys.executable, home, None)
-        else:
-            yield from _plain(home)
+@pytest.fixture
+def user(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def attacker(user: str, _attackers: dict[str, Attacker], _users: contextlib.ExitStack) -> Attacker:
+    """Who attacks: the user that the test names, made when the first test asks for it."""
+    if user not in _attackers:
+        _attackers[user] = _users.enter_context(_attacker(user))
+    return _attackers[user]
+
+
+@pytest.fixture
+def resident(attacker: Attacker) -> Resident:
+    """The attacker as somebody who has the judge installed."""
+    if attacker.resident is None:
+        attacker.resident = Resident(attacker)
+    return attacker.resident
+
+
+@pytest.fixture
+def together(request: pytest.FixtureRequest, _selected: dict[Any, list[str]]) -> list[str]:
+    """The attacks `name` of this test, of all that are selected, with its user and its level."""
+    return _selected[_test_and_world(request.node)]
 
 
 @pytest.fixture(scope="session")
-def resident(attacker: Attacker) -> Resident:
-    """The attacker as somebody who has the judge installed."""
-    return Resident(attacker)
+def _selected(request: pytest.FixtureRequest) -> dict[Any, list[str]]:
+    found: dict[Any, list[str]] = {}
+    for item in request.session.items:
+        if HERE in item.path.parents and "together" in item.fixturenames:
+            found.setdefault(_test_and_world(item), []).append(item.callspec.params["name"])
+    return found
 
 
-def _plain(home: Path) -> Iterator[Attacker]:
+def _test_and_world(item: Any) -> tuple[Any, ...]:
+    return item.path, item.originalname, *(item.callspec.params.get(name) for name in ("user", "level"))
+
+
+@pytest.fixture(scope="session")
+def _attackers() -> dict[str, Attacker]:
+    return {}
+
+
+@pytest.fixture(scope="session")
+def _users() -> Iterator[contextlib.ExitStack]:
+    with contextlib.ExitStack() as made:
+        yield made
+
+
+@contextlib.contextmanager
+def _attacker(user: str) -> Iterator[Attacker]:
+    if not sys.platform.startswith("linux"):
+        pytest.skip("the attacks are Linux's")
+    with tempfile.TemporaryDirectory(prefix="judge-suite-") as folder, contextlib.ExitStack() as made:
+        home = Path(folder)
+        home.chmod(0o755)
+        ignore = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(PACKAGE / "sandbox", home / "judge" / "sandbox", ignore=ignore)
+        shutil.copytree(HERE, home / "security", ignore=ignore)
+        for own in ("__init__.py", "errors.py"):
+            shutil.copy(PACKAGE / own, home / "judge" / own)
+        if user == "plain" and os.geteuid() == 0:
+            uid = made.enter_context(_plain_user())
+            yield Attacker(user, _python_for(uid), home, uid)
+        else:
+            yield Attacker(user, sys.executable, home, None)
+
+
+@contextlib.contextmanager
+def _plain_user() -> Iterator[int]:
     made = False
     try:
         uid = pwd.getpwnam(PLAIN_USER).pw_uid
@@ -76,7 +137,7 @@ def _plain(home: Path) -> Iterator[Attacker]:
         _administer("useradd", "--no-create-home", "--shell", "/bin/false", PLAIN_USER)
         made, uid = True, pwd.getpwnam(PLAIN_USER).pw_uid
     try:
-        yield Attacker("plain", _python_for(uid), home, uid)
+        yield uid
     finally:
         if made:
             _administer("userdel", PLAIN_USER)

@@ -1,5 +1,7 @@
 """Runs attacks as whoever starts it and writes one JSON object for each: `driver.py LEVEL < names`.
 
+`driver.py levels` writes what this user can have, one JSON object a level.
+
 LEVEL is an isolation level, or `none` for the positive control: the script in a plain interpreter, in a
 temporary folder, with a time-out. The targets of the attacks (files, sockets, a process) are made here, so
 that they belong to the user the attacks are run as.
@@ -23,11 +25,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from table import ATTACKS as TABLE
+from table import ATTACKS, SCRIPTS
 
 from judge.errors import JudgeError
-from judge.sandbox import open_box
+from judge.sandbox import levels, open_box
 from judge.sandbox.boundary import Limits, Stop
+from judge.sandbox.probe import missing
 
 MEMORY, OUTPUT = 256 << 20, 1 << 20
 PATIENT = Limits(cpu_seconds=2.0, wall_seconds=6.0, memory_bytes=MEMORY, output_bytes=OUTPUT)
@@ -35,11 +38,19 @@ LIMITS = {
     frozenset({Stop.CPU}): Limits(0.2, 6.0, MEMORY, OUTPUT),
     frozenset({Stop.WALL}): Limits(1.0, 0.5, MEMORY, OUTPUT),
 }
-CONTROL_SECONDS = 0.7
+CONTROL_SECONDS, PATIENCE = 0.7, 20  # for what goes on until it is ended, and for what ends by itself
 CONTROL_MEMORY = 1 << 30
 SECRET = "EXPECTED-" + "0123abcd"
-ATTACKS = Path(__file__).parent / "attacks"
-ENDS = {attack.name: attack.ends for attack in TABLE}
+ENDS = {attack.name: attack.ends for attack in ATTACKS}
+CONTROLS = {attack.name: attack.control for attack in ATTACKS}
+
+
+def possible(level: str) -> bool:
+    """Whether this machine gives what a level needs; where the judge denies it, that is our own fault."""
+    if missing("strong" if level == "full" else level) or missing(level):
+        return False
+    bare = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
+    return level != "full" or subprocess.run(bare, capture_output=True, check=False).returncode == 0
 
 
 @contextlib.contextmanager
@@ -106,9 +117,8 @@ def aimed(target: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def contained(name: str, level: str, target: dict[str, Any]) -> dict[str, Any]:
-    source = (ATTACKS / f"{name}.py").read_bytes()
     try:
-        with open_box(source, f"{name}.py", level=level) as box:
+        with open_box(SCRIPTS[name].encode(), f"{name}.py", level=level) as box:
             result = box.run_program(json.dumps(target).encode(), LIMITS.get(ENDS[name], PATIENT))
     except JudgeError as error:
         return {"name": name, "fault": str(error)}
@@ -124,7 +134,7 @@ def contained(name: str, level: str, target: dict[str, Any]) -> dict[str, Any]:
 
 
 def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
-    source = (ATTACKS / f"{name}.py").read_text()
+    source = SCRIPTS[name]
     if name == "search_memory":
         source = f"known = {SECRET!r}\n{source}"
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as written:
@@ -149,7 +159,7 @@ def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
         )
         os.close(reading)
         os.close(writing)
-        until = time.monotonic() + (CONTROL_SECONDS if name not in SLOW else 4)
+        until = time.monotonic() + (CONTROL_SECONDS if CONTROLS[name] == "runs" else PATIENCE)
         gone = 0
         while not gone and time.monotonic() < until:
             gone, status, usage = os.wait4(process.pid, os.WNOHANG)
@@ -172,10 +182,11 @@ def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-SLOW = {"search_memory", "threads", "hog_list", "hog_bytes"}
-
-
 def main(level: str) -> None:
+    if level == "levels":
+        for row in levels():
+            print(json.dumps({**row._asdict(), "possible": possible(row.name)}))
+        return
     names = json.load(sys.stdin)
     os.environ["JUDGE_TEST_SECRET"] = "1"
     with targets() as target:

@@ -15,33 +15,13 @@ import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
+
+from processes import below
 
 PR_SET_CHILD_SUBREAPER = 36
 LONGEST = 2.5  # seconds before the end comes
 LATER = 1.0
 ENDS = (signal.SIGKILL, signal.SIGINT)
-
-
-def below(pid: int) -> dict[int, str]:
-    """The living descendants of a process, each with its command."""
-    parents: dict[int, int] = {}
-    names: dict[int, str] = {}
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdecimal():
-            try:
-                name, _, rest = (entry / "stat").read_text().rpartition(")")
-            except OSError:
-                continue
-            state, parent = rest.split()[:2]
-            if state not in "ZX":
-                parents[int(entry.name)], names[int(entry.name)] = int(parent), name.partition("(")[2]
-    found, grown = {pid}, True
-    while grown:
-        more = {child for child, parent in parents.items() if parent in found} - found
-        found |= more
-        grown = bool(more)
-    return {child: names[child] for child in sorted(found - {pid})}
 
 
 def reap() -> None:
@@ -58,7 +38,7 @@ def end_once(words: list[str], chance: random.Random) -> tuple[str, str | None]:
     number, moment = chance.choice(ENDS), chance.uniform(0.0, LONGEST)
     judge = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     time.sleep(moment)
-    tree = below(judge.pid)
+    tree = {pid: process.name for pid, process in below(judge.pid).items()}
     if judge.poll() is not None:
         return "ended before", None
     judge.send_signal(number)
@@ -71,7 +51,7 @@ def end_once(words: list[str], chance: random.Random) -> tuple[str, str | None]:
     if left:
         for pid in left:
             os.kill(pid, signal.SIGKILL)
-        return number.name, f"{number.name} after {moment:.3f} s of {tree} left {left}"
+        return number.name, f"{number.name} after {moment:.3f} s of {tree} left {[*left.values()]}"
     return number.name, None
 
 

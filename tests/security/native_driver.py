@@ -1,13 +1,16 @@
-"""Runs the attacks of native_table.py as whoever starts it: `native_driver.py LEVEL < recipe and names`.
+"""Compiles and runs programs as whoever starts it: `native_driver.py LEVEL < pickled orders`.
 
-LEVEL is an isolation level, or `none` for the positive control: the program compiled and run as it is, in a
-temporary folder. Writes one JSON object for each attack.
+An order is a name, a recipe and a source, in which `@name@` stands for a target of driver.py. LEVEL is an
+isolation level, or `none` for the positive control: C, compiled and run as it is, in a temporary folder.
+Writes one JSON object for each: what it printed, or why it did not come so far.
 """
 
 from __future__ import annotations
 
+import base64
 import json
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -15,7 +18,6 @@ from pathlib import Path
 from typing import Any
 
 from driver import aimed, targets
-from native_table import BOMBS, COMPILE, HEAD, RUN
 
 from judge.errors import JudgeError
 from judge.sandbox import Boxes
@@ -43,60 +45,45 @@ class NoStore:
         pass
 
 
-def source_of(name: str, target: dict[str, Any]) -> str:
-    if name in RUN:
-        source = HEAD.replace("BODY", RUN[name])
-    else:
-        source = COMPILE[name][0] if name in COMPILE else BOMBS[name][1]
-    for key, value in target.items():
-        source = source.replace(f"@{key}@", str(value))
-    return source
-
-
-def contained(recipe: Recipe, name: str, level: str, target: dict[str, Any]) -> dict[str, Any]:
-    file = "solution.c"
-    order = recipe, Sources(((file, source_of(name, target).encode()),), file)
+def contained(recipe: Recipe, source: str, level: str) -> dict[str, Any]:
+    file = recipe.empty[0]
+    order = recipe, Sources(((file, source.encode()),), file)
     try:
         with NativeBox(lambda: order, Boxes(level), NoStore(), idle=False) as box:
             fault = box.inspect().fault
             if fault:
-                return {"name": name, "fault": fault.message}
-            done = box.run_program(b"", LIMITS)
+                return {"fault": fault.message}
+            done = box.run_program(b"19 23\n", LIMITS)
+            held = box.isolation
     except JudgeError as error:
-        return {"name": name, "broken": str(error)}
+        return {"broken": str(error)}
     out = done.stdout[:500].decode(errors="replace")
-    return {"name": name, "output": out, "stop": done.stop.value, "detail": done.detail}
+    return {"output": out, "stop": done.stop.value, "detail": done.detail, "level": held}
 
 
-def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
+def bare(source: str) -> dict[str, Any]:
     with tempfile.TemporaryDirectory(prefix="judge-control-") as folder:
-        path = Path(folder, "solution.c")
-        path.write_text(source_of(name, target))
-        command = ["gcc", "-O2", "-static", "-o", "main", str(path), "-lm"]
+        Path(folder, "solution.c").write_text(source)
+        command = ["gcc", "-O2", "-static", "-o", "main", "solution.c", "-lm"]
         made = subprocess.run(
             command, cwd=folder, capture_output=True, text=True, timeout=CONTROL_SECONDS, check=False
         )
         if made.returncode:
-            return {"name": name, "fault": made.stderr[:2000]}
+            return {"fault": made.stderr[:2000]}
         done = subprocess.run(
             ["./main"], cwd=folder, capture_output=True, timeout=CONTROL_SECONDS, check=False
         )
-    return {"name": name, "output": done.stdout[:500].decode(errors="replace")}
+    return {"output": done.stdout[:500].decode(errors="replace")}
 
 
 def main(level: str) -> None:
-    given = json.load(sys.stdin)
-    fields = {
-        key: tuple(value) if isinstance(value, list) else value for key, value in given["recipe"].items()
-    }
-    fields["empty"] = (fields["empty"][0], fields["empty"][1].encode())
-    recipe = Recipe(**fields)
     with targets() as target:
-        for name in given["names"]:
+        for name, recipe, source in pickle.loads(base64.b64decode(sys.stdin.read())):
             with aimed(target) as each:
-                each = {**each, "python": os.path.realpath(sys.executable)}
-                outcome = bare(name, each) if level == "none" else contained(recipe, name, level, each)
-            print(json.dumps(outcome), flush=True)
+                for key, value in {**each, "python": os.path.realpath(sys.executable)}.items():
+                    source = source.replace(f"@{key}@", str(value))
+                outcome = bare(source) if level == "none" else contained(recipe, source, level)
+            print(json.dumps({"name": name, **outcome}), flush=True)
 
 
 if __name__ == "__main__":

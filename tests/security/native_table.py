@@ -2,12 +2,15 @@
 the compiler. `@name@` stands for a target of driver.py.
 
 `RUN` are C functions' bodies that give 1 where the attack worked; `COMPILE` are sources whose program prints
-what it must not know; `BOMBS` are sources that take a compiler's time, memory or disk.
+what it must not know, and its beginning; `BOMBS` are sources that take a compiler's time, memory or disk.
+`SOURCES` are all of them as they are compiled.
 """
 
 # ruff: noqa: E501 - programs in C
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 HEAD = r"""
 #define _GNU_SOURCE
@@ -85,37 +88,32 @@ MAYBE = {  # what some kernels, or no plain user, or nobody at all may do even w
     *("read_shadow", "privileged", "signal_all", "rewrite_itself", "posix_shared_memory"),
 }
 
+ASSEMBLED = r"""
+#include <stdio.h>
+__asm__(".global s\ns: .incbin \"FILE\"\n.byte 0\n.section .note.GNU-stack,\"\"");
+extern char s[];
+int main(void) { puts(s); }
+"""
 COMPILE = {
     "include_passwd": ('#include "/etc/passwd"\n', "root:"),
     "include_answers": ('#include "@secret@"\n', "EXPECTED"),
-    "assemble_answers": (
-        (
-            '#include <stdio.h>\n__asm__(".global s\\ns: .incbin \\"@secret@\\"\\n.byte 0\\n.section .note.GNU-stack,\\"\\"");\n'
-            "extern char s[];\nint main(void) { puts(s); }\n"
-        ),
-        "EXPECTED",
-    ),
-    "assemble_judge": (
-        (
-            '#include <stdio.h>\n__asm__(".global s\\ns: .incbin \\"@judge_file@\\"\\n.byte 0\\n.section .note.GNU-stack,\\"\\"");\n'
-            "extern char s[];\nint main(void) { puts(s); }\n"
-        ),
-        "JudgeError",
-    ),
+    "assemble_answers": (ASSEMBLED.replace("FILE", "@secret@"), "EXPECTED"),
+    "assemble_judge": (ASSEMBLED.replace("FILE", "@judge_file@"), "JudgeError"),
 }
 
 BOMBS = {
-    "endless_include": ("solution.c", '#include "/dev/urandom"\nint main(void) {}\n'),
-    "itself": ("solution.c", "#include __FILE__\n#include __FILE__\nint main(void) {}\n"),
-    "large": ("solution.c", "char a[3u << 30] = {1};\nint main(void) { return a[1]; }\n"),
+    "endless_include": '#include "/dev/urandom"\nint main(void) {}\n',
+    "itself": "#include __FILE__\n#include __FILE__\nint main(void) {}\n",
+    "large": "char a[3u << 30] = {1};\nint main(void) { return a[1]; }\n",
     "doubling": (
-        "solution.c",
         "#define a 1,\n"
         + "".join(
-            f"#define {chr(98 + n)} {chr(97 + n)} {chr(97 + n)} {chr(97 + n)} {chr(97 + n)}\n"
-            for n in range(16)
+            f"#define {after} {' '.join(before * 4)}\n" for before, after in pairwise("abcdefghijklmnopq")
         )
-        + "int x[] = {q};\nint main(void) {}\n",
+        + "int x[] = {q};\nint main(void) {}\n"
     ),
-    "assembled": ("solution.c", '__asm__(".rept 2000000000\\n.quad 1\\n.endr");\nint main(void) {}\n'),
+    "assembled": '__asm__(".rept 2000000000\\n.quad 1\\n.endr");\nint main(void) {}\n',
 }
+
+SOURCES = {name: HEAD.replace("BODY", body) for name, body in RUN.items()}
+SOURCES |= {name: source for name, (source, _) in COMPILE.items()} | BOMBS

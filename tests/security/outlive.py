@@ -11,19 +11,20 @@ import threading
 import time
 from pathlib import Path
 
+from table import SCRIPTS
+
 from judge.sandbox import open_box
 from judge.sandbox.boundary import Limits
 
 PATIENT = Limits(cpu_seconds=30.0, wall_seconds=30.0, memory_bytes=256 << 20, output_bytes=1 << 20)
-CLOSE_AND_SLEEP = b"import os, time\nos.closerange(0, 1024)\nwhile True:\n    time.sleep(1)\n"
+CLOSE_AND_SLEEP = "import os, time\nos.closerange(0, 1024)\nwhile True:\n    time.sleep(1)\n"
 
 
 def watch_daemon(level: str) -> None:
-    source = (Path(__file__).parent / "attacks" / "daemon.py").read_bytes()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o777)
-        with open_box(source, "daemon.py", level=level) as box:
+        with open_box(SCRIPTS["daemon"].encode(), "daemon.py", level=level) as box:
             result = box.run_program(json.dumps({"folder": name}).encode(), PATIENT)
             at_end = _size(folder / "heartbeat")
         time.sleep(0.3)
@@ -36,8 +37,7 @@ def _size(path: Path) -> int:
 
 
 def run_until_killed(what: str, level: str, count: int) -> None:
-    path = Path(__file__).parent / "attacks" / f"{what}.py"
-    source = path.read_bytes() if path.exists() else CLOSE_AND_SLEEP
+    source = SCRIPTS.get(what, CLOSE_AND_SLEEP).encode()
     ready = threading.Barrier(count)
 
     def run() -> None:

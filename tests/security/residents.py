@@ -69,15 +69,8 @@ class Resident:
         check = self.run(["-c", "import click, msgspec"])
         if check.returncode:
             pytest.skip(f"{attacker.python} cannot import the judge's packages: {check.stderr[-200:]}")
-        self._available: set[str] = set()
-
-    def require(self, level: str) -> None:
-        """Skip where this user cannot have the level."""
-        if not self._available:
-            found = json.loads(self.run(["-m", "judge", "doctor", "--json"]).stdout)
-            self._available = {row["name"] for row in found["levels"] if row["available"]}
-        if level not in self._available:
-            pytest.skip(f"{level} cannot be had here")
+        (right,) = self.submissions(self.home / "first", right=RIGHT)
+        assert self.judge(right).verdicts() == ["AC"]  # the problem's data are built from here on
 
     def submissions(self, folder: Path, **sources: str) -> list[str]:
         """Files of these names and contents that this user may read."""

@@ -12,6 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from processes import below
+
 from judge.errors import ShortageError
 from judge.sandbox import open_box
 from judge.sandbox.boundary import Limits
@@ -22,22 +24,9 @@ SOURCE = b"def f(n):\n    return n\n"
 
 def fork_server(pid: int) -> int:
     """The last of a line of processes, each the only child of the one before."""
-    while children := _children(pid):
+    while children := [child for child, process in below(pid).items() if process.parent == pid]:
         (pid,) = children
     return pid
-
-
-def _children(parent: int) -> list[int]:
-    found = []
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdecimal():
-            try:
-                fields = (entry / "stat").read_text().rpartition(")")[2].split()
-            except OSError:
-                continue
-            if int(fields[1]) == parent and fields[0] not in "ZX":
-                found.append(int(entry.name))
-    return found
 
 
 def allow(server: int, count: int) -> None:

@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from attackers import HERE, SECONDS, Attacker
+from attackers import HERE, PLAIN_BY_DAY, SECONDS, USERS, Attacker, by_turns
+from sampling import daily
 
 ROOT = HERE.parents[1]
 DEPENDENCIES = ("click", "fsrs", "hypothesis", "jinja2", "msgspec", "platformdirs", "rich", "watchfiles")
@@ -69,8 +70,14 @@ def _make(folder: Path, python: str) -> Path:
     return site
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture
 def installations(attacker: Attacker, wheel: Path) -> dict[str, Installed]:
+    """The layouts, by their names; made once for each user."""
+    attacker.installed = attacker.installed or _installed(attacker, wheel)
+    return attacker.installed
+
+
+def _installed(attacker: Attacker, wheel: Path) -> dict[str, Installed]:
     if importlib.util.find_spec("pip") is None:
         pytest.skip("there is no pip to install the wheel with")
     app = attacker.home / "app"
@@ -114,6 +121,7 @@ LAYOUTS = ["plain", "linked", "lib64", "linked-lib64", "two-names", "editable"]
 CONTAINED = ["full", "strong"]
 
 
+@pytest.mark.parametrize("user", PLAIN_BY_DAY)
 @pytest.mark.parametrize("layout", LAYOUTS)
 @pytest.mark.parametrize("level", CONTAINED)
 def test_no_submission_finds_a_solution(
@@ -124,7 +132,8 @@ def test_no_submission_finds_a_solution(
     assert outcome == {"stop": "answered", "isolation": level, "found": [], "errors": ""}
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("user", PLAIN_BY_DAY)
+@pytest.mark.parametrize("layout", daily(LAYOUTS, ["plain", "linked-lib64"]))
 def test_the_same_submission_finds_it_where_nothing_is_hidden(
     installations: dict[str, Installed], layout: str
 ) -> None:
@@ -133,6 +142,7 @@ def test_the_same_submission_finds_it_where_nothing_is_hidden(
     assert [path for path in outcome["found"] if path.endswith("/exact.py")], outcome
 
 
+@pytest.mark.parametrize("user", PLAIN_BY_DAY)
 @pytest.mark.parametrize("forgotten", ["unseen", "searched"])
 @pytest.mark.parametrize("layout", ["plain", "linked-lib64"])
 @pytest.mark.parametrize("level", [*CONTAINED, "best"])
@@ -148,8 +158,9 @@ def test_where_hiding_has_failed_nothing_runs(
     assert "virtual environment of its own" in outcome["refused"]
 
 
-@pytest.mark.parametrize("layout", ["plain", "linked", "lib64"])
-@pytest.mark.parametrize("level", [*CONTAINED, "limits"])
+@pytest.mark.parametrize(
+    ("layout", "user", "level"), by_turns(["plain", "linked", "lib64"], USERS, [*CONTAINED, "limits"])
+)
 def test_who_reads_the_solution_is_accepted_without_containment_only(
     attacker: Attacker, installations: dict[str, Installed], level: str, layout: str
 ) -> None:

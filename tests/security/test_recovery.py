@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import pytest
+from attackers import LEVELS, by_turns
+from forger import source
 
 from judge.sandbox import container, open_box
 from judge.sandbox.boundary import Limits, Reply, Stop
@@ -45,29 +45,10 @@ HARMLESS = {
     "raises_what_cannot_be_shown": "raise Mute",
     "recurses": "return f(x)",
 }
-SOURCE = """
-import os, signal, sys, threading, time
-class Mute(Exception):
-    def __str__(self):
-        raise self
-def replies():
-    frame = sys._getframe()
-    while 'memory' not in frame.f_locals:
-        frame = frame.f_back
-    return frame.f_locals
-def forge(data):
-    found = replies()
-    found['memory'][found['at'] : found['at'] + len(data)] = data
-    found['words'][0] += len(data)
-def f(x):
-    if x == 2:
-{deed}
-    return x
-"""
 
 
 def _box(deed: str, level: str) -> ForkServerBox:
-    return open_box(SOURCE.format(deed=textwrap.indent(deed, " " * 8)).encode(), "f.py", level=level)
+    return open_box(source(deed, at=2), "f.py", level=level)
 
 
 def _all_calls(box: ForkServerBox, count: int) -> tuple[list[Reply], int]:
@@ -81,40 +62,36 @@ def _all_calls(box: ForkServerBox, count: int) -> tuple[list[Reply], int]:
     return replies, series
 
 
-@pytest.mark.parametrize("deed", DEEDS)
+@pytest.mark.parametrize(("deed", "level"), by_turns(DEEDS, LEVELS), indirect=["level"])
 def test_exactly_one_call_is_lost(level: str, deed: str) -> None:
     code, stops = DEEDS[deed]
     with _box(code, level) as box:
         replies, series = _all_calls(box, 5)
         assert len(replies) == 5
         assert replies[2].stop in stops, replies[2]
-        assert [replies[number].answer for number in (0, 1, 3, 4)] == [0, 1, 3, 4]
+        assert [replies[place].answer for place in (0, 1, 3, 4)] == [0, 1, 3, 4]
         assert series == 2
         assert replies[2].detail.isprintable()
 
 
-@pytest.mark.parametrize("deed", HARMLESS)
+@pytest.mark.parametrize(("deed", "level"), by_turns(HARMLESS, LEVELS), indirect=["level"])
 def test_an_exception_does_not_end_the_series(level: str, deed: str) -> None:
     with _box(HARMLESS[deed], level) as box:
         replies, series = _all_calls(box, 5)
         assert series == 1
         assert replies[2].stop is Stop.EXCEPTION
-        assert [replies[number].answer for number in (0, 1, 3, 4)] == [0, 1, 3, 4]
+        assert [replies[place].answer for place in (0, 1, 3, 4)] == [0, 1, 3, 4]
 
 
-def test_a_call_that_kills_its_watcher_costs_only_itself(level: str) -> None:
-    with _box("os.kill(os.getppid(), 9); time.sleep(5)", level) as box:
-        replies, _ = _all_calls(box, 5)
-        assert replies[2].stop is (Stop.TAMPERED if level == "limits" else Stop.EXCEPTION)
-        assert [replies[number].answer for number in (0, 1, 3, 4)] == [0, 1, 3, 4]
-
-
-def test_a_call_that_stops_its_watcher_costs_only_itself(level: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("number", ["SIGKILL", "SIGSTOP"])
+def test_a_call_that_ends_or_stops_its_watcher_costs_only_itself(
+    level: str, number: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(container, "GRACE_SECONDS", 0.5)
-    with _box("os.kill(os.getppid(), signal.SIGSTOP); time.sleep(5)", level) as box:
+    with _box(f"os.kill(os.getppid(), signal.{number}); time.sleep(5)", level) as box:
         replies, _ = _all_calls(box, 5)
         assert replies[2].stop is (Stop.TAMPERED if level == "limits" else Stop.EXCEPTION)
-        assert [replies[number].answer for number in (0, 1, 3, 4)] == [0, 1, 3, 4]
+        assert [replies[place].answer for place in (0, 1, 3, 4)] == [0, 1, 3, 4]
 
 
 def test_a_forged_note_is_no_fault_of_the_judge(level: str) -> None:
@@ -124,19 +101,14 @@ def test_a_forged_note_is_no_fault_of_the_judge(level: str) -> None:
         assert (replies[2].stop, series) == (Stop.EXITED, 2)
 
 
-def test_more_replies_than_calls_are_tampering(level: str) -> None:
-    deed = r"forge(b'[0,7],\n' * 9); os._exit(0)"
-    with _box(deed, level) as box:
-        replies = box.call_many("f", [[2], [3], [4]], LIMITS).replies
-        assert len(replies) == 3
-        assert replies[-1].stop is Stop.TAMPERED
-
-
-def test_early_replies_are_only_its_own_answers(level: str) -> None:
-    deed = r"forge(b'[0,7],\n' * 3); os._exit(0)"
-    with _box(deed, level) as box:
-        replies = box.call_many("f", [[2], [3], [4]], LIMITS).replies
+def test_replies_that_come_early_are_its_own_answers_and_more_than_calls_are_tampering(level: str) -> None:
+    calls = [[2], [3], [4]]
+    with _box(r"forge(b'[0,7],\n' * 3); os._exit(0)", level) as box:
+        replies = box.call_many("f", calls, LIMITS).replies
         assert [(reply.stop, reply.answer) for reply in replies] == [(Stop.ANSWERED, 7)] * 3
+    with _box(r"forge(b'[0,7],\n' * 9); os._exit(0)", level) as box:
+        replies = box.call_many("f", calls, LIMITS).replies
+        assert (len(replies), replies[-1].stop) == (3, Stop.TAMPERED)
 
 
 @pytest.mark.parametrize("answer", ["[[]]", "x = []; x.append(x)", "x = 0\nfor _ in range(99999): x = [x]"])
@@ -144,7 +116,7 @@ def test_deep_and_cyclic_answers_come_back_as_something(level: str, answer: str)
     deed = answer if "x" in answer else f"x = {answer}"
     with _box(f"{deed}\nreturn x", level) as box:
         replies, _ = _all_calls(box, 4)
-        assert [replies[number].answer for number in (0, 1, 3)] == [0, 1, 3]
+        assert [replies[place].answer for place in (0, 1, 3)] == [0, 1, 3]
         assert replies[2].stop in {Stop.ANSWERED, Stop.EXCEPTION}
 
 
@@ -170,15 +142,15 @@ def test_a_module_that_leaves_ends_the_series(level: str) -> None:
 
 
 def test_arguments_are_fresh_and_sequences_are_what_they_were(level: str) -> None:
-    source = b"def f(a, p):\n    return [type(p).__name__, p[0] is a, p[1]]\n"
-    with open_box(source, "f.py", level=level) as box:
+    given = b"def f(a, p):\n    return [type(p).__name__, p[0] is a, p[1]]\n"
+    with open_box(given, "f.py", level=level) as box:
         replies = box.call_many("f", [[1.5, [1, 2.5]], [2**200, (1, -0.0)]], LIMITS).replies
         assert [reply.answer[2] for reply in replies] == [2.5, -0.0]
         assert [reply.answer[0] for reply in replies] == [{"word": "list"}, {"word": "tuple"}]
 
 
 @pytest.mark.parametrize(
-    ("source", "line"),
+    ("broken", "line"),
     [
         (b"def f(:\n", 1),
         (b"x = 1\nx = 'a\n", 2),
@@ -189,8 +161,8 @@ def test_arguments_are_fresh_and_sequences_are_what_they_were(level: str) -> Non
         (b"x = " + b"+".join([b"1"] * 60_000), 0),
     ],
 )
-def test_a_source_that_breaks_the_compiler_is_a_fault(level: str, source: bytes, line: int) -> None:
-    with open_box(source, "f.py", level=level) as box:
+def test_a_source_that_breaks_the_compiler_is_a_fault(level: str, broken: bytes, line: int) -> None:
+    with open_box(broken, "f.py", level=level) as box:
         fault = box.inspect().fault
         assert fault is not None
         assert fault.message

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import struct
 import sys
-import textwrap
 from collections.abc import Sequence
 
 import pytest
+from forger import source
 
 from judge.sandbox import CallsResult, Limits, Stop, open_box
 
@@ -16,30 +16,6 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="a process for e
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=100_000)
 SERIES = [[(1,), (2,)], [(3,)], [(4,), (5,)]]
 ANSWERS = [[1, 2], [3], [4, 5]]
-SOURCE = """
-import os, signal, sys, threading, time
-def replies():
-    frame = sys._getframe()
-    while 'memory' not in frame.f_locals:
-        frame = frame.f_back
-    return frame.f_locals
-def forge(data, at=None):
-    found = replies()
-    at = found['at'] if at is None else at
-    found['memory'][at : at + len(data)] = data
-    found['words'][0] = max(found['words'][0], at + len(data))
-    return at
-def stop():
-    os.kill(os.getpid(), signal.SIGSTOP)
-def spin(seconds):
-    end = time.thread_time() + seconds
-    while time.thread_time() < end:
-        pass
-def f(x):
-    if x == {at}:
-{deed}
-    return x
-"""
 
 
 def _run(
@@ -49,8 +25,7 @@ def _run(
     at: int = 1,
     series: Sequence[Sequence[tuple[object, ...]]] = SERIES,
 ) -> list[CallsResult]:
-    source = SOURCE.format(deed=textwrap.indent(deed, " " * 8), at=at)
-    with open_box(source.encode(), "f.py", level=level) as box:
+    with open_box(source(deed, at), "f.py", level=level) as box:
         return box.call_series("f", series, limits)
 
 
@@ -117,9 +92,7 @@ return memory.find(bytes(255 - b for b in {bytes(255 - b for b in needle)!r})) >
 """
     series: list[list[tuple[object, ...]]] = [[(1, 0.0)], [(1, 0.0)], [(1, 0.0)]]
     series[place] = [(1, secret)]
-    source = SOURCE.format(deed=textwrap.indent(deed, " " * 8), at=1).replace("def f(x)", "def f(x, y)")
-    with open_box(source.encode(), "f.py", level=level) as box:
-        found = box.call_series("f", series, LIMITS)
+    found = _run(deed, level, series=series)
     seen = [answer[0]["text"] == "True" for answer in _answers(found)]  # type: ignore[index]
     assert seen[: place + 1] == [False] * place + [True]
 
@@ -139,8 +112,8 @@ return opened
 
 
 def test_waiting_is_counted_over_all_series(level: str) -> None:
-    source = b"import time\ndef f(x):\n    time.sleep(0.3)\n    return x\n"
-    with open_box(source, "f.py", level=level) as box:
+    given = b"import time\ndef f(x):\n    time.sleep(0.3)\n    return x\n"
+    with open_box(given, "f.py", level=level) as box:
         results = box.call_series("f", [[(n,)] for n in range(9)], LIMITS._replace(waiting_seconds=0.75))
     assert 1 < len(results) < 4  # fewer on a busy machine, where it waits for the processor too
     assert results[-1].replies[-1].stop is Stop.WAITING
@@ -155,8 +128,8 @@ def test_work_is_not_waiting(level: str) -> None:
 
 @pytest.mark.parametrize("stream", [1, 2])
 def test_the_output_limit_is_each_series_own(level: str, stream: int) -> None:
-    source = f"import os\ndef f(x):\n    os.write({stream}, b'x' * 80_000)\n    return x\n"
-    with open_box(source.encode(), "f.py", level=level) as box:
+    given = f"import os\ndef f(x):\n    os.write({stream}, b'x' * 80_000)\n    return x\n"
+    with open_box(given.encode(), "f.py", level=level) as box:
         assert _answers(box.call_series("f", [[(n,)] for n in range(5)], LIMITS)) == [[n] for n in range(5)]
         twice = box.call_series("f", [[(1,)], [(2,), (3,)]], LIMITS)
     assert [result.replies[-1].stop for result in twice][:1] == [Stop.ANSWERED]
@@ -177,8 +150,8 @@ def test_a_flood_that_goes_on_as_if_nothing_were_is_noticed_in_its_series(
 def test_answers_have_the_limit_for_each_series_and_end_the_process_where_there_is_no_room(
     level: str,
 ) -> None:
-    source = b"def f(x):\n    return ['x' * 80] * 800\n"  # about 83,000 bytes
-    with open_box(source, "f.py", level=level) as box:
+    given = b"def f(x):\n    return ['x' * 80] * 800\n"  # about 83,000 bytes
+    with open_box(given, "f.py", level=level) as box:
         results = box.call_series("f", [[(n,)] for n in range(5)], LIMITS)
         assert [[reply.stop for reply in result.replies] for result in results] == [[Stop.ANSWERED]] * 2
         (both,) = box.call_series("f", [[(1,), (2,)]], LIMITS)

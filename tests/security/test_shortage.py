@@ -6,27 +6,23 @@ import contextlib
 import os
 import shutil
 import subprocess
+import sys
 import time
 import uuid
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 
 import pytest
-from attackers import Attacker
-from residents import CROWD, RIGHT, Judged, Resident, command, judged
+from attackers import LEVELS, USERS, Attacker, by_turns
+from residents import CROWD, RIGHT, WRONG, Resident, command, judged
+from sampling import nightly
 
 GROUPS = Path("/sys/fs/cgroup")
 MANY = 5  # right programs
 
 
-@pytest.fixture(scope="module", autouse=True)
-def _cached(resident: Resident) -> None:
-    """The data of the problem built before there is a limit on anything."""
-    (right,) = resident.submissions(resident.home / "first", right=RIGHT)
-    assert resident.judge(right).verdicts() == ["AC"]
-
-
-@pytest.fixture(scope="module")
+@pytest.fixture
 def crowded(resident: Resident) -> list[str]:
     """Right programs, and between them some that are right too, with 120 threads each."""
     sources = {f"right{place}": RIGHT for place in range(MANY)}
@@ -36,7 +32,7 @@ def crowded(resident: Resident) -> list[str]:
     return resident.submissions(resident.home / "crowded", **{name: sources[name] for name in mixed})
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def rights(resident: Resident) -> list[str]:
     return resident.submissions(resident.home / "rights", **{f"right{place}": RIGHT for place in range(20)})
 
@@ -54,9 +50,7 @@ def _tasks_now(uid: int) -> int:
 
 
 def _limited_processes(resident: Resident, most: int) -> tuple[str, ...]:
-    """What leaves a plain user so many more processes."""
-    if resident.attacker.name == "root":
-        pytest.skip("the kernel does not bound root's own processes by ulimit -u")
+    """What leaves a plain user so many more processes; the kernel does not bound root's by ulimit -u."""
     uid = os.geteuid() if resident.attacker.uid is None else resident.attacker.uid
     return ("prlimit", f"--nproc={_tasks_now(uid) + most}")
 
@@ -90,41 +84,42 @@ def _remove(folder: Path) -> None:
         time.sleep(0.05)
 
 
-@pytest.mark.parametrize("most", [90, 260])
-@pytest.mark.parametrize("level", ["full", "strong"])
+CROWDS = [
+    (bound, user, level, most)
+    for bound, users in (("ulimit", USERS[:1]), ("container", USERS))
+    for user in users
+    for level in ("full", "strong")
+    for most in (90, 260)
+]
+CROWDS_BY_DAY = [("ulimit", "plain", "full", 90), ("container", USERS[-1], "strong", 260)]
+
+
+@pytest.mark.parametrize(
+    ("bound", "user", "level", "most"),
+    [each if each in CROWDS_BY_DAY else nightly(*each) for each in CROWDS],
+)
 def test_a_right_program_is_accepted_whatever_threads_its_neighbours_hold(
-    resident: Resident, crowded: list[str], level: str, most: int
+    resident: Resident, crowded: list[str], bound: str, level: str, most: int
 ) -> None:
-    resident.require(level)
-    limited = _limited_processes(resident, most)
-    found = resident.judge(*crowded, "-j", "8", "--isolation", level, before=limited)
-    _check_crowd(found, most)
-    assert "judge: 1 at once, not 8: there is no room for more (ulimit -u is " in found.err
-
-
-@pytest.mark.parametrize("most", [90, 260])
-@pytest.mark.parametrize("level", ["full", "strong"])
-def test_the_same_below_the_limit_of_a_container(
-    resident: Resident, crowded: list[str], level: str, most: int
-) -> None:
-    resident.require(level)
-    with _group(resident, "pids", {"pids.max": most}) as joined:
-        ended = resident.run(command(*crowded, "-j", "8", "--isolation", level), before=joined, as_root=True)
-    found = judged(ended)
-    _check_crowd(found, most)
-    assert "judge: 1 at once, not 8: there is no room for more (/sys/fs/cgroup/" in found.err
-    assert f"pids.max is {most})" in found.err
-
-
-def _check_crowd(found: Judged, most: int) -> None:
-    """Every right program is accepted; 120 threads need a machine that has them, or are its shortage."""
+    """120 threads need a machine that has them, or are its shortage."""
+    resident.attacker.require(level)
+    words = command(*crowded, "-j", "8", "--isolation", level)
+    if bound == "ulimit":
+        found = judged(resident.run(words, before=_limited_processes(resident, most)))
+    else:
+        with _group(resident, "pids", {"pids.max": most}) as joined:
+            found = judged(resident.run(words, before=joined, as_root=True))
     assert found.verdicts("right") == ["AC"] * MANY, found.messages()
     assert set(found.verdicts("crowd")) == {"AC" if most > 200 else "JE"}, found.messages()
     assert found.status == (0 if most > 200 else 3)
     assert all("threads at once here, and not 128 as elsewhere; raise" in text for text in found.messages())
+    limit = "ulimit -u is " if bound == "ulimit" else "/sys/fs/cgroup/"
+    assert f"judge: 1 at once, not 8: there is no room for more ({limit}" in found.err
+    assert bound == "ulimit" or f"pids.max is {most})" in found.err
     assert found.err.count("\n") == 1
 
 
+@pytest.mark.parametrize("user", USERS[:1])
 def test_two_judges_that_take_each_others_processes_blame_no_right_program(
     resident: Resident, crowded: list[str]
 ) -> None:
@@ -139,13 +134,14 @@ def test_two_judges_that_take_each_others_processes_blame_no_right_program(
         assert set(found.verdicts("right")) <= {"AC", "JE"}, found.messages("right")
 
 
-@pytest.mark.parametrize(("limit", "jobs"), [("200:200", "200"), ("64:200", "20")])
+@pytest.mark.parametrize(("jobs", "user"), by_turns(["200", "20"], USERS))
 def test_the_descriptors_that_there_are_bound_what_is_done_at_once(
-    resident: Resident, rights: list[str], limit: str, jobs: str
+    resident: Resident, rights: list[str], jobs: str
 ) -> None:
+    limit = "200:200" if jobs == "200" else "64:200"
     found = resident.judge(*rights, "-j", jobs, before=("prlimit", f"--nofile={limit}"))
     assert (found.status, set(found.verdicts())) == (0, {"AC"}), found.messages()
-    assert f"there is no room for more (ulimit -n is {limit.partition(':')[2]})" in found.err
+    assert "there is no room for more (ulimit -n is 200)" in found.err
     assert found.err.count("\n") == 1
 
 
@@ -154,23 +150,25 @@ def test_a_soft_limit_on_descriptors_is_raised_without_a_word(resident: Resident
     assert (found.status, set(found.verdicts()), found.err) == (0, {"AC"}, "")
 
 
-@pytest.mark.parametrize(
-    ("option", "remedy"),
-    [
-        ("--fsize=1000000", "raise the limit (ulimit -f unlimited)"),
-        ("--as=600000000", "raise the limit (ulimit -v"),
-        ("--data=600000000", "raise the limit (ulimit -d"),
-    ],
-)
+REMEDIES = {
+    "--fsize=1000000": "raise the limit (ulimit -f unlimited)",
+    "--as=600000000": "raise the limit (ulimit -v",
+    "--data=600000000": "raise the limit (ulimit -d",
+}
+
+
+@pytest.mark.parametrize(("option", "user"), by_turns(REMEDIES, USERS))
 def test_a_limit_on_the_judge_is_named_with_its_remedy_and_blames_no_submission(
-    resident: Resident, rights: list[str], option: str, remedy: str
+    resident: Resident, rights: list[str], option: str
 ) -> None:
     found = resident.judge(*rights[:6], "-j", "3", before=("prlimit", option))
     assert (found.status, found.verdicts()) == (3, ["JE"] * 6), found.messages()
-    assert all(remedy in text and "\n" not in text for text in found.messages()), found.messages()
+    assert all(REMEDIES[option] in text and "\n" not in text for text in found.messages()), found.messages()
     assert all("internal fault" not in text for text in found.messages())
 
 
+@pytest.mark.nightly
+@pytest.mark.parametrize("user", USERS)
 def test_too_few_descriptors_for_a_single_container_are_named(resident: Resident, rights: list[str]) -> None:
     said: set[str] = set()
     for most in (12, 14, 17):
@@ -199,19 +197,24 @@ def test_what_the_kernel_kills_for_want_of_memory_is_no_fault_of_the_submission(
     assert message.startswith("the kernel has killed the submission's process: there is no memory left; use")
 
 
+NO_ROOM = "Creating new namespace failed: Resource temporarily unavailable"
+FAILURES = [  # what bubblewrap says, how often, and where its submissions are held then, if anywhere
+    (NO_ROOM, 3, "full"),
+    ("Out of memory", 3, "full"),
+    ("No permissions to create new namespace", 10_000, "strong"),
+]
+
+
 @pytest.mark.parametrize(
-    ("said", "times", "isolation"),
-    [
-        ("Creating new namespace failed: Resource temporarily unavailable", 3, "full"),
-        ("Creating new namespace failed: Resource temporarily unavailable", 10_000, ""),
-        ("Out of memory", 3, "full"),
-        ("No permissions to create new namespace", 10_000, "strong"),
-    ],
+    ("failure", "user"),
+    [*by_turns(FAILURES, USERS), *(nightly((NO_ROOM, 10_000, ""), user) for user in USERS)],
 )
 def test_bubblewrap_fails_and_nothing_drops_in_silence(
-    resident: Resident, rights: list[str], said: str, times: int, isolation: str
+    resident: Resident, rights: list[str], failure: tuple[str, int, str]
 ) -> None:
-    resident.require("full")
+    """As on a machine where `judge doctor` was never run."""
+    resident.attacker.require("full")
+    said, times, isolation = failure
     folder = resident.cache / f"bin-{uuid.uuid4().hex[:8]}"
     folder.mkdir()
     folder.chmod(0o777)
@@ -223,8 +226,7 @@ def test_bubblewrap_fails_and_nothing_drops_in_silence(
     )
     fake.chmod(0o755)
     search = f"{folder}:{os.environ['PATH']}"
-    with _nothing_kept(resident):
-        found = resident.judge(*rights[:4], "-j", "2", PATH=search)
+    found = resident.judge(*rights[:4], "-j", "2", PATH=search)
     if isolation:
         assert (found.status, set(found.verdicts())) == (0, {"AC"}), found.messages()
         assert {row["isolation"] for row in found.results.values()} == {isolation}
@@ -236,20 +238,8 @@ def test_bubblewrap_fails_and_nothing_drops_in_silence(
         assert all("use a smaller -j, or raise the limit on processes" in text for text in found.messages())
 
 
-@contextlib.contextmanager
-def _nothing_kept(resident: Resident) -> Iterator[None]:
-    """As on a machine where `judge doctor` was never run."""
-    kept, away = resident.cache / "isolation", resident.cache / "away"
-    if kept.exists():
-        kept.rename(away)
-    try:
-        yield
-    finally:
-        if away.exists():
-            away.rename(kept)
-
-
-@pytest.mark.parametrize("level", ["full", "strong"])
+@pytest.mark.nightly
+@pytest.mark.parametrize(("user", "level"), [*product(USERS, LEVELS[:2])])
 def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_one(
     attacker: Attacker, level: str
 ) -> None:
@@ -261,3 +251,46 @@ def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_
         "for a moment": [1],
         "afterwards": [1],
     }
+
+
+def _once(deed: str) -> str:
+    """A right program that does this in the first worked example."""
+    return f"import os\ndef middle(a, b):\n    if (a, b) == (1, 2):\n        {deed}\n    return (a + b) / 2\n"
+
+
+LOADED = {
+    "right": RIGHT,
+    "exact": "from fractions import Fraction\n" + RIGHT.replace("(a + b) / 2", "float(Fraction(a + b) / 2)"),
+    "program": "for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n",
+    "waits": f"import time\ntime.sleep(0.5)\n{RIGHT}",
+    "crowd": CROWD,
+    "wrong": WRONG,
+    "raises": _once("1 / 0"),
+    "hogs": _once("rows = []\n        while True: rows.append(bytearray(b'x') * (8 << 20))"),
+    "leaves": _once("os._exit(0)"),
+    "broken": "def middle(a, b:\n",
+}
+
+
+@contextlib.contextmanager
+def _load(count: int) -> Iterator[None]:
+    """So many processes that do nothing but work."""
+    busy = [subprocess.Popen([sys.executable, "-S", "-c", "while True: pass"]) for _ in range(count)]
+    try:
+        yield
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("user", USERS)
+def test_a_loaded_machine_flips_no_verdict(resident: Resident) -> None:
+    files = resident.submissions(resident.home / "loaded", **LOADED)
+    quiet = resident.judge(*files)
+    assert quiet.verdicts() == ["AC"] * 5 + ["WA", "RTE", "MLE", "RTE", "CE"], quiet.messages()
+    with _load(2 * (os.cpu_count() or 1)):
+        loaded = resident.judge(*files, "-j", "4")
+    assert loaded.verdicts() == quiet.verdicts(), loaded.messages()
+    assert (loaded.status, loaded.err) == (quiet.status, "")

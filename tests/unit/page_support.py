@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from datetime import UTC, datetime
+from functools import cache
 from html.parser import HTMLParser
 
 from past_runs import StoppedClock
@@ -55,12 +56,12 @@ def kept(path, results, source=b"print(1)\n"):
 
 def known(*names, matrix=None):
     """The shipped problems of those names, as `judge report` knows them."""
-    found = []
-    for name in names:
-        problem = find_problem(name)
-        advice = {name: told.advice for name, told in told_mistakes(problem).items()}
-        found.append(KnownProblem(problem, advice, matrix))
-    return found
+    return [KnownProblem(find_problem(name), _advice(name), matrix) for name in names]
+
+
+@cache
+def _advice(name):
+    return {mistake: told.advice for mistake, told in told_mistakes(find_problem(name)).items()}
 
 
 def page_of(runs, problems=None, sources=None, **settings):

@@ -50,6 +50,7 @@ def without_times(plain):
     }
 
 
+@pytest.mark.slow
 def test_a_task_is_judged_as_judge_run_does(task):
     assert learn_task(task) == ""
     text = judge_task(task)

@@ -1,20 +1,22 @@
-"""Building, proving and pinning data."""
+"""Building, proving and pinning data; and broken problems, each refused in one line with place and remedy."""
 
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from broken_problems import FAULTS, broken
 
 from judge.data import load_data
 from judge.data.model import reseeded
 from judge.data.module import Solved, load_module
 from judge.data.pins import differences, hash_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
-from judge.errors import ProblemError
+from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter
 from judge.problem.load import load_problem
 from judge.values import parse
@@ -30,8 +32,10 @@ def copy(tmp_path):
 
 
 def test_cases_and_targets_of_every_group():
-    problem = load_problem(SOUND)
-    data = load_data(problem, cache=False)
+    problem, steps = load_problem(SOUND), []
+    data = load_data(problem, cache=False, progress=lambda done, total: steps.append((done, total)))
+    assert steps == [(2, 7), (7, 7)]
+    assert differences(read_pins(problem), data.groups) == []
     examples, small = data.groups
     assert examples.cases == [(4,), (-1,)]
     assert examples.targets == [2, 0]
@@ -40,12 +44,6 @@ def test_cases_and_targets_of_every_group():
     assert data.notes == ()
     answer, tolerance = data.exact((9,), small.group)
     assert (answer, tolerance) == (2, small.group.tolerance)
-
-
-def test_building_again_gives_the_same():
-    problem = load_problem(SOUND)
-    first, second = load_data(problem, cache=False), load_data(problem, cache=False)
-    assert [group.cases for group in first.groups] == [group.cases for group in second.groups]
 
 
 def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
@@ -61,17 +59,6 @@ def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
     assert groups[1].seed not in (3, problem.groups[1].seed)
 
 
-def test_progress_counts_every_case():
-    steps = []
-    load_data(load_problem(SOUND), cache=False, progress=lambda done, total: steps.append((done, total)))
-    assert steps == [(2, 7), (7, 7)]
-
-
-def test_the_fixtures_pins_hold():
-    problem = load_problem(SOUND)
-    assert differences(read_pins(problem), load_data(problem, cache=False).groups) == []
-
-
 def test_pins_notice_drift_new_groups_and_old_ones(copy):
     problem = load_problem(copy)
     groups = load_data(problem, cache=False).groups
@@ -79,6 +66,8 @@ def test_pins_notice_drift_new_groups_and_old_ones(copy):
     assert json.loads((copy / "hashes.json").read_text())["groups"]["small"] == hash_of(groups[1])
     pins = read_pins(problem)
     assert differences(pins, groups) == []
+    (copy / "hashes.json").unlink()
+    assert read_pins(problem) is None
     pins["small"] = "0" * 64
     pins["large"] = pins.pop("examples")
     assert differences(pins, groups) == [
@@ -97,11 +86,6 @@ def test_a_hash_covers_cases_and_targets():
     small.targets.pop()
     hashes.add(hash_of(small))
     assert len(hashes) == 3
-
-
-def test_a_problem_without_pins(copy):
-    (copy / "hashes.json").unlink()
-    assert read_pins(load_problem(copy)) is None
 
 
 @pytest.mark.parametrize(
@@ -166,3 +150,29 @@ def test_two_problems_of_one_name_keep_their_own_code(copy):
     assert other.solve(4).answer == 1
     assert own.solve(4).answer == 2
     assert not (copy / "__pycache__").exists()
+
+
+# -- broken problems -------------------------------------------------------------------------------
+
+
+def refused(folder, place, what, remedy):
+    with pytest.raises(ProblemError) as caught:
+        load_data(load_problem(folder), cache=False)
+    error = caught.value
+    assert error.where == f"{folder.name}/{place}"
+    assert what in error.what
+    assert remedy in (error.remedy or "")
+    assert re.fullmatch(r"[^\n]{20,300}", str(error))
+    assert error.exit_code is ExitCode.FAULT
+
+
+@pytest.mark.parametrize("name", sorted(FAULTS))
+def test_a_broken_problem_is_refused_in_one_line(name, tmp_path):
+    fault = FAULTS[name]
+    refused(broken(name, tmp_path), fault["place"], fault["what"], fault["remedy"])
+
+
+def test_a_file_that_is_not_utf8_is_refused(copy):
+    toml = copy / "problem.toml"
+    toml.write_bytes(toml.read_bytes().replace(b"Square", b"Sq\xe4are"))
+    refused(copy, "problem.toml", "byte 11 is not UTF-8", "save the file as UTF-8")

@@ -106,18 +106,10 @@ def test_any_kind_ticks_and_what_is_still_open_is_drilled_first():
     ticked = state(row, passed=("count",), cards=(card("a", "J1"),))
     assert ticked.state is SkillState.SHOWN
     assert ticked.drills == ("judge quiz --row J1", "judge hack count a", "judge init count")
-    lost = state(
-        row, cards=(card("a", "J1"),), answers=[answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
-    )
-    assert lost.state is SkillState.LOST
-    assert (
-        state(row, passed=("count",), cards=(card("a", "J1"),), answers=lost_answers()).state
-        is SkillState.SHOWN
-    )
-
-
-def lost_answers():
-    return [answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
+    lost = [answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
+    assert state(row, cards=(card("a", "J1"),), answers=lost).state is SkillState.LOST
+    kept = state(row, passed=("count",), cards=(card("a", "J1"),), answers=lost)
+    assert kept.state is SkillState.SHOWN
 
 
 def test_a_broken_program_in_the_history_ticks_its_rows():
@@ -152,13 +144,10 @@ def reviews_of(quizzed):
     return card_reviews(quizzed.history.answers(), quizzed.clock())
 
 
-def test_answers_are_kept_as_they_were_given(quizzed):
+def test_the_first_answer_of_a_sitting_rates_it_and_what_is_known_comes_ever_later(quizzed):
     quizzed.history.answer("deck/x", "number", Rating.GOOD, judged=False, given="4 — vier")
     (kept,) = quizzed.history.answers()
     assert kept == Answered(START, "deck/x", "number", Rating.GOOD, False, "4 — vier")
-
-
-def test_the_first_answer_of_a_sitting_rates_it(quizzed):
     quizzed("a", Rating.AGAIN)
     quizzed("a", Rating.GOOD)
     quizzed("b", Rating.GOOD)
@@ -166,15 +155,11 @@ def test_the_first_answer_of_a_sitting_rates_it(quizzed):
     assert found["deck/a"].rating is Rating.AGAIN
     assert found["deck/a"].sittings == 1
     assert found["deck/a"].due < found["deck/b"].due
-
-
-def test_a_card_that_is_known_again_and_again_comes_ever_later(quizzed):
-    intervals = []
-    for _ in range(4):
-        quizzed("a", Rating.GOOD)
-        (review,) = reviews_of(quizzed)
-        intervals.append(review.interval)
-        quizzed.clock.forward(days=review.interval)
+    intervals = [found["deck/b"].interval]
+    for _ in range(3):
+        quizzed.clock.forward(days=intervals[-1])
+        quizzed("b", Rating.GOOD)
+        intervals += [review.interval for review in reviews_of(quizzed) if review.card == "deck/b"]
     assert intervals == sorted(intervals)
     assert intervals[0] < intervals[-1]
 

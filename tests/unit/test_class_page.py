@@ -85,9 +85,6 @@ def test_the_same_class_gives_the_same_page(html):
     assert page(small_class()).decode() == html
     assert is_class_page(html.encode()[:2000])
     assert not is_class_page(b"<!doctype html><title>mine</title>")
-
-
-def test_a_class_of_nobody():
     assert "0" in text(page(class_of(problems=()), ()).decode())
 
 
@@ -112,6 +109,7 @@ def test_markup_is_text(hostile):
     assert not re.findall(r'(?:src|href)="(?!#)', html)
 
 
+@pytest.mark.slow
 def test_the_smallest_case_of_one_hand_in_of_each_mistake():
     middle = find_problem("count")
     source = b"def line_count(cx, cy, r, A, B):\n    return 2\n"

@@ -57,15 +57,7 @@ def test_what_is_there_is_kept_and_equals_get_copies_later_too():
     assert plan.said == ("1 kept from before",)
 
 
-def test_a_fault_is_tried_again_and_copied_to_nobody():
-    rows = judged(planned([ADA], [], GROUND), "JE")
-    assert rows[0].isolation == ""
-    plan = planned([ADA, BOB], rows, GROUND)
-    assert [work.handins for work in plan.work] == [(ADA, BOB)]
-    assert plan.said == ()
-
-
-def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row():
+def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried_again():
     odd = Handin("ada", "p", "ada/p.py", why="it is no ordinary file")
     broken = Handin("ada", "broken", "ada/broken.py", b"x")
     plan = planned([odd, broken], [], GROUND)
@@ -74,6 +66,11 @@ def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row():
         ("JE", "problem.toml: misspelt"),
     ]
     assert plan.work == ()
+    rows = judged(planned([ADA], [], GROUND), "JE")
+    assert rows[0].isolation == ""
+    plan = planned([ADA, BOB], rows, GROUND)
+    assert [work.handins for work in plan.work] == [(ADA, BOB)]
+    assert plan.said == ()
 
 
 @pytest.mark.parametrize("name", ["ada", "p", "ada/p.py"])

@@ -75,9 +75,6 @@ def test_the_best_counts_and_the_newest_of_equals():
     assert Outcome((), ("p",), (accepted, *rows)).exit_code is ExitCode.ACCEPTED
     assert Outcome((), ("p",), tuple(rows)).exit_code is ExitCode.NOT_ACCEPTED
     assert Outcome((), ("p",), (accepted,), left=1).exit_code is ExitCode.NOT_ACCEPTED
-
-
-def test_a_class_of_nobody_is_a_line():
     assert text(Outcome((), (), ())) == ["0 of 0 accepted, 0 students, 0 problems"]
 
 
@@ -108,7 +105,4 @@ def test_a_terminal_has_one_line_that_goes(monkeypatch):
 def test_a_log_has_a_line_now_and_then(monkeypatch, stream, term):
     written = shown(stream(), monkeypatch, [0, 1, 31, 32, 90], ["a", "b", "c", "d"], TERM=term, NO_COLOR="1")
     assert written == "judge: b\njudge: d\n"
-
-
-def test_the_time_left_is_told_as_a_clock_does():
     assert [clock(each) for each in (0.4, 32, 725, 3850)] == ["0:00", "0:32", "12:05", "1:04:10"]

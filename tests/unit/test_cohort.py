@@ -1,12 +1,15 @@
-"""The cohort: which row counts, what the bars are of, who is stuck; and how it fits a screen."""
+"""The cohort: which row counts, what the bars are of, who is stuck; on a screen and in a gradebook."""
 
 from __future__ import annotations
 
+import csv
 import io
 
 import pytest
 from classes import DEE, class_of, row, small_class
 
+from judge.batch.model import Student
+from judge.report.cohort.gradebook import cell, gradebook, is_gradebook
 from judge.report.cohort.lines import Glyphs, cohort_lines
 from judge.report.layout import cells
 from judge.report.screen import Screen
@@ -66,12 +69,6 @@ def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():
     assert class_of(*unnamed).stuck == ()
 
 
-def test_nobody_and_nothing():
-    empty = class_of(problems=())
-    assert (empty.people, empty.problems, empty.views, empty.handins) == ((), (), (), 0)
-    assert list(cohort_lines(empty, 80)) == []
-
-
 @pytest.mark.parametrize("width", [20, 40, 80, 200, None])
 @pytest.mark.parametrize("whole", [False, True])
 def test_it_fits_the_screen_and_nothing_in_it_steers(width, whole):
@@ -96,7 +93,10 @@ def test_what_it_says():
     assert "Short solutions are often alike" in shown
 
 
-def test_long_lists_are_folded():
+def test_long_lists_are_folded_and_nobody_is_nothing():
+    empty = class_of(problems=())
+    assert (empty.people, empty.problems, empty.views, empty.handins) == ((), (), (), 0)
+    assert list(cohort_lines(empty, 80)) == []
     fails = ("grid", "tangent")
     many = [row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)]
     folded = [*cohort_lines(class_of(*many), 80)]
@@ -119,3 +119,57 @@ def test_a_plain_terminal_gets_plain_bars(encoding, term, bar, monkeypatch):
     monkeypatch.setenv("TERM", term)
     screen = Screen.of(Terminal(io.BytesIO(), encoding=encoding))
     assert Glyphs.of(screen).bar == bar
+
+
+# -- the gradebook: every cell where it belongs, and none that a spreadsheet would calculate ------------
+
+
+def read(content, delimiter=","):
+    return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline=""), delimiter=delimiter))
+
+
+def test_a_line_a_student():
+    content = gradebook(small_class())
+    assert content.startswith(b"\xef\xbb\xbfstudent,name,group,segment,count,total,")
+    head, *lines = read(content)
+    assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake"]
+    assert lines[0] == ["ann", "Ann Lee", "A", "30", "90", "120", "WA", "tangent-twice", "AC", ""]
+    assert lines[2][3:] == ["0", "60", "60", "CE", "", "WA", "forgotten-abs"]
+    assert lines[3][:6] == ["dee\\x1b[31m王", "王小明", "B", "60", "", "60"]
+    assert lines[4] == ["eve", "<script>alert(1)</script>", "B", "", "", "0", "", "", "", ""]
+    assert [each[0] for each in lines] == ["ann", "bob", "cid", "dee\\x1b[31m王", "eve", "zoe"]
+    assert content.count(b"\r\n") == 7
+    assert is_gradebook(content[:100])
+    assert not is_gradebook(b"name,student\r\n")
+    assert "\\udcff" in gradebook(class_of(students=[Student("a\udcff")])).decode()  # half a character
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [
+        ("=1+1", "'=1+1"),
+        ("+49", "'+49"),
+        ("-x", "'-x"),
+        ("@SUM(A1)", "'@SUM(A1)"),
+        (" =1", " '=1"),
+        ("\t=1", "\\t=1"),
+        ("\r=1", "\\r=1"),
+        ("a\nb", "a\\nb"),
+        ("＝1", "'＝1"),
+        ('a";=cmd|x', "a\";'=cmd|x"),
+        ("a;=1", "a;'=1"),
+        ('",=1', "\",'=1"),
+        ("Anna-Maria O'Neil, Dr.", "Anna-Maria O'Neil, Dr."),
+    ],
+)
+def test_no_cell_is_calculated(name, shown):
+    assert cell(name) == shown
+    content = gradebook(class_of(row("s", "count", file="=f.py"), students=[Student("s", name)]))
+    assert read(content)[1][1] == shown
+    for delimiter in ",;\t":  # whatever is usual where it is opened
+        assert not [
+            each
+            for line in read(content, delimiter)
+            for each in line
+            if each.lstrip(' "')[:1] in tuple("=+-@")
+        ]

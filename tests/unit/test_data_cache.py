@@ -1,9 +1,8 @@
-"""The cache of built data: warm starts, and everything that can be wrong with a file."""
+"""The cache of built data: warm starts, everything that can be wrong with a file, and where it is."""
 
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import os
 import random
@@ -14,10 +13,13 @@ import sys
 import threading
 from pathlib import Path
 
+import platformdirs
 import pytest
+from sampling import nightly
 
 from judge.data import cache, load_data
 from judge.data.pins import hash_of
+from judge.folders import cache_folder, user_data
 from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
@@ -54,7 +56,9 @@ def plain(data):
     return [(group.group, group.cases, group.targets) for group in data.groups]
 
 
-@pytest.mark.parametrize("name", ["root-count", "count", "segment", "ray-nearest", "exact-count"])
+@pytest.mark.parametrize(
+    "name", ["root-count", *map(nightly, ("count", "segment", "ray-nearest", "exact-count"))]
+)
 def test_what_is_read_is_what_was_built(name):
     problem = load_problem(SOUND if name == "root-count" else ROOT / "problems" / name)
     cold, was_built = built(problem)
@@ -81,28 +85,18 @@ def test_a_changed_file_builds_anew_and_drops_the_old_data(copy, folder, name):
     assert files(folder) != old
 
 
-def test_a_seed_has_a_file_of_its_own(folder):
+def test_a_seed_and_a_folder_have_files_of_their_own(copy, folder):
     problem = load_problem(SOUND)
+    assert built(problem, cache=False)[1]
+    assert not folder.exists()
     own = plain(built(problem)[0])
     assert built(problem, seed=5)[1]
     assert not built(problem, seed=5)[1]
     assert built(problem, seed=6)[1]
     assert plain(built(problem)[0]) == own
+    assert built(load_problem(copy))[1]
     assert not built(problem)[1]
-    assert len(files(folder)) == 2
-
-
-def test_two_folders_with_one_problem_name_do_not_fight(copy, folder):
-    built(load_problem(copy))
-    built(load_problem(SOUND))
-    assert not built(load_problem(copy))[1]
-    assert len(files(folder)) == 2
-
-
-def test_without_the_cache_nothing_is_read_or_kept(folder):
-    problem = load_problem(SOUND)
-    assert built(problem, cache=False)[1]
-    assert not folder.exists()
+    assert len(files(folder)) == 3
 
 
 def with_checksum(file, body):
@@ -150,22 +144,18 @@ def test_the_data_of_another_seed_under_this_name_are_built_anew(folder):
     assert plain(data) == sound
 
 
-@pytest.mark.parametrize("place", [0, 1, 70, -1])
-def test_one_flipped_byte_is_noticed(folder, place):
+@pytest.mark.parametrize("place", [0, 1, 70, -1, None])
+def test_one_flipped_byte_is_noticed_and_an_end_that_is_missing(folder, place):
     problem = load_problem(SOUND)
     built(problem)
     (file,) = folder.iterdir()
     content = bytearray(file.read_bytes())
-    content[place] ^= 1
+    assert content == with_checksum(file, content.partition(b"\n")[2])  # plain JSON below it
+    if place is None:
+        del content[-10:]
+    else:
+        content[place] ^= 1
     file.write_bytes(content)
-    assert built(problem)[1]
-
-
-def test_a_cut_off_file_is_noticed(folder):
-    problem = load_problem(SOUND)
-    built(problem)
-    (file,) = folder.iterdir()
-    file.write_bytes(file.read_bytes()[:-10])
     assert built(problem)[1]
 
 
@@ -180,14 +170,7 @@ def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch
     assert "set $JUDGE_CACHE to a writable folder" in note
 
 
-def test_the_users_own_cache_folder_by_default(tmp_path, monkeypatch):
-    monkeypatch.delenv("JUDGE_CACHE")
-    monkeypatch.setenv("HOME", str(tmp_path))
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
-    built(load_problem(SOUND))
-    assert any("circle-line-judge" in str(path) for path in tmp_path.rglob("root-count-*.json"))
-
-
+@pytest.mark.slow
 def test_many_writers_and_readers_at_once(folder):
     problem = load_problem(SOUND)
     sound = plain(built(problem, cache=False)[0])
@@ -220,6 +203,7 @@ def test_a_failed_write_leaves_no_temporary_file(folder, monkeypatch):
     assert files(folder) == []
 
 
+@pytest.mark.slow
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
@@ -239,15 +223,6 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
         assert not any(name.startswith(("rich", "hypothesis")) for name in names)
 
 
-def test_the_file_is_plain_json_below_its_checksum(folder):
-    built(load_problem(SOUND))
-    (file,) = folder.iterdir()
-    content = file.read_bytes()
-    _, _, body = content.partition(b"\n")
-    assert content == with_checksum(file, body)
-    assert list(json.loads(body)) == ["examples", "small"]
-
-
 @pytest.mark.parametrize("package", cache._CODE)
 def test_every_package_that_the_key_stands_for_is_there(package):
     assert cache.code_files([package])
@@ -264,3 +239,34 @@ def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
         file = KeptFile(lambda: tmp_path, "data", "numbers-", "key")
         assert file.write({"numbers": content}) is None
         assert repr(file.read()["numbers"]) == repr(content)
+
+
+# -- where the person's folders are ----------------------------------------------------------------
+
+HOMES = [
+    {},
+    {"HOME": "/home/ann"},
+    {"HOME": "/home/ann/"},
+    {"HOME": "relative"},
+    {"HOME": ""},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "/var/c", "XDG_DATA_HOME": "/var/d"},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "c", "XDG_DATA_HOME": "~/d"},
+    {"HOME": "/home/ann", "XDG_CACHE_HOME": "", "XDG_DATA_HOME": " "},
+    {"XDG_CACHE_HOME": "/c", "XDG_DATA_HOME": "/d//e/"},
+]
+
+
+@pytest.fixture(params=HOMES, ids=str)
+def _settings(request, monkeypatch):
+    for name in ("JUDGE_CACHE", "HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in request.param.items():
+        monkeypatch.setenv(name, value)
+
+
+@pytest.mark.usefixtures("_settings")
+@pytest.mark.parametrize("system", [sys.platform, "darwin"])
+def test_they_are_as_platformdirs_has_them(system, monkeypatch):
+    monkeypatch.setattr("judge.folders.sys.platform", system)
+    assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
+    assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

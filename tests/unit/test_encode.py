@@ -36,17 +36,9 @@ class Point(typing.NamedTuple):
     y: float
 
 
-class Grown(list):
-    pass
-
-
 class Liar(list):
     def __iter__(self):
         return iter([1])
-
-
-class LongLiar(collections.UserList):
-    pass
 
 
 class LyingTuple(tuple):
@@ -86,7 +78,7 @@ class Loud:
         ([(1, 2.5), (3.0, 4)], [[1, 2.5], [3.0, 4]]),
         (((1, 2), [3, 4]), [[1, 2], [3, 4]]),
         (Point(1, 2.0), [1, 2.0]),
-        (Grown([(1, 2)]), [[1, 2]]),
+        (type("Grown", (list,), {})([(1, 2)]), [[1, 2]]),
         (fractions.Fraction(-3, 17), {"fraction": ["-3", "11"]}),
         (decimal.Decimal("1.50"), {"decimal": "1.50"}),
         (decimal.Decimal("NaN"), {"decimal": "NaN"}),
@@ -105,7 +97,7 @@ class Loud:
         (1 + 2j, wrong("complex", "(1+2j)")),
         (Liar([1]), wrong("Liar", "a subclass of list with its own way of reading it")),
         (LyingTuple((1,)), wrong("LyingTuple", "a subclass of tuple with its own way of reading it")),
-        (LongLiar([1]), wrong("LongLiar")),
+        (collections.UserList([1]), wrong("UserList")),
         (MyFloat(1.0), wrong("MyFloat", "a subclass of float")),
         (Colour.RED, wrong("Colour", "a subclass of int")),
         ({1: 2}, wrong("dict")),
@@ -158,18 +150,9 @@ def test_a_long_double_keeps_all_its_bits():
     assert number(through(value)) != 1
 
 
-def test_a_class_derived_from_numpys_is_a_wrong_type():
-    class Mine(np.float64):
-        pass
-
-    class Rows(np.ndarray):
-        pass
-
-    assert through(Mine(1.0))["type"] == "Mine"
-    assert through(np.zeros(2).view(Rows))["type"] == "Rows"
-
-
-def test_a_class_that_only_calls_itself_numpy_is_a_wrong_type():
+def test_a_class_that_is_derived_from_numpys_or_only_calls_itself_so_is_a_wrong_type():
+    assert through(type("Mine", (np.float64,), {})(1.0))["type"] == "Mine"
+    assert through(np.zeros(2).view(type("Rows", (np.ndarray,), {})))["type"] == "Rows"
     forged = type("float64", (), {"__module__": "numpy", "dtype": None, "item": lambda self: 1.0})
     assert through(forged()) == wrong("float64")
 
@@ -249,13 +232,9 @@ def test_nothing_foreign_runs(monkeypatch):
     "value",
     [0, 5, -7, 2**64, -(2**4000), 0.1, 5e-324, fractions.Fraction(1, 3), fractions.Fraction(-(2**90), 7)],
 )
-def test_numbers_come_back_exactly(value):
+def test_numbers_come_back_exactly_and_decimals_or_they_are_refused(value):
     read = number(through(value))
-    assert type(read) is type(value)
-    assert read == value
-
-
-def test_decimals_come_back_exactly_or_are_refused():
+    assert (type(read), read) == (type(value), value)
     read = number(through(decimal.Decimal("-12.5e-3")))
     assert isinstance(read, Written)
     assert read.exact() == fractions.Fraction(-1, 80)

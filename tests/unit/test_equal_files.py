@@ -149,12 +149,14 @@ def independent():
     return [Handin(name, problem, name, source) for problem, name, source in found]
 
 
+@pytest.mark.slow
 def test_independent_programs_are_not_told():
     handins = independent()
     assert len(handins) > 300
     assert equal_files(handins, {each.id: each for each in sound_problems([])[0]}, least=0) == []
 
 
+@pytest.mark.slow
 def test_functions_that_people_write_alike_are_far_below_the_least():
     """Whole programs that short are left out. Longer ones that agree were carried over by one author."""
     found = {}

@@ -24,6 +24,8 @@ from judge.judging import processes
 from judge.judging.executors import ATTEMPTS, Here, Threads, results
 from judge.judging.processes import Processes
 
+pytestmark = pytest.mark.slow
+
 TESTS = Path(__file__).parents[1]
 
 
@@ -100,11 +102,11 @@ def test_killed_workers_lose_nothing(executor, tmp_path):
 
 def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
     found = dict(executor.finished(work, items(tmp_path, "well", "always", "well", "well"), lost))
-    assert sorted(found) == list(range(4))
-    assert [found[at] for at in (0, 2, 3)] == ["N0", "N2", "N3"]
-    assert found[1].startswith("lost n1: ")
-    assert f" {ATTEMPTS} times" in found[1]
-    assert place != "cluster" or found[1] == "lost n1: the machine died 3 times"
+    assert [found.pop(at) for at in (0, 2, 3)] == ["N0", "N2", "N3"]
+    (told,) = found.values()
+    assert told.startswith("lost n1: ")
+    assert f" {ATTEMPTS} times" in told
+    assert place != "cluster" or told == "lost n1: the machine died 3 times"
 
 
 def test_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):

@@ -1,4 +1,7 @@
-"""Finding problems: the order of the places, and what is said on a miss."""
+"""Finding problems: the order of the places, and what is said of a folder or a pack that is broken.
+
+Names that nobody knows are in the record: transcripts/refused/show.txt.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +65,7 @@ def test_a_name_that_is_no_folders_is_refused(name, monkeypatch):
         find_problem("segment", [Path(name or "no\nfolder")])
     monkeypatch.setenv("JUDGE_PROBLEMS", name.replace("\0", "\udcff"))
     if name:
-        with pytest.raises(UsageError, match="is not a folder"):
+        with pytest.raises(UsageError, match=r"(?s)^\$JUDGE_PROBLEMS: .* is not a folder"):
             find_problem("segment")
 
 
@@ -81,25 +84,6 @@ def test_a_problem_without_its_toml_is_broken_rather_than_unknown(pack):
     (named / "roots" / "problem.toml").unlink()
     with pytest.raises(ProblemError, match=r"^roots/problem.toml: the file is missing"):
         find_problem("roots", [named])
-
-
-@pytest.mark.parametrize("name", ["segmnet", "Segment", "../segment", "segment/", ""])
-def test_an_unknown_name_is_a_usage_error(name):
-    with pytest.raises(UsageError, match="no problem is called"):
-        find_problem(name)
-
-
-def test_an_unknown_name_gets_the_nearest_one():
-    with pytest.raises(UsageError, match="did you mean 'segment'"):
-        find_problem("segmnet")
-
-
-def test_a_missing_folder_names_who_asked_for_it(tmp_path, monkeypatch):
-    with pytest.raises(UsageError, match=r"^--problems: .*nowhere is not a folder"):
-        find_problem("segment", [tmp_path / "nowhere"])
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "nowhere"))
-    with pytest.raises(UsageError, match=r"^\$JUDGE_PROBLEMS: .*nowhere is not a folder"):
-        find_problem("segment")
 
 
 class Point:
@@ -136,8 +120,3 @@ def test_a_broken_pack_is_named(broken, monkeypatch):
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [Point(broken)])
     with pytest.raises(ProblemError, match=r"^entry point more.problems: the pack 'more' .*uninstall it$"):
         find_problem("roots")
-
-
-def test_who_names_a_problem_unlike_any_hears_where_the_many_are_listed():
-    with pytest.raises(UsageError, match=r"called 'zzz'; 'judge list' shows all \d\d$"):
-        find_problem("zzz")

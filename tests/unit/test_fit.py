@@ -53,17 +53,6 @@ def test_what_a_stub_and_a_name_say(source, name, stub, stem):
         ("class A:\n    def line_count(self): pass\n", "x.py", ["count"]),
         ("class A:\n    def line_count(self): pass\n", "segment.py", ["segment"]),
         ("print(1)\n", "x.py", []),
-    ],
-)
-def test_the_problem_that_fits(source, name, wanted, monkeypatch):
-    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
-    fitting = fitting_problems(signs(source.encode(), name))
-    assert sorted(problem.id for problem in fitting) == wanted
-
-
-@pytest.mark.parametrize(
-    ("source", "name", "wanted"),
-    [
         ("int line_count(double cx, double cy, double r, Pt A, Pt B) {\n", "x.cpp", ["count"]),
         ("// line_count(\nint f() { return line_count(1); }\n", "x.cpp", []),
         ("package main\nfunc circleSegment(cx, cy, r float64, A, B Pt) []Pt {\n", "count.go", ["segment"]),
@@ -75,7 +64,7 @@ def test_the_problem_that_fits(source, name, wanted, monkeypatch):
         ("int main() {}\n", "x.c", []),
     ],
 )
-def test_the_problem_that_a_file_in_another_language_fits(source, name, wanted, monkeypatch):
+def test_the_problem_that_fits(source, name, wanted, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
     fitting = fitting_problems(signs(source.encode(), name))
     assert sorted(problem.id for problem in fitting) == wanted

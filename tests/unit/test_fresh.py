@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.data.draw import QuickDraw, Rejected, ReplayedDraw
+from judge.data.draw import ReplayedDraw
 from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
 from judge.data.module import load_module
 from judge.data.validate import Validator
@@ -44,26 +44,6 @@ def assert_same(answer, one, other):
         assert one == other
 
 
-def test_a_quick_draw_reaches_both_ends_and_nothing_beyond():
-    draw = QuickDraw("ends")
-    assert {draw.integer(-2, 2) for _ in range(200)} == {-2, -1, 0, 1, 2}
-    assert {draw.choice("abc") for _ in range(100)} == set("abc")
-    assert {draw.sign() for _ in range(50)} == {-1, 1}
-    assert {draw.boolean() for _ in range(50)} == {False, True}
-    assert draw.integer(7, 7) == 7
-    assert 0 <= draw.integer(0, 10**40) <= 10**40
-
-
-def test_a_quick_draw_refuses_what_cannot_be_drawn():
-    draw = QuickDraw("none")
-    with pytest.raises(ValueError, match="no integer from 2 to 1"):
-        draw.integer(2, 1)
-    with pytest.raises(ValueError, match="nothing to choose from"):
-        draw.choice(())
-    with pytest.raises(Rejected):
-        draw.reject()
-
-
 def test_a_seed_stands_for_its_cases():
     assert cases(fresh("count", 5), 20) == cases(fresh("count", 5), 20)
     assert cases(fresh("count", 5), 1) != cases(fresh("count", 6), 1)
@@ -86,6 +66,7 @@ def test_the_examples_have_no_fresh_ones():
         fresh("count", groups=["examples"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
     source = fresh(name)

@@ -1,4 +1,7 @@
-"""GitHub's annotations: one command for each submission, and nothing of it can begin another."""
+"""Results at their places, as GitHub and editors read them: nothing of a submission begins a line of its own.
+
+What they show of each verdict is in the record: transcripts/run/formats.txt.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,10 @@ import re
 import pytest
 
 from judge.problem import Verdict
+from judge.report.editor import editor_lines
 from judge.report.github import annotation
 from judge.report.places import FilePlace, annotated_place, fault_place
-from judge.run import Failure, GroupResult, Mode, Pitfall, Result, judge_fault
+from judge.run import Failure, GroupResult, Mode, Result
 from judge.run.thresholds import Flip, Law, Threshold
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
@@ -38,64 +42,11 @@ def plain(text: str) -> str:
     return text
 
 
-def test_an_accepted_one_is_a_notice_at_its_function():
-    kind, properties, (said,) = parts(annotation(result(Verdict.AC), SOURCE, "solve", {}))
-    assert kind == "notice"
-    assert properties == {"file": "mine.py", "line": "3", "title": "count: AC"}
-    assert said.startswith("AC  accepted")
-
-
-def test_a_wrong_answer_is_an_error_with_the_case():
-    failure = Failure("2 wanted, 1 given", "grid", 7, {"cx": 1, "A": (0, 1)}, "2", "1")
-    wrong = Result(
-        "count",
-        "mine.py",
-        Mode.FUNCTION,
-        Verdict.WA,
-        (GroupResult("grid", Verdict.WA, 2, 1, None, 0.0), GroupResult("band", Verdict.WA, 2, 0, None, 0.0)),
-        failure,
-        counterexample={
-            "input": {"cx": 0, "A": [0, 0]},
-            "expected": "2",
-            "got": "1",
-            "message": "2 wanted, 1 given",
-            "replay": "count:grid:v0:abc",
-        },
-        pitfall=Pitfall(("naive",), 0.9, ("Do not.",)),
-    )
-    kind, properties, lines = parts(annotation(wrong, SOURCE, "solve", {}))
-    assert kind == "error"
-    assert properties == {"file": "mine.py", "line": "3", "title": "count: WA in grid, case 7"}
-    for line in (
-        "input: cx=1, A=(0, 1)",
-        "wanted: 2",
-        "got: 1",
-        "why: 2 wanted, 1 given",
-        "again: judge replay count:grid:v0:abc",
-        "likely naive: Do not.",
-        "groups that fail: grid, band",
-    ):
-        assert line in lines
-
-
-@pytest.mark.parametrize(
-    ("verdict", "law", "mistake", "told"),
-    [
-        (Verdict.WA, Law({}, 1e-9), "absolute-epsilon", "for a touch: 1e-9 at size 1; it does not grow"),
-        (Verdict.AC, Law({"extent": 1}, 1e-10), None, "for a touch: 1e-10 of the extent; that is between"),
-    ],
-)
-def test_the_submissions_own_threshold_is_told(verdict, law, mistake, told):
-    threshold = Threshold("a touch", 1e-12, 1e-7, (Flip({"extent": 1.0}, 0.9e-9, 1.1e-9),), law, mistake)
-    message = "" if verdict is Verdict.AC else "no"
-    _, _, lines = parts(annotation(result(verdict, message, thresholds=(threshold,)), SOURCE, "solve", {}))
-    assert lines[-1].startswith(f"threshold {told}")
-
-
-def test_the_judges_own_fault_has_no_line():
-    kind, properties, lines = parts(annotation(judge_fault("count", "mine.py", "it fails"), SOURCE, "", {}))
-    assert (kind, "line" in properties) == ("error", False)
-    assert "why: it fails" in lines
+def test_a_threshold_is_told_of_what_was_accepted_too():
+    law = Law({"extent": 1}, 1e-10)
+    threshold = Threshold("a touch", 1e-12, 1e-7, (Flip({"extent": 1.0}, 0.9e-9, 1.1e-9),), law, None)
+    _, _, lines = parts(annotation(result(Verdict.AC, thresholds=(threshold,)), SOURCE, "solve", {}))
+    assert lines[-1].startswith("threshold for a touch: 1e-10 of the extent; that is between")
 
 
 @pytest.mark.parametrize(
@@ -108,6 +59,13 @@ def test_nothing_of_a_submission_becomes_a_command(evil):
     written_out = evil.replace("\n", r"\n").replace("\r", r"\r").replace("\x1b", r"\x1b")
     assert properties["file"] == written_out
     assert f"why: {written_out}" in lines
+
+
+def test_nothing_of_a_submission_begins_a_line_or_steers_the_terminal():
+    found = result(Verdict.WA, "a\nother.py:1:1: error: b\x1b[2J", name="-x\n.py")
+    (said,) = editor_lines(found, SOURCE, "solve")
+    assert said.startswith("./-x\\n.py:3:1: error: ")
+    assert said.isprintable()
 
 
 def test_a_path_is_told_from_the_root_of_the_repository(tmp_path, monkeypatch):

@@ -107,24 +107,13 @@ def test_the_innermost_file_names_the_validators_arguments(tmp_path):
         "problem.yaml": "validator_flags: case_sensitive",
         "data/testdata.yaml": "output_validator_flags: outer",
         "data/secret/a/testdata.yaml": "output_validator_flags: float_tolerance 1e-6",
-        "data/secret/a/2.in": "",
-        "data/secret/a/2.ans": "",
-        "data/secret/a/deep/3.in": "",
-        "data/secret/a/deep/3.ans": "",
         "data/secret/b/testdata.yaml": "grading: default",
-        "data/secret/b/4.in": "",
-        "data/secret/b/4.ans": "",
+        **{f"data/secret/{each}.{end}": "" for each in ("a/2", "a/deep/3", "b/4") for end in ("in", "ans")},
     }
     found = {test.name: test.flags for test in files_of(package(tmp_path, LEGACY, more))}
     outer, inner = ("case_sensitive", "outer"), ("case_sensitive", "float_tolerance", "1e-6")
-    assert found == {
-        "sample/1": outer,
-        "secret/1": outer,
-        "secret/a/2": inner,
-        "secret/a/deep/3": inner,
-        "secret/b/4": outer,
-    }
-    assert [*found] == ["sample/1", "secret/1", "secret/a/2", "secret/a/deep/3", "secret/b/4"]
+    names = ["sample/1", "secret/1", "secret/a/2", "secret/a/deep/3", "secret/b/4"]
+    assert [*found.items()] == [*zip(names, [outer, outer, inner, inner, outer], strict=True)]
 
 
 def test_in_the_newer_format_a_test_file_may_name_them_itself(tmp_path):
@@ -136,38 +125,25 @@ def test_in_the_newer_format_a_test_file_may_name_them_itself(tmp_path):
         "data/secret/2.yaml": "hint: none",
     }
     found = {test.name: test.flags for test in files_of(package(tmp_path, NEW, more))}
-    assert found == {
-        "sample/1": (),
-        "secret/1": ("case_sensitive",),
-        "secret/2": ("float_tolerance", "1e-6"),
-    }
+    flags = {"secret/1": ("case_sensitive",), "secret/2": ("float_tolerance", "1e-6")}
+    assert found == {"sample/1": ()} | flags
 
 
-def test_a_test_file_without_an_answer_is_a_fault_of_the_package(tmp_path):
+def test_a_test_file_without_an_answer_or_with_arguments_for_the_submission_is_refused(tmp_path):
     with pytest.raises(ProblemError, match="no answer file"):
-        files_of(package(tmp_path, LEGACY, {"data/secret/2.in": ""}))
-
-
-def test_a_test_file_with_arguments_for_the_submission_is_refused(tmp_path):
+        files_of(package(tmp_path / "one", LEGACY, {"data/secret/2.in": ""}))
     with pytest.raises(UsageError, match="arguments"):
-        files_of(package(tmp_path, NEW, {"data/secret/1.yaml": "args: [x]"}))
+        files_of(package(tmp_path / "two", NEW, {"data/secret/1.yaml": "args: [x]"}))
 
 
 def demands(folder, *tables):
-    return {
-        own.name.removeprefix("submissions/"): own.demands
-        for own in own_submissions(package(folder, *tables))
-    }
+    found = own_submissions(package(folder, *tables))
+    return {own.name.removeprefix("submissions/"): own.demands for own in found}
 
 
 def test_what_the_folders_of_submissions_say(tmp_path):
-    more = {
-        "submissions/wrong_answer/a.py": "",
-        "submissions/odd/b.py": "",
-        "submissions/accepted/README.md": "",
-        "submissions/accepted/.hidden": "",
-    }
-    found = demands(tmp_path, LEGACY, more)
+    names = ("wrong_answer/a.py", "odd/b.py", "accepted/README.md", "accepted/.hidden")
+    found = demands(tmp_path, LEGACY, {f"submissions/{name}": "" for name in names})
     assert [*found] == ["accepted/right.py", "odd/b.py", "wrong_answer/a.py"]
     assert found["odd/b.py"] == ()
     (wrong,) = found["wrong_answer/a.py"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib.machinery
+import marshal
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,7 +24,14 @@ ELSEWHERE = {
 
 
 @pytest.fixture
-def plain_system(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def unpacked_once() -> Iterator[None]:
+    bundle._modules.cache_clear()
+    yield
+    bundle._modules.cache_clear()
+
+
+@pytest.fixture
+def plain_system(monkeypatch: pytest.MonkeyPatch, unpacked_once: None) -> None:
     monkeypatch.setattr(container, "_PAIR", socket.SOCK_STREAM)
     monkeypatch.setattr(container, "_descriptor_of", lambda _pid: None)
     monkeypatch.setattr(shared, "_create", lambda _flags: shared._unlinked())
@@ -38,9 +47,6 @@ def plain_system(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         return compile(source.replace(here, elsewhere), name, "exec")
 
     monkeypatch.setattr(bundle, "_code_of", as_elsewhere)
-    bundle._modules.cache_clear()
-    yield
-    bundle._modules.cache_clear()
 
 
 def _unsealed_region() -> tuple[int, object]:
@@ -87,3 +93,34 @@ def test_a_program_is_measured() -> None:
     assert (result.stop, result.detail) == (Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 3)")
     assert 0.1 < result.usage.cpu_seconds <= result.usage.wall_seconds
     assert result.usage.memory_bytes > 1 << 20
+
+
+# -- the fork server's code on its way into the container ----------------------------------------------------
+
+
+class Hook:
+    """Like pytest's, which rewrites the asserts of a package that brings a plug-in: it hands out no code."""
+
+
+@pytest.mark.usefixtures("unpacked_once")
+def test_the_code_is_that_of_the_files_whoever_imported_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    plain, config, source = marshal.loads(bundle.pack({"a": 1}, b"pass"))
+    assert (config, source) == ({"a": 1}, b"pass")
+    assert plain[-1][0] == "judge.sandbox.inside.server"
+
+    real = bundle.find_spec
+
+    def hooked(name: str) -> importlib.machinery.ModuleSpec:
+        spec = real(name)
+        return importlib.machinery.ModuleSpec(name, Hook(), origin=spec.origin)
+
+    monkeypatch.setattr(bundle, "find_spec", hooked)
+    bundle._modules.cache_clear()
+    assert marshal.loads(bundle.pack({}, b""))[0] == plain
+
+
+@pytest.mark.usefixtures("unpacked_once")
+def test_a_module_without_code_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bundle, "find_spec", lambda name: None)
+    with pytest.raises(ImportError, match=r"no code for judge\.sandbox"):
+        bundle.pack({}, b"")

@@ -69,7 +69,7 @@ def test_judging_the_accepted_file_again_is_no_review(watched):
     assert len(watched.sittings()) == 2
 
 
-def test_what_is_no_attempt(watched):
+def test_a_stub_is_no_attempt(watched):
     watched.judge(NOTHING, NOTHING)
     assert watched.sittings() == []
     assert watched.reviews() == []
@@ -77,8 +77,9 @@ def test_what_is_no_attempt(watched):
     assert [(each.failed, each.solved) for each in watched.sittings()] == [(0, True)]
 
 
-def test_help_belongs_to_its_sitting(watched):
+def test_help_belongs_to_its_sitting_and_is_none_by_itself(watched):
     watched.history.see_hints("segment", 2)
+    assert watched.sittings() == []
     watched.judge(RIGHT)
     watched.pause(days=2)
     watched.judge(RIGHT)
@@ -90,11 +91,6 @@ def test_help_belongs_to_its_sitting(watched):
         (False, False),
         (False, True),
     ]
-
-
-def test_looking_at_a_hint_alone_is_no_review(watched):
-    watched.history.see_hints("segment", 1)
-    assert watched.sittings() == []
 
 
 @pytest.mark.parametrize(
@@ -139,13 +135,6 @@ def test_intervals_grow_with_success_and_collapse_with_failure(watched):
     assert intervals[-1] <= 365
     watched.judge(WRONG)
     assert watched.reviews()[0].interval < intervals[0]
-
-
-def test_the_same_history_gives_the_same_dates(watched):
-    for _ in range(5):
-        watched.judge(WRONG, RIGHT)
-        watched.pause(days=9)
-    assert watched.reviews() == watched.reviews()
 
 
 def test_it_is_due_by_the_calendar_of_the_persons_own_zone(watched):

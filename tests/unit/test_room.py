@@ -11,7 +11,6 @@ from judge.sandbox import room
 from judge.sandbox.room import BASE_FILES, BASE_TASKS, OWN_FILES, OWN_TASKS, SLACK, THREADS, Room
 
 PLENTY = 1 << 30
-EACH = OWN_TASKS + THREADS
 
 
 def a_room(tasks=PLENTY, files=PLENTY, ceiling=PLENTY):
@@ -19,17 +18,12 @@ def a_room(tasks=PLENTY, files=PLENTY, ceiling=PLENTY):
 
 
 @pytest.mark.parametrize("jobs", [1, 2, 7, 256])
-def test_where_there_is_plenty_nothing_is_bounded(jobs):
-    assert a_room().at_once(jobs) == (jobs, "")
-    share = a_room().share(jobs)
-    assert (share.each, share.together, share.short) == (THREADS, jobs * THREADS + SLACK, False)
-
-
-@pytest.mark.parametrize("jobs", [1, 2, 3, 9])
 def test_what_is_done_at_once_has_room_together(jobs):
-    enough = a_room(tasks=BASE_TASKS + jobs * EACH)
-    assert enough.at_once(jobs) == (jobs, "")
-    assert enough.share(jobs).each == THREADS
+    plenty = a_room().share(jobs)
+    assert a_room().at_once(jobs) == (jobs, "")
+    assert (plenty.each, plenty.together, plenty.short) == (THREADS, jobs * THREADS + SLACK, False)
+    enough = a_room(tasks=BASE_TASKS + jobs * (OWN_TASKS + THREADS))
+    assert (enough.at_once(jobs), enough.share(jobs).each) == ((jobs, ""), THREADS)
     less = enough._replace(tasks=enough.tasks - 1)
     assert less.at_once(jobs) == (max(1, jobs - 1), "" if jobs == 1 else "tasks!")
     for left in range(0, 3000, 37):
@@ -45,7 +39,7 @@ def test_what_is_done_at_once_has_room_together(jobs):
 def test_the_scarcer_of_two_things_is_named():
     files = BASE_FILES + 3 * OWN_FILES
     assert a_room(files=files).at_once(9) == (3, "files!")
-    assert a_room(files=files, tasks=BASE_TASKS + 2 * EACH).at_once(9) == (2, "tasks!")
+    assert a_room(files=files, tasks=BASE_TASKS + 2 * (OWN_TASKS + THREADS)).at_once(9) == (2, "tasks!")
     assert a_room(files=0).at_once(9) == (1, "files!")
 
 
@@ -79,33 +73,21 @@ def groups(tmp_path, monkeypatch):
     return make
 
 
-def test_the_bounds_of_control_groups_of_either_version(groups):
-    assert groups("0::/user/mine", user__mine=(100, 40), user=("max", 50), top=(300, 10)) == [
-        (100, 60),
-        (300, 290),
-    ]
-
-
-def test_an_older_control_group(groups):
-    assert groups("8:pids:/docker/abc", pids__docker__abc=(64, 4)) == [(64, 60)]
-
-
-def test_a_path_that_the_container_does_not_show(groups):
-    assert groups("8:pids:/docker/abc", pids=(64, 4)) == [(64, 60)]
-
-
-def test_no_bound_that_can_be_read_is_none(groups):
-    assert groups("0::/mine", mine=("max", 3), top=("what", "ever")) == []
-
-
-def test_more_descriptors_are_taken_where_they_may_be():
-    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    try:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (min(soft, 200), hard))
-        room.raise_descriptors()
-        assert resource.getrlimit(resource.RLIMIT_NOFILE) == (min(hard, room.MOST_FILES), hard)
-    finally:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+@pytest.mark.parametrize(
+    ("row", "bounds", "found"),
+    [
+        (
+            "0::/user/mine",
+            {"user__mine": (100, 40), "user": ("max", 50), "top": (300, 10)},
+            [(100, 60), (300, 290)],
+        ),
+        ("8:pids:/docker/abc", {"pids__docker__abc": (64, 4)}, [(64, 60)]),  # an older version
+        ("8:pids:/docker/abc", {"pids": (64, 4)}, [(64, 60)]),  # a path that the container does not show
+        ("0::/mine", {"mine": ("max", 3), "top": ("what", "ever")}, []),
+    ],
+)
+def test_the_bounds_of_control_groups_of_either_version(groups, row, bounds, found):
+    assert groups(row, **bounds) == found
 
 
 def test_memory_that_may_not_be_had_is_a_shortage():

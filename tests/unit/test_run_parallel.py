@@ -35,12 +35,7 @@ def test_an_exception_comes_in_place_of_its_result(workers):
 @pytest.mark.parametrize("workers", [1, 2, 8])
 def test_workers_share_the_items_each_once(workers):
     seen = []
-
-    def work(queue):
-        for place, item in queue:
-            seen.append((place, item))
-
-    share("abcdef", workers, work)
+    share("abcdef", workers, seen.extend)
     assert sorted(seen) == list(enumerate("abcdef"))
 
 
@@ -83,43 +78,20 @@ def test_who_measures_is_alone():
     assert set(seen) == {(0, True), (True, False)}
 
 
-@pytest.fixture
-def few_threads(monkeypatch):
-    """A machine that lets so many threads start, and no more."""
-
-    def allow(count):
-        real, started = threading.Thread.start, []
-
-        def start(thread):
-            if len(started) == count:
-                raise RuntimeError("can't start new thread")
-            started.append(thread)
-            real(thread)
-
-        monkeypatch.setattr(threading.Thread, "start", start)
-        return started
-
-    return allow
-
-
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_where_threads_are_few_they_do_all_of_it(few_threads, count):
-    started = few_threads(count)
+def test_where_threads_are_few_they_do_all_of_it(monkeypatch, count):
+    real, started = threading.Thread.start, []
+
+    def start(thread):
+        if len(started) == count:
+            raise RuntimeError("can't start new thread")
+        started.append(thread)
+        real(thread)
+
+    monkeypatch.setattr(threading.Thread, "start", start)
     assert list(in_order(range(20), 8, lambda item: item * item)) == [n * n for n in range(20)]
     assert len(started) == count
     started.clear()
     seen = []
-
-    def work(queue):
-        seen.extend(queue)
-
-    share("abcdef", 8, work)
+    share("abcdef", 8, seen.extend)
     assert sorted(seen) == list(enumerate("abcdef"))
-
-
-def test_an_exception_in_the_only_thread_comes_in_place_of_its_result(few_threads):
-    few_threads(0)
-    results = in_order([1, 0], 2, lambda item: 1 // item)
-    assert next(results) == 1
-    with pytest.raises(ZeroDivisionError):
-        next(results)

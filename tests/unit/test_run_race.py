@@ -7,6 +7,7 @@ from contextlib import contextmanager
 import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
+from sampling import nightly
 
 from judge.data import ProblemData
 from judge.errors import JudgeError
@@ -61,11 +62,7 @@ def timed(tmp_path):
 
 
 WORK = "for _ in range(6_000_000): pass"
-EAGER = f"""
-{WORK}
-def answer(n, P):
-    return int(n + P[0] + P[1])
-"""
+EAGER = f"{WORK}\n{GOOD.decode()}"
 LAZY = f"""
 done = []
 def answer(n, P):
@@ -108,15 +105,15 @@ def test_who_answers_alike_has_a_ratio(timed, source):
     ("source", "deed", "verdict", "message"),
     [
         (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
-        (CALLS, "return None", Verdict.WA, "None given"),
-        (CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
+        nightly(CALLS, "return None", Verdict.WA, "None given"),
+        nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
         (CALLS, "while True: pass", Verdict.TLE, ""),
-        (CALLS, "time.sleep(30)", Verdict.TLE, ""),
-        (PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
-        (PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
-        (PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),
-        (PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
+        nightly(CALLS, "time.sleep(30)", Verdict.TLE, ""),
+        nightly(PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
+        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
+        nightly(PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),
+        nightly(PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
         (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
     ],
 )

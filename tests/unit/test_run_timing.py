@@ -2,77 +2,64 @@
 
 from __future__ import annotations
 
-import random
-
 import pytest
 
-from judge.run.timing import CLEARLY_ABOVE, MOST_PAIRS, Pace, Pair, busy, decide, disturbed, race, summary
+from judge.run.timing import MOST_PAIRS, Pace, Pair, busy, decide, disturbed, race, summary
 from judge.sandbox import Usage
 
 LIMIT = 10.0
 
 
-def runs(*values):
-    """A run that takes each of these times in turn, then the last again."""
-    left = list(values)
-    return lambda: left.pop(0) if len(left) > 1 else left[0]
+class Runs:
+    """A run that takes each of these times in turn, then the last again, and counts its turns."""
+
+    def __init__(self, *values):
+        self.left, self.turns = list(values), 0
+
+    def __call__(self):
+        self.turns += 1
+        return self.left.pop(0) if len(self.left) > 1 else self.left[0]
 
 
-def test_one_pair_settles_a_submission_far_above_the_limit():
-    decision = race(runs(0.2), runs(0.01), LIMIT)
-    assert (decision.too_slow, decision.borderline, decision.ratio.pairs) == (True, False, 1)
-    assert decision.ratio.median == pytest.approx(20)
+@pytest.mark.parametrize(
+    ("mine", "pairs", "too_slow", "borderline"),
+    [
+        ([0.2], 1, True, False),  # far above it
+        ([0.081], MOST_PAIRS, False, True),
+        ([0.095], MOST_PAIRS, False, True),
+        ([0.105], MOST_PAIRS, True, True),
+        ([0.134], MOST_PAIRS, True, True),
+        ([0.05, 0.12], MOST_PAIRS, False, True),  # any pair near the limit asks for all nine
+        ([0.05, 0.05, 0.12], MOST_PAIRS, False, True),
+        ([0.12, 0.2], MOST_PAIRS, True, True),
+        ([0.12, 0.12, 0.2], MOST_PAIRS, True, True),
+        ([0.05, 0.3], MOST_PAIRS, False, True),  # on both sides of it
+        ([0.02, 0.09, 0.02], MOST_PAIRS, False, False),  # one odd pair is no close call
+    ],
+)
+def test_as_many_pairs_are_run_as_settle_it(mine, pairs, too_slow, borderline):
+    decision = race(Runs(*mine), Runs(0.01), LIMIT)
+    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (pairs, too_slow, borderline)
 
 
 def test_a_submission_far_below_passes_with_a_few_pairs():
-    decision = race(runs(0.02), runs(0.01), LIMIT)
+    decision = race(Runs(0.02), Runs(0.01), LIMIT)
     assert (decision.too_slow, decision.borderline) == (False, False)
     assert 3 <= decision.ratio.pairs <= MOST_PAIRS
 
 
-@pytest.mark.parametrize(("factor", "too_slow"), [(0.81, False), (0.95, False), (1.05, True), (1.34, True)])
-def test_near_the_limit_nine_pairs_decide(factor, too_slow):
-    decision = race(runs(0.01 * LIMIT * factor), runs(0.01), LIMIT)
-    assert (decision.too_slow, decision.borderline, decision.ratio.pairs) == (too_slow, True, MOST_PAIRS)
-
-
-@pytest.mark.parametrize("near", [1, 2])
-def test_any_pair_near_the_limit_asks_for_nine(near):
-    mine = [0.05] * near + [0.12] * 9
-    decision = race(runs(*mine), runs(0.01), LIMIT)
-    assert (decision.ratio.pairs, decision.borderline) == (MOST_PAIRS, True)
-    mine = [0.12] * near + [0.2] * 9
-    decision = race(runs(*mine), runs(0.01), LIMIT)
-    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, True, True)
-
-
-def test_pairs_on_both_sides_of_the_limit_are_not_clear():
-    decision = race(runs(0.05, 0.3), runs(0.01), LIMIT)
-    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, False, True)
-
-
-def test_one_odd_pair_of_nine_is_no_close_call():
-    decision = race(runs(0.02, 0.09, 0.02), runs(0.01), LIMIT)
-    assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (MOST_PAIRS, False, False)
-
-
-def test_there_may_be_only_one_pair():
-    for factor, too_slow in [(0.5, False), (0.9, False), (1.1, True), (2.0, True)]:
-        decision = race(runs(0.01 * LIMIT * factor), runs(0.01), LIMIT, lambda: False)
-        assert (decision.ratio.pairs, decision.too_slow) == (1, too_slow)
+@pytest.mark.parametrize(("factor", "too_slow"), [(0.5, False), (0.9, False), (1.1, True), (2.0, True)])
+def test_there_may_be_only_one_pair(factor, too_slow):
+    decision = race(Runs(0.01 * LIMIT * factor), Runs(0.01), LIMIT, lambda: False)
+    assert (decision.ratio.pairs, decision.too_slow) == (1, too_slow)
+    assert decision.ratio.median == pytest.approx(LIMIT * factor)
 
 
 def test_one_short_turn_does_not_settle_what_is_too_slow():
-    odd = race(runs(0.034, 0.0003), runs(0.0003), LIMIT)  # a moment of a busy machine, as it was seen
+    odd = race(Runs(0.034, 0.0003), Runs(0.0003), LIMIT)  # a moment of a busy machine, as it was seen
     assert (odd.too_slow, odd.borderline, odd.ratio.pairs) == (False, False, MOST_PAIRS)
-    slow = race(runs(0.034), runs(0.0003), LIMIT)
+    slow = race(Runs(0.034), Runs(0.0003), LIMIT)
     assert (slow.too_slow, slow.borderline, slow.ratio.pairs) == (True, False, 3)
-    alone = race(runs(0.034), runs(0.0003), LIMIT, lambda: False)
-    assert (alone.too_slow, alone.borderline, alone.ratio.pairs) == (
-        True,
-        False,
-        1,
-    )
 
 
 def test_near_the_limit_both_the_least_times_and_the_median_must_exceed_it():
@@ -98,9 +85,9 @@ def test_the_two_take_turns_at_going_first():
 
 
 def test_a_run_that_does_not_end_well_leaves_no_ratio():
-    assert race(lambda: None, runs(0.01), LIMIT).ratio is None
-    assert race(runs(0.01), lambda: None, LIMIT).ratio is None
-    assert race(runs(0.01), lambda: 0.0, LIMIT).ratio is None
+    assert race(lambda: None, Runs(0.01), LIMIT).ratio is None
+    assert race(Runs(0.01), lambda: None, LIMIT).ratio is None
+    assert race(Runs(0.01), lambda: 0.0, LIMIT).ratio is None
 
 
 def test_what_makes_a_ratio_unreliable():
@@ -138,30 +125,6 @@ def test_what_disturbed_a_race_is_told_and_changes_no_verdict():
     assert disturbed(decide([], LIMIT), "anything").ratio is None
 
 
-def test_noise_of_ten_per_cent_seldom_turns_a_verdict():
-    dice = random.Random(7)
-
-    def noisy(seconds):
-        return lambda: seconds * (1 + abs(dice.gauss(0, 0.1)))
-
-    for factor, slow in ((0.7, False), (0.9, False), (1.15, True), (1.5, True)):
-        verdicts = [race(noisy(0.01 * factor * LIMIT), noisy(0.01), LIMIT).too_slow for _ in range(100)]
-        assert sum(verdict != slow for verdict in verdicts) <= 10
-    assert CLEARLY_ABOVE > 1
-
-
-class Counted:
-    """A run that takes each of these times in turn, then the last again, and counts its turns."""
-
-    def __init__(self, *values):
-        self.turns = 0
-        self._run = runs(*values)
-
-    def __call__(self):
-        self.turns += 1
-        return self._run()
-
-
 def paced(*times):
     """The pace of a reference that took these times."""
     pace = Pace()
@@ -170,38 +133,32 @@ def paced(*times):
     return pace
 
 
-def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference():
-    mine, theirs = Counted(0.05), Counted(0.0105)
+@pytest.mark.parametrize(
+    ("mine", "turns", "median"),
+    [
+        ((0.05,), 3, 5.0),  # by the median of the turns before
+        ((0.004, 0.0041, 0.0042), 3, 0.41),  # short turns are repeated
+        ((0.02, 0.9), 1, 2.0),  # far below the limit one will do
+    ],
+)
+def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference(mine, turns, median):
+    mine, theirs = Runs(*mine), Runs(0.0105)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
-    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (3, 1, 3)
-    assert decision.ratio.median == pytest.approx(5.0)  # by the median of the turns before
-
-
-def test_short_turns_are_repeated_though_the_reference_is_known():
-    mine, theirs = Counted(0.004, 0.0041, 0.0042), Counted(0.01)
-    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
-    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (3, 1, 3)
-    assert decision.ratio.median == pytest.approx(0.41)
-
-
-def test_one_far_below_the_limit_of_a_known_reference_needs_one_turn():
-    mine, theirs = Counted(0.02, 0.9), Counted(0.0105)
-    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
-    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (1, 1, 1)
+    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (turns, 1, turns)
     assert (decision.too_slow, decision.borderline, decision.ratio.unreliable) == (False, False, "")
-    assert decision.ratio.median == pytest.approx(2.0)
+    assert decision.ratio.median == pytest.approx(median)
 
 
 @pytest.mark.parametrize("times", [(), (0.01, 0.01), (0.02, 0.02, 0.02), (0.01, 0.012, 0.012)])
 def test_a_reference_that_is_not_known_or_takes_another_time_now_is_raced_anew(times):
-    mine, theirs = Counted(0.02), Counted(0.01)
+    mine, theirs = Runs(0.02), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(*times))
     assert mine.turns == theirs.turns == decision.ratio.pairs
 
 
 @pytest.mark.parametrize("mine", [(0.095,), (0.05, 0.095), (0.05, 0.05, 0.095)])
 def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
-    mine, theirs = Counted(*mine), Counted(0.01)
+    mine, theirs = Runs(*mine), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
     assert (theirs.turns, decision.ratio.pairs) == (MOST_PAIRS, MOST_PAIRS)
 
@@ -215,7 +172,7 @@ def test_a_pace_knows_every_speed_of_the_machine():
 
 @pytest.mark.parametrize("later", [(0.06,), (0.05, 0.06)])
 def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
-    mine, theirs = Counted(0.05, *later), Counted(0.01)
+    mine, theirs = Runs(0.05, *later), Runs(0.01)
     decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
     assert theirs.turns == decision.ratio.pairs
     assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out

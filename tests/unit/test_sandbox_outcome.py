@@ -7,10 +7,10 @@ import signal
 import pytest
 from sandboxed import limits
 
-from judge.sandbox import Reply, Stop
+from judge.sandbox import Reply, Stop, outcome
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
-from judge.sandbox.outcome import LONG, end_of, overrun, parse_replies
+from judge.sandbox.outcome import end_of, overrun, parse_replies
 
 GOOD = b"[0,1],\n"
 NO_NOTE = (wire.NO_NOTE, "")
@@ -19,19 +19,6 @@ LIMITS = limits(cpu_seconds=1.0, memory_bytes=1 << 20, output_bytes=100)
 
 def done(status=0, reason=wire.NOT_KILLED, cpu=0.0, peak=0):
     return Done(status, reason, round(cpu * 1e9), 0, peak, 1)
-
-
-def test_replies_of_both_kinds():
-    data = GOOD + b'[1,"no (line 3)"],\n[0,[[1.5,null],{"type":"bool"}]],\n'
-    assert parse_replies(data, 3) == (
-        [
-            Reply(Stop.ANSWERED, 1),
-            Reply(Stop.EXCEPTION, None, "no (line 3)"),
-            Reply(Stop.ANSWERED, [[1.5, None], {"type": "bool"}]),
-        ],
-        True,
-    )
-    assert parse_replies(b"", 3) == ([], True)
 
 
 @pytest.mark.parametrize(
@@ -43,30 +30,20 @@ def test_replies_of_both_kinds():
         b"[0,1]],[[0,1]", b"[0,1],\r", b"[0," + b"9" * 5000 + b"]",
     ],
 )  # fmt: skip
-def test_a_line_in_another_form_ends_the_replies_before_it(line):
+@pytest.mark.parametrize("long", [1, outcome.LONG])  # long ones are parsed line by line
+def test_a_line_in_another_form_ends_the_replies_before_it(line, long, monkeypatch):
+    monkeypatch.setattr(outcome, "LONG", long)
     for after in (b"", GOOD):
         replies, kept_form = parse_replies(GOOD * 2 + line + b",\n" + after, 9)
         assert replies == [Reply(Stop.ANSWERED, 1)] * 2
         assert not kept_form
-
-
-@pytest.mark.parametrize("line", [b"[0,1]],[[0,1]", b"[0,1],[0,1]", b"[0,\n1]", b"x"])
-def test_long_replies_are_held_to_the_same_form(line):
-    long = b"[0,[" + b"[]," * LONG + b"[]]],\n"
-    replies, kept_form = parse_replies(long + line + b",\n" + GOOD, 9)
-    assert ([reply.stop for reply in replies], kept_form) == ([Stop.ANSWERED], False)
-    assert parse_replies(long + GOOD, 2)[1]
-    assert not parse_replies(long + GOOD, 1)[1]
-    assert not parse_replies(long[:-1], 1)[1]
-
-
-def test_more_replies_than_calls_are_not_the_form():
-    assert parse_replies(GOOD * 4, 3) == ([Reply(Stop.ANSWERED, 1)] * 3, False)
+    assert parse_replies(GOOD * 2, 2) == ([Reply(Stop.ANSWERED, 1)] * 2, True)
 
 
 @pytest.mark.parametrize("length", range(1, len(GOOD)))
-def test_a_reply_cut_short_is_none(length):
+def test_a_reply_cut_short_is_none_nor_one_more_than_there_are_calls(length):
     assert parse_replies(GOOD + GOOD[:length], 3) == ([Reply(Stop.ANSWERED, 1)], False)
+    assert parse_replies(GOOD * 4, 3) == ([Reply(Stop.ANSWERED, 1)] * 3, False)
 
 
 def test_the_text_of_an_exception_is_one_printable_line():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import shutil
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,34 +24,28 @@ def problem(request):
     return load_problem(PROBLEMS / request.param)
 
 
-@pytest.fixture(scope="module")
-def validator(problem):
-    return Validator(problem, load_module(problem).solve)
-
-
-def test_the_statement_names_it(problem):
+def test_a_person_is_shown_it(problem):
     assert {parameter.smallest for parameter in problem.parameters} == {SMALLEST}
     assert "1e-30 in magnitude" in " ".join(problem.statement.split())
+    shown = "".join(span.text for each in detail_lines(problem, 100) for span in each)
+    assert "0 or at least 1e-30 in magnitude" in shown
 
 
-def test_a_smaller_number_is_out_of_bounds_whatever_its_place(problem, validator):
-    tiny = math.nextafter(1e-30, 0)
-    for sign in (1, -1):
-        for place in range(7):
-            if place == 2 and sign < 0:
-                continue  # a radius
+def test_a_smaller_number_is_out_of_bounds_whatever_its_place_and_0_is_not(problem):
+    validator = Validator(problem, load_module(problem).solve)
+
+    def bounds(flat):
+        return validator.bounds((*flat[:3], tuple(flat[3:5]), tuple(flat[5:])))
+
+    for place in range(7):
+        for sign in (1, -1) if place != 2 else (1,):  # a radius
             flat = [1.0] * 7
-            flat[place] = sign * tiny
-            case = (*flat[:3], tuple(flat[3:5]), tuple(flat[5:]))
-            assert "nearer to 0 than 1e-30 but not 0" in validator.bounds(case)
+            flat[place] = sign * math.nextafter(1e-30, 0)
+            assert "nearer to 0 than 1e-30 but not 0" in bounds(flat)
             flat[place] = sign * least_double(SMALLEST)
-            case = (*flat[:3], tuple(flat[3:5]), tuple(flat[5:]))
-            assert validator.bounds(case) is None
-
-
-def test_zero_is_no_small_number(validator):
-    assert validator.bounds((0, 0.0, 0, (0.0, 0), (0, 0.0))) is None
-    assert validator.bounds((0, 0.0, 5e-324, (0.0, 0), (0, 0.0))) is not None
+            assert bounds(flat) is None
+    assert bounds([0, 0.0, 0, 0.0, 0, 0, 0.0]) is None
+    assert bounds([0, 0.0, 5e-324, 0.0, 0, 0, 0.0]) is not None
 
 
 def test_the_double_of_a_bound_is_not_below_it():
@@ -59,21 +54,13 @@ def test_the_double_of_a_bound_is_not_below_it():
         assert least >= bound > math.nextafter(least, 0)
 
 
-def test_a_person_is_shown_it(problem):
-    shown = "".join(span.text for each in detail_lines(problem, 100) for span in each)
-    assert "0 or at least 1e-30 in magnitude" in shown
-
-
 @pytest.mark.parametrize(
     ("smallest", "fault"),
     [("2", "other than 0 is 2"), ("-1", "other than 0 is -1"), ("1e-9", "holds no real")],
 )
 def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest, fault):
     source = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
-    folder = tmp_path / "root-count"
-    folder.mkdir()
-    for name in ("problem.py", "statement.md"):
-        (folder / name).write_text((source / name).read_text())
+    folder = shutil.copytree(source, tmp_path / "root-count")
     text = (source / "problem.toml").read_text()
     (folder / "problem.toml").write_text(text.replace("low = -9\n", f"low = -9\nsmallest = {smallest}\n"))
     with pytest.raises(ProblemError, match=fault):

@@ -71,18 +71,7 @@ def _run(rows: list[bpf.Instruction], machine: str, call: int | str, *arguments:
 def test_what_the_server_may_do(machine: str) -> None:
     rows = seccomp.server_filter(machine)
     assert len(rows) < 400
-    for call in (
-        "read",
-        "openat",
-        "mmap",
-        "futex",
-        "wait4",
-        "exit_group",
-        "getrandom",
-        "clone",
-        "sendmsg",
-        "kill",
-    ):
+    for call in ("read", "openat", "mmap", "futex", "wait4", "exit_group", "getrandom", "clone", "sendmsg"):
         assert _run(rows, machine, call) == ALLOWED, call
     assert _run(rows, machine, "clone", 0x10000000 | 17) == REFUSED
     assert _run(rows, machine, "clone", 0x00020000) == REFUSED
@@ -125,20 +114,16 @@ def test_what_a_child_gives_up(machine: str) -> None:
 
 
 @pytest.mark.parametrize("machine", NUMBERS)
-@pytest.mark.parametrize("number", [101, 165, 310, 311, 425, 426, 427, 320, 40, 270_000])
-def test_unnamed_numbers_are_refused(machine: str, number: int) -> None:
+def test_unnamed_numbers_are_refused(machine: str) -> None:
     named = {syscalls.number(call, machine) for call in syscalls.TABLE}
-    if number in named:
-        pytest.skip("this one has a name on this machine")
-    assert _run(seccomp.server_filter(machine), machine, number) == REFUSED
+    unnamed = {101, 165, 310, 311, 425, 426, 427, 320, 40, 270_000} - named
+    assert len(unnamed) > 5
+    rows = seccomp.server_filter(machine)
+    assert {number: _run(rows, machine, number) for number in unnamed} == dict.fromkeys(unnamed, REFUSED)
 
 
-def test_the_second_table_of_x86_64_is_refused() -> None:
+def test_the_second_table_of_x86_64_is_refused_and_another_architecture_is_killed() -> None:
     rows = seccomp.server_filter("x86_64")
     assert _run(rows, "x86_64", syscalls.X32_BIT) == bpf.errno_action(errno.ENOSYS)
-
-
-def test_another_architecture_is_killed() -> None:
-    rows = seccomp.server_filter("x86_64")
     assert rows[1][3] == 0xC000003E
     assert rows[2] == (0x06, 0, 0, bpf.KILL)

@@ -26,23 +26,15 @@ def aged(path):
     os.utime(path, (0, 0))
 
 
-def test_it_is_gone_with_all_that_is_in_it(tmp_path):
-    with TemporaryFolder() as folder:
-        (folder / "inner").mkdir()
-        (folder / "inner" / "file").write_text("")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_nobody_else_lists_it():
+def test_nobody_else_lists_it_and_in_use_it_stays_however_old_and_then_is_gone_with_all_in_it(tmp_path):
     with TemporaryFolder() as folder:
         assert folder.stat().st_mode & 0o777 == 0o711
-
-
-def test_one_that_is_in_use_stays_however_old():
-    with TemporaryFolder() as folder:
+        (folder / "inner").mkdir()
+        (folder / "inner" / "file").write_text("")
         aged(folder)
         sweep(folder.parent)
         assert folder.is_dir()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_killed_judge_s_folder_goes_with_the_next(tmp_path):

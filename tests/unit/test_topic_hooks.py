@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections import Counter
-from fractions import Fraction
 from itertools import islice
 from pathlib import Path
 
@@ -21,14 +19,11 @@ from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode
 from judge.diagnose.shrink import shrink
-from judge.drawing import Picture
-from judge.problem.find import find_problem
 from judge.problem.load import load_problem
-from judge.problem.topic import Shown, Topic
+from judge.problem.topic import Topic
 from judge.run import Settings, run_submission
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
-from judge.topics import circles
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 MIDDLE = FIXTURES / "pack" / "problems" / "middle"
@@ -116,35 +111,6 @@ def test_the_search_asks_the_topic_what_is_simpler_and_what_is_special(asked):
     found = shrunk(problem, replace(module, topic=topic))
     assert asked_of[0][0] is problem
     assert found.case == (2, 3)
-
-
-def test_bands_go_to_who_asks_for_them(tmp_path):
-    folder = tmp_path / "root-count"
-    shutil.copytree(FIXTURES / "problems" / "root-count", folder)
-    toml, source = folder / "problem.toml", folder / "problem.py"
-    toml.write_text(toml.read_text().replace("[limits]", "[bands]\nsnap = 0.25\n\n[limits]"))
-    assert load_module(load_problem(folder)).solve(4).broken is None
-    text = source.read_text().replace("def solve(c)", "def solve(c, *, bands)")
-    source.write_text(text.replace("+ 1, None", '+ 1, str(bands["snap"])'))
-    assert load_module(load_problem(folder)).solve(4).broken == str(Fraction(1, 4))
-
-
-def test_a_topic_draws_what_it_is_shown():
-    problem = find_problem("count")
-    module = load_module(problem)
-    case = {"cx": 0, "cy": 0, "r": 5, "A": [-7, 1], "B": [1, 7]}
-    exact = module.solve(0, 0, 5, (-7, 1), (1, 7)).answer
-    picture = module.topic.picture(Shown(problem, case, exact, "1", "2", 2, "a case"))
-    assert isinstance(picture, Picture)
-    assert (picture.title, picture.heading) == (problem.title, "a case")
-    assert module.topic == circles.LINE
-
-
-def test_the_four_problems_are_of_the_topic_and_short():
-    for name in ("count", "exact-count", "segment", "ray-nearest"):
-        problem = find_problem(name)
-        assert load_module(problem).topic in (circles.LINE, circles.SEGMENT, circles.RAY)
-        assert len((problem.folder / "problem.py").read_text(encoding="utf-8").splitlines()) <= 45
 
 
 PAGE = Path(judge.__file__).parent / "manual" / "problem-py.md"

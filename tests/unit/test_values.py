@@ -52,24 +52,11 @@ def printed(text, exact, line):
     return type_.check_line(line, type_.target(exact, TOLERANCE), lambda: (exact, TOLERANCE))
 
 
-RIGHT = [
-    ("int", 3, 3),
+RIGHT = [  # what a perfect function gives in any type is drawn in tests/property
     ("int", 10**30, {"int": f"{10**30:x}"}),
-    ("int?", None, None),
     ("real", Real(Surd(0, 1, 2), 1), 2**0.5),
-    ("real?", Real(Surd(1), 1), 1),
-    ("word(lit|dark)", "lit", word("lit")),
-    ("word(lit|dark)?", None, None),
-    ("vec2", vector((Surd(1), Surd(2)), 1), [1.0, 2]),
     ("vec3", vector((1, 2, Fraction(1, 2)), 1), [1, 2.0, {"fraction": ["1", "2"]}]),
-    ("(int, real)", (1, Real(2, 1)), [1, 2.0]),
-    ("[int]", [1, 2, 4], [1, 2, 4]),
-    ("[int]", [], []),
-    ("[int; 2]", (1, 2), [1, 2]),
     ("[vec2; 0..2]", [vector((1, 2), 1)], {"tuple": [[1.0, 2.0]]}),
-    ("[real; 0..2]?", None, None),
-    ("[[int]; 2]", [[1], []], [[1], []]),
-    ("[(int, real)?]", [None, (1, Real(2, 1))], [None, [1, 2.0]]),
     (HITS, [HIT, TIE], [[1.0, 0, word("enter")], [2.0, 1, word("touch")], [2.0, 0, word("exit")]]),
     (HITS, [HIT, TIE], [[1.0, 0, word("enter")], [2.0, 0, word("exit")], [2.0, 1, word("touch")]]),
     ("int", AnyOf([1, 2]), 2),
@@ -79,27 +66,16 @@ RIGHT = [
     ("word(run|any)", "run", word("run")),
     ("enclosure", Enclosure(Surd(0, 1, 2), Fraction(1, 10**9)), [1.4142135623, 1.4142135624]),
     ("enclosure", Enclosure(1, 0), [1, {"decimal": "1.0"}]),
-    ("array(i8)", [0, 1, 2], [0, 1, 2]),
     ("array(i8)", [0, 1, 2], sent("b", [0, 1, 2])),
     ("array(i8)", [0, 1, 2], sent("q", [0, 1, 2])),
     ("array(f64)", [Real(Surd(0, 1, 2), 1)], sent("d", [2**0.5])),
-    ("array(f64)", [Real(2, 1)], [2]),
     ("[int]", [1, 2], sent("q", [1, 2])),
 ]
 
 
 @pytest.mark.parametrize(("text", "exact", "raw"), RIGHT)
-def test_right_answers(text, exact, raw):
+def test_right_answers_in_other_forms(text, exact, raw):
     assert isinstance(judged(text, exact, raw), Accepted)
-
-
-@pytest.mark.parametrize(("text", "exact", "raw"), RIGHT)
-def test_the_perfect_line_is_accepted(text, exact, raw):
-    if text.startswith("enclosure"):
-        return  # its perfect line is the narrowest, and may be wider than a width of 0
-    type_ = parse(text)
-    target = type_.target(exact, TOLERANCE)
-    assert isinstance(printed(text, exact, type_.line(target)), Accepted)
 
 
 WRONG = [
@@ -108,6 +84,7 @@ WRONG = [
     ("int", 3, {"tuple": [3]}, "the tuple (3,) where an int is meant"),
     ("real", Real(1), 2.0, "the answer is off by 1, relative error 1 (4.5e+15 ulps)"),
     ("real?", Real(1), None, "1.0 wanted, None given"),
+    ("real", Real(1), {"type": "float", "text": "nan"}, "it is not a finite number"),
     ("word(lit|dark)", "lit", word("dark"), "'lit' wanted, 'dark' given"),
     ("word(lit|dark)", "lit", 1, "1 where lit or dark is meant"),
     ("vec2", vector((1, 2)), [1.0, 3.0], "y is off by 1, relative error 0.5 (2.25e+15 ulps)"),

@@ -1,4 +1,7 @@
-"""The setter's gate: what it checks, and what it says about each broken promise."""
+"""The setter's gate: what it checks, and what it says about each broken promise.
+
+What it says of solutions is in the record: transcripts/faults/solutions.txt.
+"""
 
 from __future__ import annotations
 
@@ -29,42 +32,13 @@ def verified(pack, **options):
     return verify_problem(load_problem(pack / "problems" / "root-count"), **options)
 
 
-def add(pack, file, text):
-    path = pack / "solutions" / "root-count" / file
-    path.parent.mkdir(exist_ok=True)
-    path.write_text(text)
-
-
-def faults(pack):
-    return [str(fault) for fault in verified(pack).faults]
-
-
-def test_a_sound_problem():
-    report = verify_problem(load_problem(FIXTURES / "problems" / "root-count"))
-    assert report.ok
-    assert report.faults == ()
-    assert (report.problem, report.groups, report.cases, report.pins) == ("root-count", 2, 7, "matching")
-    accepted, wrong = report.solutions
-    assert (accepted.file, accepted.name, accepted.verdict) == ("accepted/signs.py", "signs", Verdict.AC)
-    assert (wrong.file, wrong.name, wrong.verdict) == (
-        "wrong/sign-forgotten.py",
-        "sign-forgotten",
-        Verdict.WA,
-    )
-    assert "small" in wrong.failed
-
-
-def test_progress_names_what_is_done(pack):
-    steps = []
-    verified(pack, progress=lambda *step: steps.append(step))
-    assert ("building data", 7, 7) in steps
-    assert steps[-1] == ("judging solutions", 2, 2)
-
-
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
-    report = verified(pack)
+    steps = []
+    report = verified(pack, progress=lambda *step: steps.append(step))
+    assert ("building data", 7, 7) in steps
+    assert steps[-1] == ("judging solutions", 2, 2)
     assert report.pins == "differing"
     assert [str(fault) for fault in report.faults] == [
         (
@@ -76,12 +50,10 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     assert verified(pack).ok
 
 
-@pytest.mark.parametrize(("content", "what"), [(None, "the data are not pinned"), ("{", "no JSON")])
-def test_missing_or_broken_pins_are_a_fault(pack, content, what):
-    pins = pack / "problems" / "root-count" / "hashes.json"
-    pins.unlink() if content is None else pins.write_text(content)
+def test_broken_pins_are_a_fault(pack):
+    (pack / "problems" / "root-count" / "hashes.json").write_text("{")
     (fault,) = verified(pack).faults
-    assert what in fault.what
+    assert "no JSON" in fault.what
     assert (fault.where, "--pin" in fault.remedy) == ("root-count/hashes.json", True)
 
 
@@ -93,102 +65,23 @@ def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     assert (report.ok, report.solutions) == (False, ())
 
 
-def test_no_accepted_solution(pack):
-    shutil.rmtree(pack / "solutions")
-    no_solution, no_mistake = faults(pack)
-    assert no_solution.startswith("root-count/accepted: there is no accepted solution; add one to ")
-    assert "no wrong program makes the mistake 'sign-forgotten' that group 'small' names" in no_mistake
-
-
 def test_a_time_limit_is_a_solutions_that_is_there(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text() + '\n[time]\nlimit = 100\nfunction = "sings.py"\n')
     line = toml.read_text().count("\n")
-    (fault,) = faults(pack)
-    assert fault == (
+    (fault,) = verified(pack).faults
+    assert str(fault) == (
         f"root-count/problem.toml:{line}: [time] names 'sings.py', which is no accepted solution; "
         "did you mean 'signs.py'?"
     )
 
 
-FINE = "def root_count(c):\n    return 2 if c > 0 else 1 if c == 0 else 0\n"
-ZERO = "def root_count(c):\n    return 0\n"
-ONE_OFF = "def root_count(c):\n    return 2 if c == -1 else (c > 0) - (c < 0) + 1\n"
-LOOP = "def root_count(c):\n    while True:\n        pass\n"
-
-
-@pytest.mark.parametrize(
-    ("file", "text", "fault"),
-    [
-        ("accepted/zero.py", f'"""zero"""\n{ZERO}', "accepted/zero.py: gets WA where AC is wanted"),
-        (
-            "accepted/unnamed.py",
-            FINE,
-            "accepted/unnamed.py: it has no docstring; begin it with the name of its idea",
-        ),
-        ("accepted/broken.py", '"""broken"""\ndef', "accepted/broken.py: no Python: "),
-        ("accepted/binary.py", '"""a\x00b"""', "accepted/binary.py: no Python: "),
-        (
-            "accepted/deep.py",
-            "-" * 20_000 + "1",
-            "accepted/deep.py: no Python: it is nested too deeply; repair it",
-        ),
-        (
-            "wrong/sign-forgotten-2.py",
-            f'"""sign-forgotten"""\n{FINE}',
-            "wrong/sign-forgotten-2.py: gets AC where a rejection is wanted",
-        ),
-        (
-            "wrong/sign-forgotten-3.py",
-            f'"""sign-forgotten"""\n{ONE_OFF}',
-            "wrong/sign-forgotten-3.py: it fails no group that names 'sign-forgotten'; it fails examples",
-        ),
-        ("wrong/zero.py", f'"""zero"""\n{ZERO}', "wrong/zero.py: no group's kills name 'zero'"),
-        (
-            "wrong/zero.py",
-            f'"""sign-forgotten"""\n{ZERO}',
-            "wrong/zero.py: its docstring names the mistake 'sign-forgotten', its file 'zero'",
-        ),
-        ("slow/fast.py", f'"""fast"""\n{FINE}', "slow/fast.py: gets AC where TLE is wanted"),
-    ],
-)
-def test_a_solution_that_breaks_its_folders_word(pack, file, text, fault):
-    problem = pack / "problems" / "root-count"
-    toml = (problem / "problem.toml").read_text().replace("reach = 9", "reach = 9, least = 0")
-    (problem / "problem.toml").write_text(toml)
-    module = (problem / "problem.py").read_text()
-    module = module.replace("(draw, reach)", "(draw, reach, least)").replace(
-        "integer(-reach", "integer(least"
-    )
-    (problem / "problem.py").write_text(module)
-    add(pack, "wrong/sign-forgotten.py", f'"""sign-forgotten"""\n{ZERO}')
-    verified(pack, update_pins=True)
-    assert faults(pack) == []
-    add(pack, file, text)
-    (line,) = faults(pack)
-    assert line.startswith(f"root-count/{fault}")
-
-
 def test_a_slow_program_is_one_that_runs_out_of_time(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("cpu_seconds = 2", "cpu_seconds = 0.2"))
-    add(pack, "slow/endless.py", f'"""endless."""\n{LOOP}')
+    slow = pack / "solutions" / "root-count" / "slow"
+    slow.mkdir()
+    (slow / "endless.py").write_text('"""endless."""\ndef root_count(c):\n    while True: pass\n')
     report = verified(pack)
     assert report.ok, report.faults
     assert [(each.name, each.verdict) for each in report.solutions][-1] == ("endless", Verdict.TLE)
-
-
-def test_a_group_must_kill_what_it_names(pack):
-    toml = pack / "problems" / "root-count" / "problem.toml"
-    text = toml.read_text().replace("points = 40", 'points = 40\nkills = ["zero-forgotten"]')
-    toml.write_text(
-        text.replace('kills = ["sign-forgotten"]', 'kills = ["sign-forgotten", "zero-forgotten"]')
-    )
-    program = "def root_count(c):\n    return 2 if c > 0 or c in (-9, -8, -7, -6, -5, -4, -3, -2, 0) else 0\n"
-    add(pack, "wrong/zero-forgotten.py", f'"""zero-forgotten"""\n{program}')
-    assert faults(pack) == [
-        (
-            "root-count/problem.toml: group 'examples' names 'zero-forgotten' and accepts every program that "
-            "makes it; strengthen its data, or take the name out of its kills"
-        )
-    ]

@@ -9,18 +9,16 @@ import sys
 import pytest
 from sandboxed import LIMITS
 
-from judge.data.load import load_data
-from judge.problem.find import find_problem
-from judge.report.places import fault_place
-from judge.run import Settings, run_submission
-from judge.run.budget import MOST_TIMEOUTS
 from judge.sandbox import LEVELS, Stop, open_box
 
 FUNCTION = b"def helper():\n    while True:\n        pass\n\n\ndef f(n):\n    return helper()\n"
 PROGRAM = b"import sys\nsys.stdin.read()\nwhile True:\n    pass\n"
 SHORT = LIMITS._replace(cpu_seconds=0.2, wall_seconds=20.0)
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel for another process's clock")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel for another process's clock"),
+]
 
 
 def ended(source, bounds, level=None):
@@ -50,15 +48,16 @@ def test_who_waits_is_said_to_wait_and_where():
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="needs processes kept to one core")
-@pytest.mark.parametrize("bounds", [{"wall_seconds": 0.5}, {"waiting_seconds": 0.5}])
-def test_a_busy_core_is_not_waiting(bounds):
+@pytest.mark.parametrize("waiting", [1e9, 0.5])
+def test_a_busy_core_is_not_waiting(waiting):
     """Other processes have most of the core that all of this is kept to."""
     before = os.sched_getaffinity(0)
     burners = []
     try:
         os.sched_setaffinity(0, {min(before)})
         burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(3)]
-        stop, detail = ended(FUNCTION, LIMITS._replace(cpu_seconds=60.0, **{"wall_seconds": 30.0, **bounds}))
+        bounds = LIMITS._replace(cpu_seconds=60.0, wall_seconds=2.0, waiting_seconds=waiting)
+        stop, detail = ended(FUNCTION, bounds)
     finally:
         for burner in burners:
             burner.kill()
@@ -116,14 +115,3 @@ def test_a_line_that_is_claimed_is_only_shown():
         "used more than 0.2 s of CPU time (line 77)",
     )
     assert ended(forged.format(claim=2**63).encode(), SHORT)[1] == "used more than 0.2 s of CPU time"
-
-
-def test_the_first_endless_call_ends_the_run_and_has_a_place():
-    """Only one group uses up its time; the others would cost as much again."""
-    problem = find_problem("count")
-    source = b"def line_count(cx, cy, r, A, B):\n    while True: pass\n"
-    result = run_submission(problem, load_data(problem), source, "mine.py", settings=Settings(measured=False))
-    assert MOST_TIMEOUTS > 1
-    assert result.verdict.value == "TLE"
-    assert result.time.cpu_seconds < 1.5 * problem.limits.cpu_seconds
-    assert fault_place(result).line == 2

@@ -96,7 +96,7 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
     return replace(
         report,
         choices=found.count,
-        faults=(*report.faults, *found.faults, *kata_faults(problem, folders)),
+        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
         warnings=(*report.warnings, *found.warnings),
     )
 

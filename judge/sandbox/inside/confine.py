@@ -34,6 +34,7 @@ class Confinement:
     def __init__(self, config: dict[str, Any]) -> None:
         """Give up everything the fork server does not need. Raises OSError where the kernel refuses."""
         self._threads: int = config["threads"]
+        self._server = os.getpid()
         self._die_with_parent: Callable[[], None] = _nothing
         self._small: ChildFilter | None = None
         _once_only_limits(config.get("descriptors", wire.MOST_DESCRIPTORS))
@@ -72,7 +73,7 @@ class Confinement:
             _limit(resource.RLIMIT_CPU, cpu_seconds)
         if self._threads:
             _limit(resource.RLIMIT_NPROC, self._threads)
-        self._die_with_parent()  # a fork does not inherit it
+        self._die_with_server()
         if self._small is None:
             os.setpgid(0, 0)  # so that what it forks can be ended with it
         else:
@@ -86,9 +87,15 @@ class Confinement:
         os.setpgid(0, 0)
         for name, value in limits.items():
             _limit(getattr(resource, name), value)
-        self._die_with_parent()
+        self._die_with_server()
         if self._small is not None:
             self._small.load_for(os.getpid())
+
+    def _die_with_server(self) -> None:
+        """End this child with the fork server, also where that has died since the fork."""
+        self._die_with_parent()  # a fork does not inherit it
+        if os.getppid() != self._server:
+            os._exit(1)
 
 
 def _nothing() -> None:

@@ -1,0 +1,144 @@
+"""The files that `judge run` and its likes write: JUnit XML, pictures, tests that keep a failing case."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import pytest
+from cli_support import BROKEN, FLOOR, MEAN, ROOT
+
+from judge.languages import find
+from judge.languages.model import language_called
+
+
+@pytest.fixture
+def team(submit):
+    """A folder of a wrong submission and a right one."""
+    submit(FLOOR, "team/b.py")
+    submit(MEAN, "team/a.py")
+    return "team"
+
+
+@pytest.mark.parametrize("form", ["json", "github", "text"])
+def test_a_file_is_written_with_every_format(form, judge, team):
+    ended = judge("run", "middle", team, "--format", form, "--junit", "out.xml")
+    assert ended.status == 1
+    root = Xml.parse("out.xml").getroot()
+    assert [suite.get("name") for suite in root] == ["middle team/a.py", "middle team/b.py"]
+    assert [suite.get("failures") for suite in root] == ["0", "2"]
+    assert judge("run", "middle", "team/a.py", "--junit", "out.xml").status == 0  # its own file, again
+    assert len(Xml.parse("out.xml").getroot()) == 1
+
+
+def test_what_the_submission_prints_and_returns_cannot_break_it(judge, submit):
+    source = "import sys\ndef middle(a, b):\n    print(']]></testsuite>')\n    return '\\x08]]>\\ud800<'\n"
+    judge("run", "middle", submit(source), "--junit", "out.xml")
+    (failure, _, _) = Xml.parse("out.xml").getroot().iter("failure")
+    assert r"the str '\x08]]>\ud800<' where a number" in failure.get("message")
+
+
+def test_a_broken_problem_is_an_error_for_each_submission(judge, team):
+    ended = judge("run", "misspelt-key", team, "--problems", BROKEN, "--junit", "out.xml")
+    assert (ended.status, ended.out) == (3, "")
+    root = Xml.parse("out.xml").getroot()
+    assert [suite.get("errors") for suite in root] == ["1", "1"]
+    assert "problem.toml" in next(root.iter("error")).get("message")
+
+
+@pytest.mark.slow
+def test_only_who_asks_for_xml_imports_it(submit, judge):
+    name = submit(MEAN)
+    judge("run", "middle", name)
+    script = (
+        "import sys\nfrom judge.cli import main\n"
+        f"sys.argv = ['judge', 'run', 'middle', {name!r}]\n"
+        "try:\n    main()\nexcept SystemExit:\n    pass\n"
+        "print('xml.etree' in sys.modules, file=sys.stderr)\n"
+    )
+    command = [sys.executable, "-c", script]
+    settings = {**os.environ, "PYTHONPATH": str(ROOT)}
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True, env=settings)
+    assert ended.stderr.split() == ["False"]
+
+
+# -- pictures ------------------------------------------------------------------------------------------------
+
+COUNT = "Line and circle: how many common points"
+
+
+@pytest.mark.slow
+def test_the_failing_case_is_drawn_into_a_file(judge, submit):
+    name = submit("def line_count(cx, cy, r, A, B):\n    return 1\n")
+    words = ("run", "count", name, "--svg", "case.svg", "--group", "grid", "--no-name")
+    titles = []
+    for options in ((), ("--no-shrink",), ("--json",), ("--quiet",)):
+        assert judge(*words, *options).status == 1
+        titles.append(Xml.parse("case.svg").getroot()[0].text)
+    assert titles[0] == titles[2] == titles[3] == f"{COUNT} – counterexample"
+    assert titles[1].startswith(f"{COUNT} – grid, case")
+
+
+def test_a_case_of_ones_own_is_drawn_into_a_file(judge, submit):
+    wrong = submit("def circle_segment(cx, cy, r, A, B):\n    return [(0, 3)]\n", "wrong.py")
+    ended = judge("try", "segment", "0, 0, 5, (-6, 3), (6, 3)", wrong, "--svg", "case.svg")
+    assert (ended.status, ended.err) == (1, "")
+    assert "your case" in Path("case.svg").read_text()
+
+
+@pytest.mark.parametrize(("source", "status"), [(MEAN, 0), (FLOOR, 1)])
+def test_nothing_is_written_where_nothing_is_to_be_drawn(source, status, judge, submit):
+    ended = judge("run", "middle", submit(source), "--svg", "case.svg")
+    assert (ended.status, ended.err.count("\n")) == (status, 1)
+    assert "nothing to draw, case.svg is not written" in ended.err
+    assert not Path("case.svg").exists()
+
+
+# -- tests that keep a failing case --------------------------------------------------------------------------
+
+
+def run_pytest(name):
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", name]
+    environment = {key: value for key, value in os.environ.items() if not key.startswith("PYTEST")}
+    return subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+
+
+@pytest.mark.slow
+def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
+    for source, name in (
+        (FLOOR, "work/mine.py"),
+        ("def middle(a, b):\n    return a\n", "other.py"),
+        (FLOOR, "a/x².py"),  # each has a name of its own
+        (FLOOR, "b/x².py"),
+        (FLOOR, "b/x_.py"),
+        (FLOOR, "b/-x.py"),
+    ):
+        ended = judge("run", "-q", "middle", "--save-regression", "test_kept.py", "--", submit(source, name))
+        assert "test_kept.py now holds middle:" in ended.err
+    assert "6 failed" in run_pytest("test_kept.py").stdout
+    for name in ("work/mine.py", "other.py", "a/x².py", "b/x².py", "b/x_.py", "b/-x.py"):
+        submit(MEAN, name)
+    assert run_pytest("test_kept.py").returncode == 0
+
+
+@pytest.mark.slow
+def test_a_kept_case_of_another_language_is_replayed(judge, submit):
+    if find.why_not(language_called("cpp")):
+        pytest.skip("no C++ here")
+    right = "double middle(double a, double b) { return (a + b) / 2; }"
+    path = submit(right.replace("/ 2", "/ 3"), "m.cpp")
+    assert judge("run", "middle", path, "--save-regression", "test_m.py").status == 1
+    failed = run_pytest("test_m.py")
+    assert failed.returncode == pytest.ExitCode.TESTS_FAILED
+    assert "wrong answer" in failed.stdout
+    submit(right, "m.cpp")
+    assert run_pytest("test_m.py").returncode == 0
+
+
+def test_a_file_that_is_no_text_is_left_alone(judge, submit):
+    Path("binary.py").write_bytes(b"\xff\xfe\x00")
+    assert judge("run", "middle", submit(FLOOR), "--save-regression", "binary.py").status == 2
+    assert Path("binary.py").read_bytes() == b"\xff\xfe\x00"

@@ -1,0 +1,2 @@
+def middle(a, b):
+    return (a + b) / 2

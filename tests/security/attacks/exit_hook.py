@@ -1,6 +1,0 @@
-"""Hang on leaving."""
-
-import atexit
-import time
-
-atexit.register(time.sleep, 60)

@@ -1,6 +1,0 @@
-"""Complain without end."""
-
-import sys
-
-while True:
-    sys.stderr.write("x" * 65536)

@@ -1,6 +1,0 @@
-"""Print without end."""
-
-import sys
-
-while True:
-    sys.stdout.write("x" * 65536)

@@ -1,5 +1,0 @@
-"""Fill memory with a list."""
-
-rows = []
-while True:
-    rows.append([0] * 100_000)

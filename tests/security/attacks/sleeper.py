@@ -1,5 +1,0 @@
-"""Sleep."""
-
-import time
-
-time.sleep(60)

@@ -1,6 +1,0 @@
-"""Stop itself."""
-
-import os
-import signal
-
-os.kill(os.getpid(), signal.SIGSTOP)

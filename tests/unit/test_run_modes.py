@@ -1,0 +1,198 @@
+"""Judging a submission whose entry function is called, or that reads a group and prints a line a case."""
+
+from __future__ import annotations
+
+import pytest
+from judging import CASES, GOOD, LIMITS, judged, make_data, make_parameter_data
+from msgspec.structs import replace
+
+from judge.problem import Verdict
+from judge.report.places import fault_place
+from judge.run import Mode, budget, program
+from judge.run.budget import MOST_LOSSES, Budget
+from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun
+from judge.run.program import answer_lines, render_group
+from judge.run.replies import Replies
+from judge.sandbox import Reply, Stop, Usage, levels
+
+
+def test_an_accepted_submission():
+    progress = []
+    result = judged(GOOD, make_data("one", "two"), on_progress=lambda *done: progress.append(done))
+    assert (result.verdict, result.mode, result.failure) == (Verdict.AC, Mode.FUNCTION, None)
+    assert progress == [(4, 8), (8, 8)]
+    assert result.isolation == next(level.name for level in levels() if level.available)
+    assert 0 <= result.time.cpu_seconds < 0.5  # next to nothing, and so is the start
+    assert result.time.wall_seconds > 0
+    assert result.memory_bytes > 0
+    assert result.groups[0].worst_ulps is None
+
+
+def test_the_time_of_all_calls_is_told():
+    body = "    until = time.thread_time() + 0.02\n    while time.thread_time() < until: pass\n    return int"
+    result = judged("import time\n" + GOOD.decode().replace("    return int", body), make_data("one", "two"))
+    assert result.verdict is Verdict.AC
+    assert [group.cpu_seconds > 0.07 for group in result.groups] == [True, True]
+    assert result.time.cpu_seconds == sum(group.cpu_seconds for group in result.groups)
+
+
+def test_all_groups_run_and_the_first_failing_one_decides():
+    data = make_data("one", "two", "three", "four", step=10)
+    source = """
+def answer(n, P):
+    if n == 10: return 7
+    if n == 21: raise ValueError("late")
+    return int(n + P[0] + P[1])
+"""
+    result = judged(source, data)
+    assert [group.verdict.value for group in result.groups] == ["AC", "WA", "RTE", "AC"]
+    assert (result.verdict, result.score) == (Verdict.WA, 50)
+    assert (result.failure.group, result.failure.case) == ("two", 2)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("body", "verdict", "message"),
+    [
+        ("1 / 0", Verdict.RTE, "ZeroDivisionError: division by zero (line 4)"),
+        ("os._exit(0)", Verdict.RTE, "exit status 0"),
+        ("bytes(1 << 40)", Verdict.MLE, "MemoryError (line 4)"),
+        ("while True: pass", Verdict.TLE, "used more than 0.2 s of CPU time (line 4)"),
+        ("time.sleep(60)", Verdict.TLE, "took more than 2 s, waiting at the end (line 4)"),
+        ("while True: print('x' * 999)", Verdict.OLE, "wrote more than 1 MB"),
+    ],
+)
+def test_each_way_to_fail_has_its_verdict(body, verdict, message):
+    source = f"import os, time\ndef answer(n, P):\n    if n == 2:\n        {body}\n    return n + int(sum(P))"
+    limits = replace(LIMITS, cpu_seconds=0.2, wall_seconds=2.0 if "sleep" in body else 60.0)
+    result = judged(source, make_data("one", limits=limits))
+    assert (result.verdict, result.failure.message) == (verdict, message)
+    assert (result.failure.case, result.failure.expected, result.failure.got) == (3, "2", "no answer")
+    assert result.groups[0].passed == (2 if verdict is Verdict.TLE else 3)
+
+
+def test_a_submission_is_given_up_after_ten_losses_in_all():
+    data, told = make_data(*"abcdefgh", cases=[(1, (0, 0))] * 9, counts=[1] * 9), []
+    source = "import os\ndef answer(n, P): os._exit(0)"
+    result = judged(source, data, on_progress=lambda *done: told.append(done))
+    assert (result.verdict, result.failure.group) == (Verdict.RTE, "a")
+    assert [group.verdict for group in result.groups] == [Verdict.RTE] * 8
+    assert told[-1][0] == 3 * 9  # three losses in each of three groups; the fourth has one and no more
+
+
+@pytest.mark.parametrize(
+    ("stops", "verdict"),
+    [
+        ([Stop.MEMORY] * MOST_LOSSES, Verdict.MLE),
+        ([Stop.OUTPUT] * MOST_LOSSES, Verdict.OLE),
+        ([Stop.MEMORY] * (MOST_LOSSES - 1) + [Stop.EXITED], Verdict.RTE),
+    ],
+)
+def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, verdict):
+    data = make_data(*"ab")
+    budget = Budget(data.problem)
+    for stop in stops:
+        assert budget.over is None
+        budget.booked(Replies([Reply(stop, None, "x")], Usage(), stop, lost=True))
+    assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
+    never, wrong = (GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups)
+    never.give_up(*budget.over)
+    wrong.failed(0, Verdict.WA, "wrong")
+    wrong.give_up(*budget.over)
+    assert (never.given_up, never.failure.message) == (True, "not run: its process was lost 10 times")
+    assert (wrong.given_up, wrong.verdict) == (False, Verdict.WA), "what was decided stays"
+
+
+SLEEPER = "import time\ndef answer(n, P):\n    time.sleep(0.05)\n    return int(n + P[0] + P[1])\n"
+SLEEPING_PROGRAM = """
+import time
+time.sleep(0.2)
+for _ in range(int(input())):
+    n, x, y = map(float, input().split())
+    print(int(n + x + y))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("source", [SLEEPER, SLEEPING_PROGRAM])
+def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
+    """Four calls of a group wait 0.2 s; all groups together may wait three wall limits, 0.9 s."""
+    limits = replace(LIMITS, wall_seconds=0.3)
+    result = judged(source, make_data(*"abcdefghijkl", limits=limits))
+    assert (result.verdict, result.score < 50) == (Verdict.TLE, True)
+    assert sum(group.cpu_seconds > 0 for group in result.groups) <= 5
+    assert {group.verdict for group in result.groups[5:]} == {Verdict.TLE}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("loops", "ran"), [("True", 1), ("n == 2", 2)])
+def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loops, ran):
+    """The groups after it would cost as much again."""
+    limits = replace(LIMITS, cpu_seconds=0.2)
+    source = f"def answer(n, P):\n    while {loops}: pass\n    return int(n + P[0] + P[1])\n"
+    result = judged(source, make_data("a", "b", "c", "d", limits=limits))
+    assert [group.verdict for group in result.groups] == [Verdict.TLE] * 4
+    assert sum(group.cpu_seconds > 0 for group in result.groups) == ran
+    assert result.failure.group == "a"
+    assert fault_place(result).line == 2
+
+
+def test_worst_ulps_of_accepted_numbers():
+    result = judged("def answer(n, P): return n + 2 ** -50", make_parameter_data([2.0, 4.0, 3.0]))
+    assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
+
+
+@pytest.mark.nightly
+def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
+    """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
+    data = make_data(*"abcd", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20))
+    result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (80 << 20)\n", data)
+    assert [group.verdict.value for group in result.groups] == ["MLE", "MLE", "TLE", "TLE"]
+
+
+# -- programs: they read a whole group and print a line a case -----------------------------------------------
+
+PROBLEM = make_data("one").problem
+
+
+def test_a_group_as_standard_input():
+    assert render_group(PROBLEM, CASES) == b"4\n1 0 0\n0 0.5 0.5\n2 -1 1\n0 0 0\n"
+    assert render_group(PROBLEM, [(10**40, (5e-324, -0.0))]) == b"1\n" + b"1" + b"0" * 40 + b" 5e-324 -0.0\n"
+
+
+@pytest.mark.parametrize(
+    ("stdout", "complete", "lines"),
+    [
+        (b"1\n2\n", True, ["1", "2"]),
+        (b"1\r\n2", True, ["1", "2"]),
+        (b"1\n2", False, ["1"]),
+        (b"1\n\n2\n \n\n", True, ["1", "", "2"]),
+        (b"", True, []),
+        (b"\xff\n", True, ["\ufffd"]),
+    ],
+)
+def test_lines_of_an_output(stdout, complete, lines):
+    assert answer_lines(stdout, complete=complete) == lines
+
+
+@pytest.mark.slow
+def test_the_search_for_the_case_has_an_end(monkeypatch):
+    """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
+    monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)
+    rendered = []
+    monkeypatch.setattr(program, "render_group", lambda *case: rendered.append(case) or render_group(*case))
+    body = "import time\ncount = int(input())\nwhile count < 4 and time.process_time() < 0.4: pass\n1 / 0\n"
+    result = judged(body, make_data(*"abcdefgh"))
+    assert {group.verdict for group in result.groups} == {Verdict.RTE}
+    assert len(rendered) == 8 + 1
+
+
+def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form():
+    """Other hurdles are in the record: transcripts/json/hurdles.txt."""
+    result = judged("for _ in range(int(input())):\n    n, x = input().split()\n    print(1)\n")
+    assert result.verdict is Verdict.RTE
+    assert result.failure.message.startswith("ValueError: too many values to unpack")
+    form = "; its input is a line with the number of cases, then one line each: n px py, here 1 0 0"
+    assert result.failure.message.endswith(form)
+    assert fault_place(result).line == 2
