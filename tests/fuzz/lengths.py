@@ -57,7 +57,7 @@ from judge.values.grammar import TypeFault, parse
 from judge.values.reread import reread
 
 SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
-ENOUGH = 0.03  # CPU seconds from which on a time tells how it grows
+ENOUGH = 0.015  # CPU seconds from which on a time tells how it grows
 FLAT, MOST = 6.0, 10.0  # times what a quarter of the text takes: certainly linear, and certainly not
 ENDLESS = 30.0  # CPU seconds after which a reader is said not to end
 
