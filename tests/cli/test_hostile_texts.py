@@ -8,7 +8,7 @@ import pytest
 from cli_support import FLOOR, MEAN
 
 from judge.languages import find
-from judge.languages.model import _HERE, language_called
+from judge.languages.model import _HERE, language_called, languages, near_languages
 
 pytestmark = pytest.mark.slow
 
@@ -36,7 +36,11 @@ def slow_language(tmp_path, monkeypatch):
     head = next(line for line in text.splitlines() if line.startswith("defines"))
     (folder / "slow.toml").write_text(text.replace(head, "defines = 'a{0,7000}{entry}'"))
     monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    return "a" * 900_000 + " middle"
+    for read in (languages, near_languages):  # which this process may have asked for before
+        read.cache_clear()
+    yield "a" * 900_000 + " middle"
+    for read in (languages, near_languages):
+        read.cache_clear()
 
 
 @pytest.fixture
