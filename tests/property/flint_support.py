@@ -98,24 +98,6 @@ def oracle(parts: Parts) -> tuple[float, float, float]:
     raise AssertionError(f"flint could not separate {parts}")
 
 
-def quick_parts(source: random.Random) -> Parts:
-    kind = source.randrange(8)
-    p = source.getrandbits(60) - (1 << 59)
-    q = source.getrandbits(40) - (1 << 39) or 1
-    d = source.getrandbits(56) | 2
-    s = source.getrandbits(50) | 1
-    if kind == 0:
-        p = -math.isqrt(q * q * d) if q > 0 else math.isqrt(q * q * d)
-    elif kind == 1:
-        s <<= 1050 + source.randrange(60)
-    elif kind == 2:
-        shift = 1000 + source.randrange(25)
-        p, q = p << shift, q << shift
-    elif kind == 3:
-        p = 0
-    return p, q, d, s
-
-
 def decimal_exponent(value: Fraction) -> int:
     """floor(log10(value)) of a positive rational."""
     exponent = len(str(value.numerator)) - len(str(value.denominator))

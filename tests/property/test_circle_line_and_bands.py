@@ -77,23 +77,6 @@ def check_root(t, point, start, direction, coefficients):
         assert coordinate == t * step + Fraction(origin)
 
 
-def test_roots_agree_with_flints_algebraic_numbers():
-    source = random.Random(2)
-    for _ in range(60):
-        numbers = [source.randint(-40, 40) for _ in range(7)]
-        line = CircleLine.ray(*numbers[:2], abs(numbers[2]), tuple(numbers[3:5]), tuple(numbers[5:]))
-        if line.degenerate or line.delta < 0:
-            continue
-        a, b, c = quadratic(*numbers[:2], abs(numbers[2]), numbers[3:5], numbers[5:])
-        roots = sorted(
-            (root.real for root, times in flint.fmpz_poly([int(c), int(2 * b), int(a)]).complex_roots()),
-            key=float,
-        )
-        assert len(roots) == line.count()
-        for which, root in zip((-1, 1) if len(roots) == 2 else (0,), roots, strict=True):
-            assert abs(float(root) - float(line.root(which))) <= 1e-12 * max(1.0, abs(float(root)))
-
-
 def test_scaling_by_a_power_of_two_changes_nothing_else():
     source = random.Random(3)
     for _ in range(200):
@@ -133,58 +116,18 @@ def test_unusual_input_is_refused():
         Bands(CLEAR, SNAP)
 
 
-@pytest.mark.parametrize(
-    ("case", "count", "points"),
-    [  # the published cases
-        ((2, 1, 1, (0, 1), (4, 1)), 2, [(1.0, 1.0), (3.0, 1.0)]),
-        ((2, 1, 1, (3, 0), (3, 3)), 1, [(3.0, 1.0)]),
-        ((0, 0, 1, (-5, 10), (5, 10)), 0, []),
-        ((0, 0, 1, (-5, 1), (5, 1)), 1, [(0.0, 1.0)]),
-        ((0, 0, 1, (-5, 0), (5, 0)), 2, [(-1.0, 0.0), (1.0, 0.0)]),
-        ((0.5, 1, 1.3, (1, 2), (4, 1.5)), 2, [(1.4059457458939, 1.9323423756844)]),
-        ((1150, 1000, 250, (1250, 1050), (250, 900)), 2, None),
-    ],
-)
-def test_published_cases(case, count, points):
-    line = CircleLine.through(*case)
-    assert BANDS.count(line) == line.count() == count
-    found = [tuple(map(float, line.point(which))) for which in BANDS.segment(line)]
-    if points is None:
-        assert len(found) == 1
-    else:
-        assert found == [pytest.approx(point, abs=1e-12) for point in points]
-
-
-def test_published_ray():
-    line = CircleLine.ray(6, 12, 5, (4, 1), (1, 3))
-    assert BANDS.ray(line) == 2
-    assert line.point(-1) == (6, 7)
-    assert line.point(1) == (9, 16)
-
-
 # -- on the very edge: circles on the x axis give rational distances -------------------------------------
 
 
-def horizontal(height: Fraction, radius: int = 2**50, reach: int = 1):
-    """A circle about the origin and a horizontal line at a dyadic height; the extent is the radius."""
-    scale = height.denominator
-    return CircleLine(
-        0,
-        0,
-        radius * scale,
-        -reach * scale,
-        height.numerator,
-        2 * reach * scale,
-        0,
-        scale.bit_length() - 1,
-        radius * scale,
-        *derived(radius * scale, -reach * scale, height.numerator, 2 * reach * scale),
-    )
+RADIUS = 2**50
 
 
-def derived(r, ax, ay, dx):
+def level(position: Fraction, height: Fraction, width: int) -> CircleLine:
+    """A level line from a dyadic place to the right; a circle about the origin, its radius the extent."""
+    scale = max(position.denominator, height.denominator)
+    r, ax, ay, dx = (int(each * scale) for each in (RADIUS, position, height, width))
     a, k = dx * dx, dx * ay
-    return a, ax * dx, k, r * r * a - k * k
+    return CircleLine(0, 0, r, ax, ay, dx, 0, scale.bit_length() - 1, r, a, ax * dx, k, r * r * a - k * k)
 
 
 STEP = Fraction(1, 2**80)
@@ -193,8 +136,7 @@ STEP = Fraction(1, 2**80)
 @pytest.mark.parametrize("side", [1, -1])
 def test_tangency_band_is_closed_and_ends_exactly(side):
     bands = Bands(Fraction(1, 2**40), Fraction(1, 2**23))
-    radius = 2**50
-    snap, clear = bands.snap * radius, bands.clear * radius
+    snap, clear = bands.snap * RADIUS, bands.clear * RADIUS
     expected_outside = 0 if side > 0 else 2
     cases = [
         (Fraction(0), 1, False),
@@ -206,33 +148,14 @@ def test_tangency_band_is_closed_and_ends_exactly(side):
         (clear + STEP, expected_outside, False),
     ]
     for distance, count, broken in cases:
-        line = horizontal(radius + side * distance)
+        line = level(Fraction(-1), RADIUS + side * distance, 2)
         assert bands.count(line) == count, distance
         assert (bands.broken_count(line) is not None) == broken, distance
 
 
-def on_axis(position: Fraction, width: int):
-    """A segment along the x axis from `position` to the right, through a circle of radius 2**50 about 0."""
-    scale = position.denominator
-    radius = 2**50
-    return CircleLine(
-        0,
-        0,
-        radius * scale,
-        position.numerator,
-        0,
-        width * scale,
-        0,
-        scale.bit_length() - 1,
-        radius * scale,
-        *derived(radius * scale, position.numerator, 0, width * scale),
-    )
-
-
 def test_ends_band_is_closed_and_ends_exactly():
     bands = Bands(Fraction(1, 2**40), Fraction(1, 2**23))
-    radius = 2**50
-    snap, clear = bands.snap * radius, bands.clear * radius
+    snap, clear = bands.snap * RADIUS, bands.clear * RADIUS
     for beyond, on, broken in [
         (-clear - STEP, True, False),
         (-clear, True, False),
@@ -245,8 +168,8 @@ def test_ends_band_is_closed_and_ends_exactly():
         (clear - STEP, False, True),
         (clear, False, False),
     ]:
-        # The root x = radius lies `beyond` before the start …
-        line = on_axis(radius + beyond, 2**51)
+        # The root x = RADIUS lies `beyond` before the start …
+        line = level(RADIUS + beyond, Fraction(0), 2 * RADIUS)
         assert (1 in bands.segment(line)) == on, beyond
         assert (bands.broken_segment(line) is not None) == broken, beyond
         # … and so for a ray, where a root at the origin is exactly t = 0.
@@ -254,8 +177,8 @@ def test_ends_band_is_closed_and_ends_exactly():
         assert bands.end(line, 1) == (0 if near else None)
         assert bands.ray(line) == (Surd(0) if near else line.root(1) if on else None)
         assert (bands.broken_ray(line) is not None) == broken
-        # The root x = −radius lies `beyond` after the end.
-        line = on_axis(-radius - beyond - 2**51, 2**51)
+        # The root x = −RADIUS lies `beyond` after the end.
+        line = level(-3 * RADIUS - beyond, Fraction(0), 2 * RADIUS)
         assert (-1 in bands.segment(line)) == on, beyond
         assert bands.end(line, -1) == (1 if near else None)
         assert (bands.broken_segment(line) is not None) == broken, beyond
@@ -330,40 +253,43 @@ def test_a_circle_of_radius_zero_is_a_point():
     assert (BANDS.count(beyond), BANDS.segment(beyond)) == (1, ())
 
 
-def test_rays():
-    def ray(r, origin, direction):
-        return BANDS.ray(CircleLine.ray(0, 0, r, origin, direction))
-
-    assert ray(5, (-13, 0), (2, 0)) == 4
-    assert ray(5, (0, 0), (2, 0)) == Fraction(5, 2)
-    assert ray(5, (3, 4), (1, 0)) == 0
-    assert ray(5, (-3, 4), (1, 0)) == 0
-    assert ray(5, (7, 0), (1, 0)) is None
-    assert ray(5, (-7, 5), (1, 0)) == 7
-    assert ray(5, (7, 5), (1, 0)) is None
-    assert ray(5, (0, 5), (1, 0)) == 0
-    assert ray(5, (0, 6), (1, 0)) is None
-    assert ray(5, (0, 0), (0, 0)) is None
-    assert ray(0, (0, 0), (1, 0)) == 0
-    # A root a hair behind the origin is at the origin, and is the nearest.
-    assert ray(1, (math.nextafter(-1, 2), 0), (1, 0)) == 0
-    assert ray(1, (math.nextafter(1, 2), 0), (1, 0)) == 0
+@pytest.mark.parametrize(
+    ("r", "origin", "direction", "t"),
+    [
+        (5, (-13, 0), (2, 0), 4),
+        (5, (0, 0), (2, 0), Fraction(5, 2)),
+        (5, (3, 4), (1, 0), 0),
+        (5, (-3, 4), (1, 0), 0),
+        (5, (7, 0), (1, 0), None),
+        (5, (-7, 5), (1, 0), 7),
+        (5, (7, 5), (1, 0), None),
+        (5, (0, 5), (1, 0), 0),
+        (5, (0, 6), (1, 0), None),
+        (5, (0, 0), (0, 0), None),
+        (0, (0, 0), (1, 0), 0),
+        # A root a hair behind the origin is at the origin, and is the nearest.
+        (1, (math.nextafter(-1, 2), 0), (1, 0), 0),
+        (1, (math.nextafter(1, 2), 0), (1, 0), 0),
+    ],
+)
+def test_rays(r, origin, direction, t):
+    assert BANDS.ray(CircleLine.ray(0, 0, r, origin, direction)) == t
 
 
 def test_extents():
     line = CircleLine.through(1, 0.5, 2, (4, 0), (1, -9.25))
     assert line.extent_length() == Fraction(39, 4)
-    assert CircleLine.through(1, 1, 5, (1, 2), (3, 4)).extent_length() == 5
-    assert CircleLine.through(1, 1, 5, (-7, 2), (3, 4)).extent_length() == 8
-    assert CircleLine.through(1, 1, 5, (1, 12), (3, 4)).extent_length() == 11
-    assert CircleLine.through(1, 1, 5, (1, 2), (-8, 4)).extent_length() == 9
-    assert CircleLine.ray(1, 1, 5, (1, 2), (30, 40)).extent_length() == 5
-    assert CircleLine.ray(1, 1, 5, (8, 2), (30, 40)).extent_length() == 7
-    line = CircleLine.ray(1, 1, 2, (4.5, 0), (3, 1))
-    assert line.extent_length() == Fraction(7, 2)
-    assert line.extent_parameter() == Surd(0, 7, 10, 20)
-    assert CircleLine.ray(1, 1, 2, (4.5, 0), (3, 4)).extent_parameter() == Fraction(7, 10)
-    assert CircleLine.ray(1, 1, 2, (4.5, 0), (0, 0)).extent_parameter() == 0
+    for start, end, extent in (
+        ((1, 2), (3, 4), 5),
+        ((-7, 2), (3, 4), 8),
+        ((1, 12), (3, 4), 11),
+        ((1, 2), (-8, 4), 9),
+    ):
+        assert CircleLine.through(1, 1, 5, start, end).extent_length() == extent
+    for origin, extent in (((1, 2), 5), ((8, 2), 7)):
+        assert CircleLine.ray(1, 1, 5, origin, (30, 40)).extent_length() == extent
+    for way, extent in (((3, 1), Surd(0, 7, 10, 20)), ((3, 4), Fraction(7, 10)), ((0, 0), 0)):
+        assert CircleLine.ray(1, 1, 2, (4.5, 0), way).extent_parameter() == extent
 
 
 def test_bands_agree_with_the_definition_at_random():

@@ -1,44 +1,36 @@
-"""Katas of motions: exact moments against other formulas in 80 digits, shipped cases and fresh ones."""
+"""Katas of motions and of many circles: exact answers against other formulas in 80 digits.
+
+Roots come from the quadratic's own coefficients, not from the cross product that `solve` takes.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
 from decimal import Decimal, localcontext
-from fractions import Fraction
-from itertools import chain, islice
-from pathlib import Path
+from itertools import islice, pairwise
 
 import pytest
+from references import (
+    CLOSE,
+    SNAP,
+    answers,
+    cases_of,
+    cross,
+    dot,
+    minus,
+    norm,
+    number,
+    plus,
+    reach,
+    small_cases,
+    solver,
+    vec,
+)
+from sampling import nightly
 
-from judge.data import load_data
-from judge.data.module import load_module
-from judge.exact import Surd
-from judge.problem.load import load_problem
+from judge.values import AnyOf, Run
 
-PROBLEMS = Path(__file__).parents[2] / "problems"
-CASES = 1000
-DIGITS = 80
-SNAP = Decimal("1e-12")
-CLOSE = Decimal("1e-60")  # a moment; the arithmetic has digits to spare
-
-
-def vec(point):
-    return tuple(map(Decimal, point))  # of ints or doubles, without rounding
-
-
-def minus(p, q):
-    return p[0] - q[0], p[1] - q[1]
-
-
-def dot(p, q):
-    return p[0] * q[0] + p[1] * q[1]
-
-
-def norm(p):
-    return dot(p, p).sqrt()
-
-
-def reach(*vectors):
-    return max(abs(x) for vector in vectors for x in vector)
+# -- moments of motions -------------------------------------------------------------------------------------
 
 
 def in_time(t, way, slack):
@@ -51,7 +43,7 @@ def in_time(t, way, slack):
 
 def balls_meet(p0, p1, r, q0, q1, s):
     """By the squared distance, as the product of both roots over the other one."""
-    p0, p1, q0, q1 = map(vec, (p0, p1, q0, q1))
+    p0, p1, q0, q1 = (vec(*each) for each in (p0, p1, q0, q1))
     f, total = minus(p0, q0), Decimal(r) + Decimal(s)
     way = minus(minus(p1, q1), f)
     slack = SNAP * max(total, reach(minus(p1, p0), f, minus(q1, p0)))
@@ -60,10 +52,10 @@ def balls_meet(p0, p1, r, q0, q1, s):
     if not any(way):
         return None
     a, b, c = dot(way, way), dot(way, f), dot(f, f) - total * total
-    nearest = minus(f, (b / a * way[0], b / a * way[1]))
-    if abs(norm(nearest) - total) <= slack:
+    nearest = norm(plus(f, way, -b / a))
+    if abs(nearest - total) <= slack:
         return in_time(-b / a, way, slack)
-    if norm(nearest) > total or b > 0:
+    if nearest > total or b > 0:
         return None
     return in_time(c / (-b + (b * b - a * c).sqrt()), way, slack)
 
@@ -74,26 +66,25 @@ def apart(p, a, b):
     square, along = dot(wall, wall), dot(f, wall)
     if along <= 0 or along >= square:
         return min(dot(f, f), dot(minus(p, b), minus(p, b)))
-    return (wall[0] * f[1] - wall[1] * f[0]) ** 2 / square
+    return cross(wall, f) ** 2 / square
 
 
 def lowest(p0, way, a, b):
     """When the distance from the segment is least on the whole line; of several moments the first."""
     feet = [-dot(minus(p0, end), way) / dot(way, way) for end in (a, b)]
     wall = minus(b, a)
-    turn = way[0] * wall[1] - way[1] * wall[0]
+    turn = cross(way, wall)
     if turn:
-        f = minus(a, p0)
-        feet.append((f[0] * wall[1] - f[1] * wall[0]) / turn)
-    place = {t: apart((p0[0] + t * way[0], p0[1] + t * way[1]), a, b) for t in feet}
+        feet.append(cross(minus(a, p0), wall) / turn)
+    place = {t: apart(plus(p0, way, t), a, b) for t in feet}
     least = min(place.values())
     return min(t for t in feet if place[t] - least <= CLOSE * least), least.sqrt()
 
 
 def time_of_impact(p0, p1, r, a, b):
     """By halving: the distance from the segment is convex in time, and falls until it is least."""
-    p0, p1, a, b, r = vec(p0), vec(p1), vec(a), vec(b), Decimal(r)
-    way = minus(p1, p0)
+    p0, p1, a, b = (vec(*each) for each in (p0, p1, a, b))
+    r, way = Decimal(r), minus(p1, p0)
     slack = SNAP * max(r, reach(*(minus(end, place) for end in (a, b) for place in (p0, p1))))
     if apart(p0, a, b).sqrt() - r <= slack:
         return Decimal(0)
@@ -104,7 +95,7 @@ def time_of_impact(p0, p1, r, a, b):
         grazed = [
             -dot(minus(p0, each), way) / dot(way, way)
             for each in (a, b)
-            if abs(norm_across(minus(p0, each), way) - r) <= slack
+            if abs(abs(cross(way, minus(p0, each))) / norm(way) - r) <= slack
         ]
         return in_time(min(grazed), way, slack)
     if least > r or end < 0:
@@ -112,66 +103,247 @@ def time_of_impact(p0, p1, r, a, b):
     start = Decimal(0)
     for _ in range(220):
         middle = (start + end) / 2
-        near = apart((p0[0] + middle * way[0], p0[1] + middle * way[1]), a, b) <= r * r
+        near = apart(plus(p0, way, middle), a, b) <= r * r
         start, end = (start, middle) if near else (middle, end)
     return in_time(end, way, slack)
 
 
-def norm_across(f, way):
-    """How far the line through f along the way passes the origin."""
-    return abs(way[0] * f[1] - way[1] * f[0]) / norm(way)
+def same_moment(answer, other):
+    if answer is None or other is None:
+        return answer is other
+    return abs(number(answer) - other) <= CLOSE
 
 
-ANSWERS = {"swept-balls": balls_meet, "swept-wall": time_of_impact}
+@pytest.mark.parametrize(
+    ("name", "formula"), [("swept-balls", balls_meet), nightly("swept-wall", time_of_impact)]
+)
+def test_the_exact_moment_is_that_of_another_formula(name, formula):
+    kinds = Counter()
+    for answer in answers(name, formula, cases_of(name, (None, 1), step=3), same_moment):
+        kinds["none" if answer is None else "moment" if number(answer) else "start"] += 1
+    assert len(kinds) == 3
+    assert min(kinds.values()) > 50
 
 
-def number(x):
-    x = Surd.of(x) if isinstance(x, int | Fraction) else x
-    return (Decimal(x.p) + Decimal(x.q) * Decimal(x.d).sqrt()) / Decimal(x.s)
+# -- a ray and many circles ---------------------------------------------------------------------------------
 
 
-def cases_of(problem):
-    """Cases of all groups, shipped ones and fresh ones."""
-    data = (load_data(problem, seed=seed, cache=False) for seed in (None, 1))
-    return list(islice(chain.from_iterable(g.cases for each in data for g in each.groups), None, None, 3))[
-        :CASES
+def roots(circle, origin, way, e):
+    """The parameters and sides of the line's hits with one circle, by a·t² + 2·b·t + c = 0."""
+    x, y, r = circle
+    f = minus(origin, (x, y))
+    a, b, c = dot(way, way), dot(f, way), dot(f, f) - r * r
+    distance = max(Decimal(0), dot(f, f) - b * b / a).sqrt()
+    if abs(distance - r) <= SNAP * e:
+        return [(-b / a, "touch")]
+    if distance > r:
+        return []
+    far = -b - (b * b - a * c).sqrt() if b > 0 else -b + (b * b - a * c).sqrt()
+    first, last = sorted((far / a, c / far if far else Decimal(0)))
+    return [(first, "enter"), (last, "exit")]
+
+
+def scene(circles, origin, way):
+    """In Decimals, with the extent as seen from the origin, and what that is in the parameter."""
+    circles, origin, way = [vec(*each) for each in circles], vec(*origin), vec(*way)
+    e = max(*(reach(minus((x, y), origin)) for x, y, _ in circles), *(r for _, _, r in circles), Decimal(0))
+    return circles, origin, way, e, SNAP * e / reach(way)
+
+
+def all_hits(circles, origin, way):
+    circles, origin, way, e, slack = scene(circles, origin, way)
+    hits = [
+        (Decimal(0) if abs(t) <= slack else t, index, tag)
+        for index, circle in enumerate(circles)
+        for t, tag in roots(circle, origin, way, e)
+        if t >= -slack
     ]
+    runs = []
+    for hit in sorted(hits):
+        if runs and hit[0] - runs[-1][0][0] <= slack:
+            runs[-1].append(hit)
+        else:
+            runs.append([hit])
+    return runs, slack / SNAP
 
 
-@pytest.mark.parametrize("name", ANSWERS)
-def test_the_exact_moment_is_that_of_another_formula(name):
-    problem = load_problem(PROBLEMS / name)
-    solve = load_module(problem).solve
-    cases = cases_of(problem)
-    assert len(cases) == CASES
-    kinds = {"none": 0, "start": 0, "moment": 0}
-    for case in cases:
-        solved = solve(*case)
-        assert solved.broken is None
-        with localcontext(prec=2 * DIGITS):  # so that differences keep eighty
-            wanted = ANSWERS[name](*case)
-            assert (solved.answer is None) is (wanted is None), case
-            if wanted is not None:
-                assert abs(number(solved.answer.x) - wanted) <= CLOSE, case
-        kinds["none" if wanted is None else "moment" if wanted else "start"] += 1
-    assert min(kinds.values()) > CASES // 20
+def same_hits(answer, other):
+    wanted, unit = other
+    runs = [list(each.items) if isinstance(each, Run) else [each] for each in answer]
+    if [len(run) for run in runs] != [len(run) for run in wanted]:
+        return False
+    for run, hits in zip(runs, wanted, strict=True):
+        left = {(index, tag): t for t, index, tag in hits}
+        for real, index, tag in run:
+            if abs(number(real) - left.pop((index, tag))) > CLOSE * unit:
+                return False
+    return True
 
 
-@pytest.mark.parametrize("name", ANSWERS)
-def test_a_mirror_image_of_a_case_is_met_at_the_same_moment(name):
-    problem = load_problem(PROBLEMS / name)
-    module = load_module(problem)
-    seen = 0
+def test_the_hits_are_those_of_another_formula():
+    cases = cases_of("enter-exit", (None, 1))
+    found = list(answers("enter-exit", all_hits, cases, same_hits))
+    assert sum(any(isinstance(each, Run) for each in answer) for answer in found) > 100
+    counts = {len(circles) for circles, *_ in cases}
+    assert (min(counts), max(counts) > 30) == (1, True)
 
-    class Chance:
-        def integer(self, low, high):
-            return low
 
-    for group in load_data(problem).groups:
-        for case, target in islice(zip(group.cases, group.targets, strict=True), 12):
-            for image, changed in module.topic.images(problem, case, target, Chance(), 7):
-                solved = module.solve(*image)
-                assert solved.broken is None
-                assert problem.answer.target(solved.answer, group.group.tolerance) == changed
-                seen += 1
-    assert seen > 500
+def inside_spans(circles, origin, way, program):
+    """By the middles of the pieces between all ends, asked one by one, the program read backwards."""
+    circles, origin, way, e, slack = scene(circles, origin, way)
+    discs = [[t for t, tag in roots(circle, origin, way, e) if tag != "touch"] for circle in circles]
+    cuts = [Decimal(0)]
+    for end in sorted(end for disc in discs for end in disc):
+        if end - cuts[-1] > slack:
+            cuts.append(end)
+    inside = [holds(list(program), discs, (p + q) / 2) for p, q in pairwise(cuts)]
+    starts = [cuts[at] for at, here in enumerate(inside) if here and not (at and inside[at - 1])]
+    ends = [cuts[at + 1] for at, here in enumerate(inside) if here and not any(inside[at + 1 : at + 2])]
+    return list(zip(starts, ends, strict=True)), slack
+
+
+def holds(program, discs, t):
+    """Whether the solid that the program's last step makes holds t; its steps are taken away."""
+    step = program.pop()
+    if step >= 0:
+        return bool(discs[step]) and discs[step][0] < t < discs[step][1]
+    upper, lower = holds(program, discs, t), holds(program, discs, t)
+    return {-1: lower or upper, -2: lower and upper, -3: lower and not upper}[step]
+
+
+def same_spans(answer, other):
+    wanted, slack = other  # any of the ends at one place
+    return len(answer) == len(wanted) and all(
+        abs(number(real) - end) <= 2 * slack
+        for span, ends in zip(answer, wanted, strict=True)
+        for real, end in zip(span, ends, strict=True)
+    )
+
+
+def test_the_spans_are_those_of_the_middles_of_all_pieces():
+    found = answers("csg", inside_spans, cases_of("csg", (None, 1)), same_spans)
+    assert set(map(len, found)) >= {0, 1, 2, 3}
+
+
+def light(circles, origin, way, lamp):
+    """By the roots of both rays, the hit being known to 160 digits."""
+    circles, origin, way, lamp = [vec(*each) for each in circles], vec(*origin), vec(*way), vec(*lamp)
+    hits = [(t, circle) for circle in circles for t, _ in roots(circle, origin, way, 0) if t > 0]
+    if not hits:
+        return None
+    t, (x, y, _) = min(hits)
+    point = plus(origin, way, t)
+    normal, there = minus(point, (x, y)), minus(lamp, point)
+    if dot(way, normal) * dot(there, normal) > 0:
+        return "dark"
+    seconds = [s for circle in circles for s, _ in roots(circle, point, there, 0)]
+    return "dark" if any(CLOSE < s < 1 for s in seconds) else "lit"
+
+
+def test_the_light_is_that_of_the_roots_of_both_rays():
+    seen = Counter(answers("shadow", light, cases_of("shadow", (None, 1))))
+    assert min(seen[each] for each in ("lit", "dark", None)) > 30
+
+
+def first_hits(circles, origin, way):
+    """Every circle's least t >= 0, and what the extent is in the parameter."""
+    circles, origin, way, e, slack = scene(circles, origin, way)
+    found = []
+    for index, circle in enumerate(circles):
+        ts = [Decimal(0) if abs(t) * norm(way) <= SNAP * e else t for t, _ in roots(circle, origin, way, e)]
+        found += [(t, index) for t in ts if t >= 0][:1]
+    return found, slack
+
+
+def is_first(answer, circles, origin, way):
+    """Whether the answer names just the circles that come first, each with its t."""
+    found, slack = first_hits(circles, origin, way)
+    if answer is None or not found:
+        return answer is None and not found
+    first = {index: t for t, index in found if t - min(found)[0] <= slack}
+    given = dict(answer.answers if isinstance(answer, AnyOf) else [answer])
+    return given.keys() == first.keys() and all(
+        abs(number(t) - first[index]) <= CLOSE * (slack / SNAP + first[index]) for index, t in given.items()
+    )
+
+
+@pytest.mark.parametrize("name", ["nearest", "beams"])
+@pytest.mark.nightly
+def test_the_first_circle_of_a_ray_is_that_of_a_loop_over_all_circles(name):
+    checked = []
+    for (circles, *rays), given in small_cases(name, (None, 1, 2, 3)):
+        asked = rays[0] if name == "nearest" else [(rays[0], way) for way in rays[1]]
+        assert len(asked) == len(given)
+        with localcontext(prec=80):
+            for answer, (origin, way) in islice(zip(given, asked, strict=True), 8):
+                assert is_first(answer, circles, origin, way), (circles, origin, way)
+                checked.append(answer)
+    assert len(checked) >= 1000
+    assert sum(answer is None for answer in checked) > 50
+    assert name == "beams" or sum(isinstance(answer, AnyOf) for answer in checked) > 5
+
+
+# -- what is against the promise ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("program", "fault"),
+    [
+        ((0, 1), "leaves 2 solids"),
+        ((0, -1), "less than two solids"),
+        ((-3,), "less than two solids"),
+        ((0, 2, -1), "names 2, and there are 2 discs"),
+    ],
+)
+def test_a_program_that_is_none_is_against_the_promise(program, fault):
+    solve = solver("csg")
+    assert fault in solve([(3, 0, 1), (6, 0, 1)], (0, 0), (1, 0), program).broken
+    assert solve([(3, 0, 1), (6, 0, 1)], (0, 0), (1, 0), (0, 1, -1)).broken is None
+
+
+@pytest.mark.parametrize(
+    ("case", "broken"),
+    [
+        (([(5, 0, 1)], (0, 0), (0, 0), (0, 8)), "D is"),
+        (([(5, 0, 0)], (0, 0), (1, 0), (0, 8)), "radius"),
+        (([(5, 0, 1), (9, 9, 1e-5)], (0, 0), (1, 0), (0, 8)), "radius"),
+        (([(5, 1, 1)], (0, 0), (1, 0), (0, 8)), "ray nearly touches"),
+        (([(5, 0, 5)], (0, 0), (1, 0), (0, 8)), "origin"),
+        (([(5, 0, 1), (0, 8, 2)], (0, 0), (1, 0), (0, 6)), "light is nearly on"),
+        (([(5, 0, 1)], (0, 0), (1, 0), (4, 8)), "level"),
+        (([(5, 0, 1), (3, 0, 1)], (0, 0), (1, 0), (0, 8)), None),
+        (([(5, 0, 1), (4.5, 0, 0.5)], (0, 0), (1, 0), (0, 8)), "another circle"),
+        (([(5, 0, 1), (2, 5, 1)], (0, 0), (1, 0), (-4, 8)), None),
+        (([(5, 0, 1), (1, 4, 1)], (0, 0), (1, 0), (0, 4)), "light is nearly on"),
+        (([(5, 0, 1), (-4, 5, 2)], (0, 0), (1, 0), (-2, 6.000001)), None),
+        (([(5, 0, 1), (1, 8, 4)], (0, 0), (1, 0), (1, 3)), None),
+        (([(7, 0, 5), (-2, 7, 3)], (0, 0), (1, 0), (-6, 6)), None),
+        (([(5, 0, 1), (3.2, 4.6, 4)], (0, 0), (1, 0), (-4, 6)), None),
+        (([(5, 0, 5), (15, 7, 5)], (2, 0), (1, 0), (3, 4)), None),
+        (([(8, 0, 5), (0, 7, 1)], (0, 0), (1, 0), (-1, 3)), None),
+        (([(5, 0, 1), (0, 4, 2)], (0, 0), (1, 0), (-4, 6)), None),
+        (([(5, 0, 2), (-1, 5, 1)], (0, 0), (1, 0), (-1, 8)), None),
+        (([(8, 0, 5), (3, 8, 5)], (0, 0), (1, 0), (-2, 10)), None),
+        (([(5, 0, 1), (1.2, 4.6, 2.0000001)], (0, 0), (1, 0), (-4, 6)), "way to the light nearly touches"),
+    ],
+)
+def test_what_is_nearly_a_tie_is_against_the_promise(case, broken):
+    solved = solver("shadow")(*case)
+    if broken is None:
+        with localcontext(prec=160):
+            assert (solved.broken, solved.answer) == (None, light(*case))
+    else:
+        assert broken in solved.broken
+
+
+def test_the_promise_is_held_for_every_pair_of_hits():
+    """Three hits of which two are not at one place are refused, wherever the circles are in the list."""
+    solve = solver("enter-exit")
+    near = 0.9e-12 * 16
+    circles = [(8.0 + shift, 0.0, 4.0) for shift in (0.0, near, 2 * near)] + [(16.0, 0.0, 2.0)]
+    for order in ((0, 1, 2, 3), (2, 1, 0, 3), (1, 3, 0, 2)):
+        assert solve([circles[each] for each in order], (0.0, 0.0), (1.0, 0.0)).broken is not None
+    assert solve([circles[each] for each in (0, 1, 3)], (0.0, 0.0), (1.0, 0.0)).broken is None
+    assert solve(circles[:1], (0, 0), (0, 0)).broken == "D is (0, 0)"
+    assert "origin" in solve([(4.0 + 1e-9, 0.0, 4.0)], (0.0, 0.0), (1.0, 0.0)).broken
+    assert solve([(8.0, 4.0 + 1e-9, 4.0)], (0.0, 0.0), (1.0, 0.0)).broken is not None

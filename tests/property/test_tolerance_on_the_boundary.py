@@ -9,6 +9,8 @@ from fractions import Fraction
 
 import flint
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from judge.errors import ProblemError
 from judge.exact import Surd, rounding
@@ -138,20 +140,53 @@ def max_of(one: flint.arb, two: flint.arb) -> flint.arb:
     return one if one > two else two
 
 
+def assert_measured(x, tolerance, unit, *roots):
+    """The ends of the doubles that are accepted are the exact ones, rounded inward."""
+    low, high = exact_ends(x, tolerance, unit)
+    found = measure(x, tolerance, unit, *roots)
+    assert (found.lo, found.hi) == (low.round_up(), high.round_down())
+    assert found.nearest == float(x)
+    return found
+
+
 def test_intervals_of_doubles_are_the_exact_ones_rounded_inward():
     cases = [(Surd.of(x), Surd.of(unit)) for x, unit, _ in rational_cases(150)]
     cases += list(irrational_cases(300))
     cases += [(x / 10**18, unit / 10**9) for x, unit in irrational_cases(50)]
     for x, unit in cases:
         for tolerance in ALL:
-            low, high = exact_ends(x, tolerance, unit)
-            found = measure(x, tolerance, unit)
-            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
-            assert found.nearest == float(x)
+            found = assert_measured(x, tolerance, unit)
             wanted = (x - Fraction(found.nearest)) / x.ulp()
             assert abs(wanted - Fraction(found.residual)) < Fraction(1, 10**9)
             assert Fraction(found.ulp) == x.ulp()
             assert acceptance(x, tolerance, unit) == (found.lo, found.hi)
+
+
+BOTTOMS = st.one_of(
+    st.integers(1, 1000), st.integers(0, 80).map(lambda bits: 1 << bits), st.integers(1, 1 << 200)
+)
+
+
+def assert_rational_measured(x, tolerance, unit):
+    found = assert_measured(x, tolerance, unit)
+    away = (Fraction(x.p, x.s) - Fraction(found.nearest)) / x.ulp()
+    assert (found.residual, found.ulp) == (float(away), float(x.ulp()))
+    assert math.inf not in map(abs, found)
+
+
+@given(st.integers(-(1 << 300), 1 << 300), BOTTOMS, BOTTOMS, BOTTOMS, st.sampled_from(ALL))
+@settings(max_examples=400, deadline=None)
+def test_every_rational(p, s, top, bottom, tolerance):
+    assert_rational_measured(Surd(p, 0, 0, s), tolerance, Surd(top, 0, 0, bottom))
+
+
+@pytest.mark.parametrize("exponent", [-1100, -1074, -1022, -905, -60, 0, 60, 905, 1020])
+def test_beside_a_power_of_two_and_where_doubles_begin_and_end(exponent):
+    # Just below a power of two the nearest double may be that power, which has the larger ulp.
+    for hair in (-1, 0, 1):
+        for tolerance in ALL:
+            x = Surd.of(Fraction(2) ** exponent * (1 + Fraction(hair, 10**40)))
+            assert_rational_measured(x, tolerance, Surd.of(1))
 
 
 def test_doubles_next_to_the_ends():
@@ -257,10 +292,7 @@ def test_enclosures_too_coarse_to_decide_are_noticed(bits):
             continue
         root = math.isqrt(x.d << 2 * k)
         for tolerance in (*ALL, Tolerance(relative=Fraction(1, 3), ulps=Fraction(1, 3))):
-            low, high = exact_ends(x, tolerance, unit)
-            found = measure(x, tolerance, unit, lambda d, _, k=k, root=root: (k, root))
-            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
-            assert found.nearest == float(x)
+            assert_measured(x, tolerance, unit, lambda d, _, k=k, root=root: (k, root))
 
 
 def test_fixed_point_enclosures_hold_what_they_enclose():
@@ -292,10 +324,7 @@ def test_extreme_magnitudes(scale):
     for x, unit in irrational_cases(15):
         x, unit = x * factor / 10**9, unit * factor / 10**9
         for tolerance in ALL:
-            low, high = exact_ends(x, tolerance, unit)
-            found = measure(x, tolerance, unit)
-            assert (found.lo, found.hi) == (low.round_up(), high.round_down())
-            assert found.nearest == float(x)
+            assert_measured(x, tolerance, unit)
 
 
 def test_answers_beyond_the_largest_double():

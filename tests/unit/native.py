@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,12 @@ from judge.sandbox import Boxes, Limits, Stop
 from judge.values.grammar import parse
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+
+
+def sources(folder: str) -> dict[str, str]:
+    """The sources of that folder of the fixtures, by their files' names."""
+    found = sorted((Path(__file__).parents[1] / "fixtures" / "native" / folder).iterdir())
+    return {path.name: path.read_bytes().decode() for path in found}
 
 
 def need(name: str) -> None:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import warnings
 import zipfile
 from pathlib import Path
 
 import pytest
 from foreign_packages import LEGACY, written, zipped
 
-from judge.errors import JudgeError, ProblemError, UsageError
+from judge.errors import ProblemError, UsageError
 from judge.packs.foreign import opening, settings
 from judge.packs.foreign.cases import test_files as files_of
 from judge.packs.foreign.checker import content_of
@@ -34,57 +35,64 @@ def test_a_sound_archive_is_a_package(tmp_path):
         assert not place.exists()
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "../out.txt",
-        "sum/../../out.txt",
-        "/tmp/out.txt",
-        "..\\out.txt",
-        "sum/data\\..\\x",
-        "x" * 300,
-        "a/" * 40 + "b",
-    ],
-)
-def test_a_member_that_leads_elsewhere(tmp_path, name):
-    path = zipped(tmp_path / "bad.zip", {**FOUNDED, name: "x"})
-    with pytest.raises(ProblemError, match="no name of a file"):
-        Opened(str(path))
-    assert not (tmp_path / "out.txt").exists()
+def member(name, content="x", kind=None, **packing):
+    """What makes an archive worse by one member."""
+
+    def add(path):
+        found = zipfile.ZipInfo(name)
+        found.external_attr = 0 if kind is None else (kind | 0o777) << 16
+        with zipfile.ZipFile(path, "a") as archive, warnings.catch_warnings(action="ignore"):
+            archive.writestr(found, content, **packing)
+
+    return add
 
 
-@pytest.mark.parametrize("kind", [stat.S_IFLNK, stat.S_IFIFO, stat.S_IFCHR])
-def test_a_member_that_is_a_link_or_a_device(tmp_path, kind):
-    path = zipped(tmp_path / "bad.zip", FOUNDED)
-    with zipfile.ZipFile(path, "a") as archive:
-        member = zipfile.ZipInfo("sum/data/secret/2.in")
-        member.external_attr = (kind | 0o777) << 16
-        archive.writestr(member, "/etc/passwd")
-    with pytest.raises(ProblemError, match="is a link or no ordinary file"):
-        Opened(str(path))
-
-
-def test_a_member_that_is_there_twice(tmp_path):
-    path = zipped(tmp_path / "bad.zip", FOUNDED)
-    with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
-        archive.writestr("sum/problem.yaml", "name: another")
-    with pytest.raises(ProblemError, match="twice"):
-        Opened(str(path))
-
-
-def test_a_member_that_is_packed_otherwise(tmp_path):
-    path = zipped(tmp_path / "bad.zip", FOUNDED)
-    with zipfile.ZipFile(path, "a") as archive:
-        archive.writestr("sum/data/secret/2.in", "1 2", zipfile.ZIP_BZIP2)
-    with pytest.raises(ProblemError, match="packed in an unusual way; pack it anew"):
-        Opened(str(path))
-
-
-def test_a_members_name_that_is_no_text(tmp_path):
-    path = zipped(tmp_path / "bad.zip", {**FOUNDED, "sum/\u00fc.in": "x"})
+def unnamed(path):
+    member("sum/\u00fc.in")(path)
     path.write_bytes(path.read_bytes().replace("\u00fc".encode(), b"\xff\xfe"))
-    with pytest.raises(ProblemError, match="no zip file that can be read"):
+
+
+def cut_up(path):
+    content = path.read_bytes()
+    path.write_bytes(content[:40] + bytes(20) + content[60:])
+
+
+NO_NAME = "no name of a file"
+WORSE = {
+    "up": (member("../out.txt"), NO_NAME),
+    "down and up": (member("sum/../../out.txt"), NO_NAME),
+    "absolute": (member("/tmp/out.txt"), NO_NAME),
+    "backwards": (member("..\\out.txt"), NO_NAME),
+    "backwards within": (member("sum/data\\..\\x"), NO_NAME),
+    "long": (member("x" * 300), NO_NAME),
+    "deep": (member("a/" * 40 + "b"), NO_NAME),
+    "a link": (member("sum/data/2.in", "/etc/passwd", stat.S_IFLNK), "is a link or no ordinary file"),
+    "a pipe": (member("sum/data/2.in", "", stat.S_IFIFO), "is a link or no ordinary file"),
+    "a device": (member("sum/data/2.in", "", stat.S_IFCHR), "is a link or no ordinary file"),
+    "twice": (member("sum/problem.yaml", "name: another"), "twice"),
+    "packed otherwise": (
+        member("sum/data/secret/2.in", "1 2", compress_type=zipfile.ZIP_BZIP2),
+        "packed in an unusual way; pack it anew",
+    ),
+    "no text": (unnamed, "no zip file that can be read"),
+    "cut": (cut_up, None),
+    "empty": (lambda path: path.write_bytes(b""), None),
+    "no zip": (lambda path: path.write_bytes(b"no zip"), None),
+    "an end": (lambda path: path.write_bytes(b"PK\x05\x06" + bytes(17)), None),
+    "a wild end": (lambda path: path.write_bytes(b"PK\x05\x06" + b"\xff" * 18), None),
+    "another end": (lambda path: path.write_bytes(b"PK\x06\x07" * 9), None),
+    "no package": (lambda path: zipped(path, {"readme.txt": "x"}), r"no problem\.yaml"),
+}
+
+
+@pytest.mark.parametrize("how", WORSE)
+def test_a_bad_archive_is_refused_and_nothing_leads_out(tmp_path, how):
+    worsen, told = WORSE[how]
+    path = zipped(tmp_path / "bad.zip", FOUNDED)
+    worsen(path)
+    with pytest.raises(ProblemError, match=told):
         Opened(str(path))
+    assert list(tmp_path.iterdir()) == [path]
 
 
 @pytest.mark.parametrize("lacking", ["list", "enter"])
@@ -109,40 +117,16 @@ def test_a_folder_that_may_not_be_read(tmp_path, lacking, monkeypatch):
 def test_a_bomb_is_not_unpacked(tmp_path, monkeypatch):
     monkeypatch.setattr(opening, "_LARGEST", 1 << 20)
     monkeypatch.setattr(opening, "_MOST_BYTES", 3 << 20)
-    whole = zipped(tmp_path / "whole.zip", {**FOUNDED, "sum/big": bytes(9 << 20)})
-    many = zipped(tmp_path / "many.zip", {**FOUNDED, **{f"sum/{n}": bytes(1 << 20) for n in range(5)}})
-    for path in (whole, many):
-        assert path.stat().st_size < 1 << 16
-        with pytest.raises(ProblemError, match="unpacked it is larger"):
-            Opened(str(path))
-
-
-def test_an_archive_of_very_many_files(tmp_path, monkeypatch):
     monkeypatch.setattr(opening, "MOST_FILES", 50)
-    path = zipped(tmp_path / "many.zip", {**FOUNDED, **{f"sum/{n}": "" for n in range(60)}})
-    with pytest.raises(ProblemError, match="more than 50 files"):
-        Opened(str(path))
-
-
-@pytest.mark.parametrize(
-    "content", [b"", b"no zip", b"PK\x05\x06" + bytes(17), b"PK\x05\x06" + b"\xff" * 18, b"PK\x06\x07" * 9]
-)
-def test_what_is_no_archive(tmp_path, content):
-    path = tmp_path / "bad.zip"
-    path.write_bytes(content)
-    with pytest.raises(ProblemError):
-        Opened(str(path))
-
-
-def test_an_archive_that_is_cut_or_holds_no_package(tmp_path):
-    path = zipped(tmp_path / "sum.zip", {"readme.txt": "x"})
-    with pytest.raises(ProblemError, match=r"no problem\.yaml"):
-        Opened(str(path))
-    content = bytearray(zipped(tmp_path / "sum.zip", FOUNDED).read_bytes())
-    content[40:60] = bytes(20)
-    path.write_bytes(content)
-    with pytest.raises(JudgeError):
-        Opened(str(path))
+    for members, told in (
+        ({"sum/big": bytes(9 << 20)}, "unpacked it is larger"),
+        ({f"sum/{n}": bytes(1 << 20) for n in range(5)}, "unpacked it is larger"),
+        ({f"sum/{n}": "" for n in range(60)}, "more than 50 files"),
+    ):
+        path = zipped(tmp_path / "bomb.zip", {**FOUNDED, **members})
+        assert path.stat().st_size < 1 << 16
+        with pytest.raises(ProblemError, match=told):
+            Opened(str(path))
 
 
 @pytest.mark.parametrize(

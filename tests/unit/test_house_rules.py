@@ -1,8 +1,10 @@
-"""What a newcomer may count on in every file of the package: its length, and what its functions ask for."""
+"""What a newcomer may count on in every file of the package: its length, what it asks for and knows of."""
 
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -17,6 +19,43 @@ FILES = {
 }
 MOST_LINES = 400
 MOST_PARAMETERS = 6
+MOST_IMPORTS = 18  # that stand on one another
+# A room knows only those that stand after it.
+ROOMS = [
+    *("cli", "cluster", "batch", "judging", "report", "kata", "topics", "packs", "mistakes", "diagnose"),
+    *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept"),
+    *("atomic", "digest", "reading", "folders", "errors"),
+]
+# What stands for one thing.
+WORDS = [
+    *("Figure", "Given", "Target", "Parameter", "Exact", "Measure", "Budget", "Limits", "Level", "Box"),
+    *("Mark", "Place", "Job", "Terms", "Result"),
+]
+# Who knows that a program's file ends in .py: the judge's own code and the problems' are Python.
+SUFFIXED = {
+    "cli/commands/hack.py": {"its solutions/ folder, with mistakes.py or wrong/, is not here"},
+    "cli/classroom.py": {"it holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py; see 'judge help class'"},
+    "data/cache.py": {"*.py", ".py"},
+    "languages/__init__.py": {".py"},
+    "languages/draft.py": {".py"},
+    "languages/drivers/pypy.py": {"judge_driver.pypy"},
+    "mistakes/contained.py": {"mistakes.py"},
+    "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
+    "packs/export/package.py": {
+        *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py")
+    },
+    "packs/foreign/programs.py": {"main.py", ".py2", ".py3"},
+    "problem/solutions.py": {"mistakes.py"},
+    "report/verified.py": {" of mistakes.py judged"},
+    "sandbox/bundle.py": {".py"},
+    "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
+    "sandbox/probe.py": {"look.py"},
+    "values/grammar.py": {"[a-z]*.py", ".py"},
+}
+
+
+def nodes(tree: ast.AST, *kinds: type) -> list:
+    return [node for node in ast.walk(tree) if isinstance(node, kinds)]
 
 
 def required(function: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
@@ -33,10 +72,6 @@ def is_command(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
     return any("click" in ast.unparse(each) for each in function.decorator_list)
 
 
-def functions(tree: ast.AST):
-    return [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
-
-
 def test_no_file_is_long():
     assert len(FILES) > 200
     lengths = {name: len((PACKAGE / name).read_text(encoding="utf-8").splitlines()) for name in FILES}
@@ -47,22 +82,21 @@ def test_no_function_asks_for_much():
     asked = {
         f"{name}:{each.name}": required(each)
         for name, tree in FILES.items()
-        for each in functions(tree)
+        for each in nodes(tree, ast.FunctionDef, ast.AsyncFunctionDef)
         if not is_command(each)
     }
     assert len(asked) > 1000
     assert {name: given for name, given in asked.items() if len(given) > MOST_PARAMETERS} == {}
 
 
-@pytest.mark.parametrize(("kind", "most"), [("Mode", 2)])
-def test_few_places_ask_which_kind_it_is(kind, most):
+def test_few_places_ask_for_the_mode():
     asked = [
         f"{name}:{node.lineno}"
         for name, tree in FILES.items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == kind
+        for node in nodes(tree, ast.Attribute)
+        if isinstance(node.value, ast.Name) and node.value.id == "Mode"
     ]
-    assert 0 < len(asked) <= most, asked
+    assert 0 < len(asked) <= 2, asked
 
 
 def test_nobody_prints_but_who_talks_to_a_person():
@@ -70,40 +104,133 @@ def test_nobody_prints_but_who_talks_to_a_person():
     prints = {
         name
         for name, tree in FILES.items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "print"
+        for node in nodes(tree, ast.Call)
+        if isinstance(node.func, ast.Name) and node.func.id == "print"
     }
     assert {name for name in prints if name.split("/")[0] not in {"cli", "report"}} == set()
 
 
-def public_kinds(tree: ast.Module):
-    """The classes and the names of types that a module makes."""
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef):
-            yield node.name
-        elif isinstance(node, ast.Assign):
-            yield from (each.id for each in node.targets if isinstance(each, ast.Name))
+def test_a_name_stands_for_one_thing():
+    makers = {word: [] for word in WORDS}
+    for file, tree in FILES.items():
+        for node in tree.body:
+            targets = node.targets if isinstance(node, ast.Assign) else []
+            names = [each.id for each in targets if isinstance(each, ast.Name)]
+            for name in [node.name] if isinstance(node, ast.ClassDef) else names:
+                makers.get(name, []).append(file)
+    assert {name: files for name, files in makers.items() if len(files) != 1} == {}
 
 
-WORDS = [
-    *(
-        "Figure",
-        "Given",
-        "Target",
-        "Parameter",
-        "Exact",
-        "Measure",
-        "Budget",
-        "Limits",
-        "Level",
-        "Box",
-        "Mark",
-    ),
-    *("Place", "Job", "Terms", "Result"),
-]
+def strings(tree: ast.AST) -> set[str]:
+    """The strings of a file that name a Python file, docstrings left out."""
+    told = {
+        id(node.body[0].value)
+        for node in nodes(tree, ast.Module, ast.ClassDef, ast.FunctionDef)
+        if node.body and isinstance(node.body[0], ast.Expr)
+    }
+    words = {
+        each.value for each in nodes(tree, ast.Constant) if id(each) not in told and type(each.value) is str
+    }
+    return {word for word in words if ".py" in word.replace("problem.py", "") or word == "py"}
 
 
-@pytest.mark.parametrize("name", WORDS)
-def test_a_name_stands_for_one_thing(name):
-    makers = [file for file, tree in FILES.items() if name in public_kinds(tree)]
-    assert len(makers) == 1
+def test_no_other_file_knows_the_suffix_of_programs():
+    found = {name: strings(tree) for name, tree in FILES.items()}
+    assert found.pop("cli/table.py")  # examples of commands, each with a file as a person has it
+    assert {name: words for name, words in found.items() if words} == SUFFIXED
+
+
+# -- imports point one way ----------------------------------------------------------------------------------
+
+
+def modules(found: list[ast.AST]) -> set[str]:
+    """What import statements may name: modules, and what may be a name in one."""
+    names = {alias.name for node in found if isinstance(node, ast.Import) for alias in node.names}
+    for node in found:
+        if isinstance(node, ast.ImportFrom) and node.module:
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return names
+
+
+def rooms(name: str) -> set[str]:
+    """The rooms of the package that a file imports from, wherever in it."""
+    return {each.split(".")[1] for each in modules(nodes(FILES[name], ast.AST)) if each.startswith("judge.")}
+
+
+def inside(room: str) -> list[str]:
+    return [name for name in FILES if name == f"{room}.py" or name.startswith(f"{room}/")]
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_knows_only_those_below_it(room):
+    above = set(ROOMS[: ROOMS.index(room)])
+    found = {name: rooms(name) & above for name in inside(room)}
+    assert found
+    assert {name: known for name, known in found.items() if known} == {}
+
+
+def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
+    assert set().union(*map(rooms, inside("sandbox"))) & {*ROOMS, "schema"} == {"errors"}
+
+
+def test_every_room_has_its_place():
+    packages = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
+    assert packages <= {*ROOMS, "sandbox", "schema"}
+
+
+def test_no_engine_room_knows_a_topic():
+    found = {name for name in FILES if "topics" not in name.split("/") and "topics" in rooms(name)}
+    assert found == set()
+
+
+def module_of(name: str) -> str:
+    return ("judge." + name.removesuffix(".py").replace("/", ".")).removesuffix(".__init__")
+
+
+MODULES = {module_of(name): tree for name, tree in FILES.items()}
+MODULES["judge"] = FILES["__init__.py"]
+
+
+def at_top(node: ast.AST) -> Iterator[ast.AST]:
+    """What stands outside functions, also under `if TYPE_CHECKING`: a reader follows that too."""
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef):
+            yield child
+            yield from at_top(child)
+
+
+def imported(name: str) -> set[str]:
+    """The modules of the judge that a module imports when it is imported, with the packages they lie in."""
+    found = modules(list(at_top(MODULES[name])))
+    own = {".".join(name.split(".")[:end]) for end in range(1, name.count(".") + 1)}
+    packages = {module[:end] for module in found for end in range(len(module)) if module[end] == "."}
+    return {module for module in found | (packages - own) if module in MODULES} - {name}
+
+
+GRAPH = {name: imported(name) for name in MODULES}
+
+
+@cache
+def reached(name: str) -> frozenset[str]:
+    """Every module that a module leads to."""
+    seen: set[str] = set()
+    waiting = [name]
+    while waiting:
+        for module in GRAPH[waiting.pop()] - seen:
+            seen.add(module)
+            waiting.append(module)
+    return frozenset(seen)
+
+
+@cache
+def chain(name: str) -> tuple[str, ...]:
+    """The longest chain of imports from a module on; modules that import one another count as one."""
+    ring = {module for module in reached(name) if name in reached(module)} | {name}
+    below = {module for each in ring for module in GRAPH[each]} - ring
+    return (name, *max((chain(module) for module in below), key=len, default=()))
+
+
+def test_no_chain_of_imports_is_long():
+    longest = max(map(chain, MODULES), key=len)
+    assert len(longest) > 5  # or nothing was read
+    assert len(longest) <= MOST_IMPORTS, " → ".join(longest)

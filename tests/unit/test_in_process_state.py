@@ -15,164 +15,93 @@ import pytest
 from judge.testing import judge_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
-GROUPS = ("examples", "whole", "half")
+GROUPS = {"examples": 2, "whole": 20, "half": 30}
+FAULTS = [None, ValueError, AssertionError, KeyboardInterrupt, SystemExit]
 
 
-def _precision():
-    decimal.getcontext().prec = 3
-
-
-def _another_context():
-    decimal.setcontext(decimal.Context(prec=2, rounding=decimal.ROUND_UP, traps=[]))
-
-
-def _flag():
-    decimal.Decimal(1) / 3
-
-
-def _trap():
+def trap():
     decimal.getcontext().traps[decimal.Inexact] = True
 
 
-def _recursion():
-    sys.setrecursionlimit(sys.getrecursionlimit() + 5000)
-
-
-def _little_room():
+def low_recursion():
     sys.setrecursionlimit(len(inspect.stack(0)) + 20)
 
 
-def _digits():
-    sys.set_int_max_str_digits(0)
-
-
-def _seed():
-    random.seed(7)
-
-
-def _draw():
-    random.random()
-
-
-def _numpy_seed():
-    np.random.seed(7)
-
-
-def _numpy_errors():
-    np.seterr(all="raise")
-
-
-def _filters():
-    warnings.simplefilter("ignore")
-
-
-def _filters_in_place():
-    warnings.filters.insert(0, ("ignore", None, Warning, None, 0))
-
-
-def _silence():
-    warnings.showwarning = lambda *_: None
-
-
-def context():
-    now = decimal.getcontext()
-    return id(now), repr(now)
-
-
-CHANGES = [
-    (_precision, context),
-    (_another_context, context),
-    (_flag, context),
-    (_trap, context),
-    (_recursion, sys.getrecursionlimit),
-    (_little_room, sys.getrecursionlimit),
-    (_digits, sys.get_int_max_str_digits),
-    (_seed, random.getstate),
-    (_draw, random.getstate),
-    (_numpy_seed, lambda: repr(np.random.get_state())),
-    (_numpy_errors, np.geterr),
-    (_filters, lambda: (id(warnings.filters), list(warnings.filters))),
-    (_filters_in_place, lambda: (id(warnings.filters), list(warnings.filters))),
-    (_silence, lambda: warnings.showwarning),
-]
-every = pytest.mark.parametrize(("change", "state"), CHANGES, ids=lambda each: each.__name__)
+CONTEXT = (decimal.getcontext, lambda: repr(decimal.getcontext()))
+FILTERS = (lambda: warnings.filters, lambda: list(warnings.filters))
+# A change, and the state that it changes: the object where there is one, and its value.
+CHANGES = {
+    "precision": (lambda: setattr(decimal.getcontext(), "prec", 3), *CONTEXT),
+    "another context": (lambda: decimal.setcontext(decimal.Context(prec=2, traps=[])), *CONTEXT),
+    "flag": (lambda: decimal.Decimal(1) / 3, *CONTEXT),
+    "trap": (trap, *CONTEXT),
+    "recursion": (lambda: sys.setrecursionlimit(9000), None, sys.getrecursionlimit),
+    "low recursion": (low_recursion, None, sys.getrecursionlimit),
+    "digits": (lambda: sys.set_int_max_str_digits(0), None, sys.get_int_max_str_digits),
+    "seed": (lambda: random.seed(7), None, random.getstate),
+    "draw": (random.random, None, random.getstate),
+    "numpy's seed": (lambda: np.random.seed(7), None, lambda: repr(np.random.get_state())),
+    "numpy's errors": (lambda: np.seterr(all="raise"), None, np.geterr),
+    "filters": (lambda: warnings.simplefilter("ignore"), *FILTERS),
+    "filters in place": (lambda: warnings.filters.insert(0, ("ignore", None, Warning, None, 0)), *FILTERS),
+    "silence": (
+        lambda: setattr(warnings, "showwarning", lambda *_: None),
+        None,
+        lambda: warnings.showwarning,
+    ),
+}
 
 
 @pytest.fixture
 def middle(tmp_path, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
     found = judge_problem("middle", problems=[PACK])
-    assert found.groups == GROUPS
+    assert found.groups == tuple(GROUPS)
     assert found.data  # building them draws from no shared state, but is not what is looked at here
     return found
 
 
-@every
-def test_the_callers_state_is_as_it_was(change, state, middle):
-    before = state()
+@pytest.mark.parametrize("name", CHANGES)
+def test_the_callers_state_is_as_it_was_whatever_is_raised(name, middle):
+    change, thing, value = CHANGES[name]
+    for fault in FAULTS:
+        before = thing and thing(), value()
 
-    def routine(a, b):
-        change()
-        return (a + b) / 2
+        def routine(a, b, fault=fault):
+            change()
+            if fault:
+                raise fault
+            return (a + b) / 2
 
-    middle.check(routine)
-    assert state() == before
+        if fault is None:
+            middle.check(routine)
+        else:
+            with pytest.raises(AssertionError if issubclass(fault, Exception) else fault):
+                middle.check(routine)
+        assert (thing and thing()) is before[0]
+        assert value() == before[1]
 
 
-@every
-def test_each_group_begins_with_the_callers_state(change, state, middle):
+@pytest.mark.parametrize("name", CHANGES)
+def test_each_group_begins_with_the_callers_state(name, middle):
     """With its values: Decimal's context is a copy of the caller's, as is the list of filters."""
-    seen = []
-    first = True
-
-    def value():
-        found = state()
-        return (
-            found[1] if isinstance(found, tuple) and isinstance(found[0], int) and len(found) == 2 else found
-        )
+    change, _, value = CHANGES[name]
+    before, seen, starts, calls = value(), [], set(), []
 
     def routine(a, b):
-        nonlocal first
-        if first:
+        if len(calls) in starts:
             seen.append(value())
-            first = False
+        calls.append(a)
         change()
         return (a + b) / 2
 
-    before = value()
-    for name in GROUPS:
-        first = True
-        middle.group(name).check(routine)
-    assert seen == [before] * len(GROUPS)
-
-    seen.clear()
-    calls = {"n": 0}
-    starts = {0, 2, 22}  # of the groups, when all are judged at once
-
-    def counting(a, b):
-        if calls["n"] in starts:
-            seen.append(value())
-        calls["n"] += 1
-        change()
-        return (a + b) / 2
-
-    middle.check(counting)
-    assert calls["n"] == 52
-    assert seen == [before] * len(GROUPS)
-
-
-@every
-@pytest.mark.parametrize("fault", [ValueError, AssertionError, KeyboardInterrupt, SystemExit])
-def test_so_it_is_after_an_exception(change, state, fault, middle):
-    before = state()
-
-    def routine(a, b):
-        change()
-        raise fault
-
-    with pytest.raises(AssertionError if issubclass(fault, Exception) else fault):
-        middle.check(routine)
-    assert state() == before
+    for group in GROUPS:
+        starts.add(len(calls))
+        middle.group(group).check(routine)
+    assert starts == {0, 2, 22}
+    starts |= {52 + start for start in starts}
+    middle.check(routine)  # all groups at once
+    assert (seen, len(calls)) == ([before] * 6, 104)
 
 
 def test_within_a_group_it_lasts(middle):
@@ -188,14 +117,14 @@ def test_within_a_group_it_lasts(middle):
     middle.group("half").check(routine)
     generator = random.Random(7)
     assert drawn == [generator.random() for _ in drawn]
-    assert len(drawn) == 30
+    assert len(drawn) == GROUPS["half"]
 
 
 def test_the_judge_does_not_compare_in_the_state_that_a_routine_leaves(middle):
     """Nor are a routine's right answers lost by it."""
 
     def routine(a, b):
-        sys.setrecursionlimit(len(inspect.stack(0)) + 20)
+        low_recursion()
         decimal.setcontext(decimal.Context(prec=1, traps=[decimal.Inexact]))
         warnings.simplefilter("error")
         np.seterr(all="raise")

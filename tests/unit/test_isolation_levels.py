@@ -1,48 +1,65 @@
-"""Choosing a level, refusing one that cannot be had, and what is left out of the container's view."""
+"""Levels of isolation: which is taken, and that it never drops in silence.
+
+What passes is tried again, what lasts alone leads to another level.
+"""
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-import sys
+import errno
+import os
+import resource
 import threading
 import time
 from pathlib import Path
 
 import pytest
+from bubblewraps import count, once, pretend
+from sandboxed import LIMITS, children, require
 
-from judge.errors import UsageError
-from judge.sandbox import launch, levels, open_box, roots
-from judge.sandbox import probe as probing
-from judge.sandbox.boundary import Limits
+from judge.errors import JudgeError, ShortageError, UsageError
+from judge.sandbox import Boxes, container, holder, launch, levels, open_box, probe, refusal
+from judge.sandbox.inside.again import PAUSES
 
 pytestmark = pytest.mark.slow
 
-PACKAGE = Path(roots.__file__).parent.parent
-LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
+AGAIN = "Resource temporarily unavailable"
+PASSING = [
+    f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1",
+    "echo 'bwrap: Cannot allocate memory' >&2; exit 1",
+    "echo 'bwrap: Can not open /proc: Too many open files' >&2; exit 1",
+    "echo 'MemoryError' >&2; exit 1",
+    "exit 1",
+    "kill -9 $$",
+]
+LASTING = "echo 'bwrap: No permissions to create new namespace' >&2; exit 1"
 
 
-def test_probe_names_every_level_best_first() -> None:
+@pytest.fixture(autouse=True)
+def _in_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(PAUSES))
+
+
+def test_probe_names_every_level_best_first():
     found = levels()
     assert [level.name for level in found] == ["full", "strong", "limits"]
     assert found[-1].available
     assert all(level.available or level.why_not for level in found)
 
 
-def test_the_best_level_is_taken() -> None:
+def test_the_best_level_is_taken():
     best = next(level.name for level in levels() if level.available)
     with open_box(b"", "f.py") as box:
         assert box.isolation == best
 
 
-def test_an_unknown_level_is_a_usage_error() -> None:
+def test_an_unknown_level_is_a_usage_error():
     with pytest.raises(UsageError, match="did you mean strong"):
         open_box(b"", "f.py", level="storng")
 
 
-def test_a_demanded_level_is_not_lowered(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_demanded_level_is_not_lowered(monkeypatch):
     monkeypatch.setattr(launch, "bubblewrap_path", lambda: None)
-    probing.missing.cache_clear()
+    probe.missing.cache_clear()
     try:
         with pytest.raises(UsageError, match="bubblewrap is not installed") as caught:
             open_box(b"", "f.py", level="full")
@@ -50,40 +67,11 @@ def test_a_demanded_level_is_not_lowered(monkeypatch: pytest.MonkeyPatch) -> Non
         with open_box(b"", "f.py") as box:
             assert box.isolation in ("strong", "limits")
     finally:
-        probing.missing.cache_clear()
-
-
-def test_a_bubblewrap_that_fails_says_why(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    if not levels()[0].available:
-        pytest.skip("full cannot be had here")
-    broken = tmp_path / "bwrap"
-    broken.write_text("#!/bin/sh\necho 'bwrap: No permissions to create a new namespace' >&2\nexit 1\n")
-    broken.chmod(0o755)
-    monkeypatch.setattr(launch, "bubblewrap_path", lambda: str(broken))
-    refused = pytest.raises(UsageError, match="No permissions to create a new namespace")
-    with refused, open_box(b"", "f.py", level="full"):
-        pass
-    with open_box(b"", "f.py") as box:
-        assert box.isolation != "full"
-
-
-def test_a_level_that_fails_in_the_background_leaves_the_next_one_whole(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    broken = tmp_path / "bwrap"
-    broken.write_text("#!/bin/sh\nsleep 0.2\necho 'bwrap: no' >&2\nexit 1\n")
-    broken.chmod(0o755)
-    monkeypatch.setattr(launch, "bubblewrap_path", lambda: str(broken))
-    box = open_box(b"def f(n): return n", "f.py")
-    box.warm_up()
-    with box:
-        assert box.isolation != "full"
-        for _ in range(2):
-            assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        probe.missing.cache_clear()
 
 
 @pytest.mark.parametrize("seconds", [0, 0.01, 0.03, 0.06])
-def test_a_box_may_be_closed_while_it_warms_up(seconds: float) -> None:
+def test_a_box_may_be_closed_while_it_warms_up(seconds):
     for _ in range(5):
         box = open_box(b"def f(n): return n", "f.py")
         box.warm_up()
@@ -92,77 +80,275 @@ def test_a_box_may_be_closed_while_it_warms_up(seconds: float) -> None:
     assert not [thread for thread in threading.enumerate() if "prepare" in thread.name]
 
 
-def test_paths_are_given_around_what_is_hidden(tmp_path: Path) -> None:
-    for name in ("site/judge/problems", "site/numpy", "site/other"):
-        (tmp_path / name).mkdir(parents=True)
-    around = roots._around(tmp_path / "site", [tmp_path / "site" / "judge"])
-    assert around == [str(tmp_path / "site" / "numpy"), str(tmp_path / "site" / "other")]
-    deeper = roots._around(tmp_path / "site", [tmp_path / "site" / "judge" / "problems"])
-    assert str(tmp_path / "site" / "judge" / "problems") not in deeper
-    assert str(tmp_path / "site" / "numpy") in deeper
+@pytest.mark.parametrize("script", PASSING)
+def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, monkeypatch):
+    require("full")
+    starts = pretend(tmp_path, monkeypatch, once(tmp_path, script))
+    boxes = Boxes()
+    with boxes(b"def f(n): return n", "f.py") as box:
+        assert box.isolation == "full"
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+    assert count(starts) == 2
+    assert boxes.refused == {}
 
 
-@pytest.mark.parametrize("level", ["full", "strong"])
-def test_an_installed_judge_is_invisible_but_its_neighbours_are_not(tmp_path: Path, level: str) -> None:
-    """The judge in a site-packages folder, as a wheel puts it, next to a module that may be imported."""
-    if not next(found for found in levels() if found.name == level).available:
-        pytest.skip(f"{level} cannot be had here")
-    site = tmp_path / "lib" / "site-packages"
-    shutil.copytree(PACKAGE / "sandbox", site / "judge" / "sandbox")
-    for own in ("__init__.py", "errors.py"):
-        shutil.copy(PACKAGE / own, site / "judge" / own)
-    (site / "judge" / "problems").mkdir()
-    (site / "judge" / "problems" / "answers.txt").write_text("secret")
-    (site / "neighbour.py").write_text("VALUE = 42\n")
-    source = f"""
-import neighbour
-print(neighbour.VALUE)
-for attempt in ("import judge; judge.__file__", "import judge.errors",
-                "open({str(site / "judge" / "problems" / "answers.txt")!r})",
-                "__import__('os').listdir({str(site / "judge" / "problems")!r})"):
+@pytest.mark.parametrize("level", [None, "full"])
+@pytest.mark.parametrize("script", PASSING)
+def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
+    script, level, tmp_path, monkeypatch
+):
+    starts = pretend(tmp_path, monkeypatch, script)
+    before = children()
+    boxes = Boxes(level)
+    with pytest.raises(ShortageError, match="no container could be started: ") as caught:
+        boxes(b"", "f.py").__enter__()
+    assert caught.value.remedy
+    assert "\n" not in str(caught.value)
+    assert count(starts) > len(PAUSES)
+    assert boxes.refused == {}
+    assert children() == before
+
+
+def test_a_boot_that_is_too_slow_is_tried_again(tmp_path, monkeypatch):
+    require("full")
+    patience, silence = container.START_SECONDS, refusal.of_silence
+
+    def heard(seconds):
+        monkeypatch.setattr(container, "START_SECONDS", patience)
+        return silence(seconds)
+
+    monkeypatch.setattr(container, "START_SECONDS", 0.2)
+    monkeypatch.setattr(refusal, "of_silence", heard)
+    starts = pretend(tmp_path, monkeypatch, once(tmp_path, "exec sleep 60"))
+    with Boxes()(b"def f(n): return n", "f.py") as box:
+        assert box.isolation == "full"
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+    assert count(starts) == 2
+
+
+def test_a_boot_that_is_always_too_slow_costs_the_submission(tmp_path, monkeypatch):
+    monkeypatch.setattr(container, "START_SECONDS", 0.2)
+    starts = pretend(tmp_path, monkeypatch, "exec sleep 60")
+    before = children()
+    with pytest.raises(ShortageError, match=r"it was not ready after 0\.2 s; .*-j"):
+        Boxes()(b"", "f.py").__enter__()
+    assert count(starts) == 2
+    assert children() == before
+
+
+def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_path, monkeypatch):
+    require("strong")
+    starts = pretend(tmp_path, monkeypatch, f"sleep 0.2; {LASTING}")
+    boxes = Boxes()
+    box = boxes(b"def f(n): return n", "f.py")
+    box.warm_up()  # it fails in the background, and leaves the next one whole
+    with box:
+        assert box.isolation == "strong"
+        for _ in range(2):
+            assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+    for _ in range(2):
+        with boxes(b"", "f.py") as box:
+            assert box.isolation == "strong"
+    assert count(starts) == 1
+    assert boxes.refused == {"full": "bwrap: No permissions to create new namespace"}
+    with pytest.raises(UsageError, match="No permissions"):
+        Boxes("full")(b"", "f.py").__enter__()
+
+
+def test_words_that_are_nobodys_are_believed_the_second_time(tmp_path, monkeypatch):
+    require("strong")
+    starts = pretend(tmp_path, monkeypatch, "echo 'python3: cannot open libpython.so' >&2; exit 1")
+    boxes = Boxes()
+    with boxes(b"", "f.py") as box:
+        assert box.isolation == "strong"
+    assert count(starts) == 2
+    assert boxes.refused == {"full": "python3: cannot open libpython.so"}
+
+
+@pytest.mark.parametrize("script", [LASTING, PASSING[0], PASSING[-1]])
+def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeypatch):
+    require("full")
+    boxes = Boxes()
+    with boxes(b"", "f.py") as box:
+        assert box.isolation == "full"
+    with monkeypatch.context() as patch:
+        pretend(tmp_path, patch, script)
+        with pytest.raises(JudgeError) as caught:
+            boxes(b"", "f.py").__enter__()
+        assert not isinstance(caught.value, UsageError)  # it costs one submission, and the others are judged
+    with boxes(b"", "f.py") as box:
+        assert box.isolation == "full"
+
+
+def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch):
+    require("full")
+    with Boxes()(b"import os\ndef f(n): os._exit(0)", "f.py") as box:
+        box._holder.drop()
+        pretend(tmp_path, monkeypatch, LASTING)
+        with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
+            box.call_many("f", [(1,)], LIMITS)
+        assert box.isolation == "full"
+
+
+def test_a_box_opened_before_another_was_ready_is_held_no_weaker(tmp_path, monkeypatch):
+    require("full")
+    boxes = Boxes()
+    with monkeypatch.context() as patch:
+        pretend(tmp_path, patch, f"sleep 0.2; {LASTING}")
+        slow = boxes(b"", "f.py")
+    with boxes(b"", "f.py") as box:
+        assert box.isolation == "full"
+    with monkeypatch.context() as patch:
+        pretend(tmp_path, patch, LASTING)
+        with pytest.raises(JudgeError, match="was had and is now refused"):
+            slow.__enter__()
+
+
+def test_what_was_found_before_is_demanded(tmp_path, monkeypatch):
+    pretend(tmp_path, monkeypatch, LASTING)
+    with pytest.raises(UsageError, match="which 'judge doctor' found here, cannot be had") as caught:
+        Boxes(least="full")(b"", "f.py").__enter__()
+    assert "let 'judge doctor' look again" in str(caught.value)
+    for boxes in (Boxes(least="strong"), Boxes("strong", least="full")):
+        with boxes(b"", "f.py") as box:
+            assert box.isolation == "strong"
+
+
+def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path, monkeypatch):
+    require("strong")
+    pretend(tmp_path, monkeypatch, LASTING)
+
+    def refuse(self):
+        self.close()
+        raise refusal.NotStarted("landlock says no", 1, lasting=True)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(container.Container, "await_ready", refuse)
+        with pytest.raises(JudgeError, match="no container can be started: landlock says no"):
+            Boxes()(b"", "f.py").__enter__()
+    monkeypatch.setattr(probe, "missing", lambda level: "" if level == "limits" else "this is no Linux")
+    boxes = Boxes()
+    with boxes(b"", "f.py") as box:
+        assert box.isolation == "limits"
+    assert set(boxes.refused) == {"full", "strong"}
+
+
+def test_a_level_that_lacks_something_is_never_tried(tmp_path, monkeypatch):
+    """Without landlock a container would start at "strong", and hold less than that."""
+    require("strong")
+    pretend(tmp_path, monkeypatch, LASTING)
+    monkeypatch.setattr(probe, "missing", lambda level: "no landlock" if level == "strong" else "")
+    with Boxes()(b"", "f.py") as box:
+        assert box.isolation == "limits"
+
+
+@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN])
+@pytest.mark.parametrize("place", ["_socket.socketpair", "shared.region", "_STARTER.start"])
+def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
+    real = _found(place)
+    failed = []
+
+    def scarce(*arguments, **settings):
+        if len(failed) < most:
+            failed.append(code)
+            raise OSError(code, os.strerror(code))
+        return real(*arguments, **settings)
+
+    monkeypatch.setattr(f"judge.sandbox.container.{place}", scarce)
+    before, descriptors = children(), len(list(Path("/proc/self/fd").iterdir()))
+    most = 3
+    with Boxes()(b"def f(n): return n", "f.py") as box:
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+    assert len(failed) == most
+    most = 100
+    with pytest.raises(ShortageError, match=r"no container could be started: .*(-j|limit)"):
+        Boxes()(b"", "f.py").__enter__()
+    assert len(failed) < most
+    assert children() == before
+    assert len(list(Path("/proc/self/fd").iterdir())) == descriptors
+
+
+def _found(place):
+    found = container
+    for name in place.split("."):
+        found = getattr(found, name)
+    return found
+
+
+def test_a_thread_that_cannot_be_started_is_a_shortage_with_its_name(monkeypatch):
+    def no_thread(*_arguments, **_settings):
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(container, "_STARTER", container._Starter())
+    monkeypatch.setattr(container.threading.Thread, "start", no_thread)
+    box = Boxes()(b"", "f.py")
+    box.warm_up()
+    with pytest.raises(ShortageError, match="no further process or thread can be started"):
+        box.__enter__()
+    box.__exit__(None, None, None)  # which once complained of a thread that it could not join
+
+
+def test_a_limit_on_the_size_of_files_is_named(monkeypatch):
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, hard))
     try:
-        exec(attempt)
-        print("BREACH", attempt)
-    except (ImportError, OSError, AttributeError) as error:
-        print("held")
-"""
-    script = f"""
-import sys
-sys.path.insert(0, {str(site)!r})
-from judge.sandbox import open_box, roots
-from judge.sandbox.boundary import Limits
-assert roots.__file__.startswith({str(site)!r}), roots.__file__
-with open_box({source.encode()!r}, "f.py", level={level!r}) as box:
-    result = box.run_program(b"", Limits(2.0, 6.0, 256 << 20, 1 << 20))
-    print(result.stdout.decode(), result.detail)
-"""
-    done = subprocess.run(
-        [sys.executable, "-I", "-c", script],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        cwd=tmp_path,
-        check=False,
-    )
-    assert done.stdout.split() == ["42", "held", "held", "held", "held"], done.stdout + done.stderr
+        with pytest.raises(ShortageError, match=r"ulimit -f unlimited"):
+            Boxes()(b"", "f.py").__enter__()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
-def test_what_lies_in_a_hidden_folder_is_hidden_with_it() -> None:
-    outer = Path(pytest.__file__).resolve().parent
-    inner = next(path for path in outer.parent.joinpath("_pytest").iterdir() if path.is_dir())
-    hide = [inner, inner.parent, outer, outer]
-    found = roots.find_roots(hide)
-    assert str(inner) not in found.hidden
-    assert [found.hidden.count(str(path)) for path in (inner.parent, outer)] == [1, 1]
-    with open_box(b"def f(n): return n", "f.py", hide=hide) as box:
-        assert box.isolation == next(level.name for level in levels() if level.available)
+def test_a_limit_that_leaves_too_little_memory_is_no_fault_of_the_submission():
+    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+    with Boxes()(b"def f(n): return n", "f.py") as box:
+        box.inspect()
+        resource.setrlimit(resource.RLIMIT_DATA, (LIMITS.memory_bytes, hard))
+        try:
+            with pytest.raises(ShortageError, match=r"768 MB of address space, and 256 MB .*ulimit -d"):
+                box.call_many("f", [(1,)], LIMITS)
+        finally:
+            resource.setrlimit(resource.RLIMIT_DATA, (soft, hard))
         assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
 
 
-def test_a_hidden_folder_is_hidden(tmp_path: Path) -> None:
-    found = roots.find_roots([tmp_path])
-    assert str(tmp_path) not in found.hidden, "it lies outside what is shown anyway"
-    inside = next(Path(folder) for folder in found.folders if any(Path(folder).iterdir()))
-    child = next(path for path in sorted(inside.resolve().iterdir()) if path.is_dir())
-    assert str(child) in roots.find_roots([child]).hidden
-    assert str(child) not in roots.find_roots([child]).readable()
+@pytest.mark.parametrize(
+    ("said", "status", "tries", "lasting"),
+    [
+        ("bwrap: No permissions to create new namespace, likely because …", 1, 1, True),
+        (f"bwrap: Can't fork for pid 1: {AGAIN}", 1, len(PAUSES) + 1, False),
+        ("OSError: [Errno 12] Cannot allocate memory", 1, len(PAUSES) + 1, False),
+        ("bwrap: execvp /x/python3: Text file busy", 1, len(PAUSES) + 1, False),
+        ("ModuleNotFoundError: No module named 'encodings'", 1, 2, True),
+        ("", 1, len(PAUSES) + 1, False),
+        ("", -9, len(PAUSES) + 1, False),
+        ("", -31, 1, True),
+    ],
+)
+def test_what_an_end_says_of_the_next_try(said, status, tries, lasting):
+    found = refusal.of_end(said, status)
+    assert (found.tries, found.lasting) == (tries, lasting)
+
+
+@pytest.mark.parametrize("most", ["0", "1000"])
+def test_too_many_namespaces_pass_unless_none_may_be_made(most, tmp_path, monkeypatch):
+    (tmp_path / "max_user_namespaces").write_text(f"{most}\n")
+    monkeypatch.setattr(refusal, "_NAMESPACES", tmp_path)
+    text = "bwrap: Creating new namespace failed: nesting depth or /proc/sys/user/max_*_namespaces exceeded"
+    assert refusal.of_end(f"{text} (ENOSPC)", 1).lasting is (most == "0")
+
+
+def test_the_levels_tell_a_shortage_from_a_refusal(tmp_path, monkeypatch):
+    pretend(tmp_path, monkeypatch, PASSING[0])
+    assert [level.lasting for level in levels()] == [False, True, True]
+    pretend(tmp_path, monkeypatch, LASTING)
+    assert [level.lasting for level in levels()] == [True, True, True]
+
+
+def test_closing_does_not_wait_for_the_next_try(tmp_path, monkeypatch):
+    monkeypatch.setattr(holder, "PAUSES", (3600.0,) * len(PAUSES))
+    pretend(tmp_path, monkeypatch, PASSING[0])
+    box = Boxes()(b"", "f.py")
+    box.warm_up()
+    time.sleep(0.2)
+    box.__exit__(None, None, None)  # or else it takes hours
+    assert not [thread for thread in threading.enumerate() if "prepare" in thread.name]

@@ -1,29 +1,47 @@
-"""Languages beside Python: their descriptions, and what this machine has of them."""
+"""Languages beside Python: their descriptions, what this machine has of them, and those that others bring."""
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 import subprocess
 import sys
 
 import pytest
+from native import ran
 
 from judge import languages as face
 from judge.errors import JudgeError
-from judge.languages import find, model
+from judge.languages import draft, find, model
+from judge.languages.shapes import Unsupported
+from judge.languages.signature import Signature
+from judge.sandbox.probe import missing
+from judge.values.atoms.int import IntType
+
+C = (model._HERE / "c.toml").read_text(encoding="utf-8")
+SIGNATURE = Signature("middle", (), IntType())
+DRIVER = """\
+def declared(draft):
+    return f"fun {draft.entry}"
+def frame(draft, words):
+    return "", words
+def driver(draft):
+    raise ValueError("too tiny")
+"""
 
 
 @pytest.fixture(autouse=True)
 def fresh(monkeypatch, tmp_path):
-    """Descriptions and tools are looked for anew, and nothing is kept elsewhere."""
+    """Descriptions, drivers and tools are looked for anew, and nothing is kept elsewhere."""
+    caches = (model.near_languages, model.languages, draft.driver_of, find.toolchain)
+    monkeypatch.delenv("JUDGE_LANGUAGES", raising=False)
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
-    model.languages.cache_clear()
-    model.near_languages.cache_clear()
-    find.toolchain.cache_clear()
+    for cache in caches:
+        cache.cache_clear()
     yield
-    model.languages.cache_clear()
-    model.near_languages.cache_clear()
-    find.toolchain.cache_clear()
+    for cache in caches:
+        cache.cache_clear()
 
 
 def script(path, text):
@@ -33,47 +51,33 @@ def script(path, text):
 
 
 @pytest.mark.parametrize(
-    ("name", "language"),
+    ("language", "names"),
     [
-        ("a.cpp", "cpp"),
-        ("dir/a.b.cc", "cpp"),
-        ("a.c", "c"),
-        ("Main.java", "java"),
-        ("a.go", "go"),
-        ("a.rs", "rust"),
-        ("a.mjs", "javascript"),
-        ("a.pypy.py", "pypy"),
-        ("a.py", None),
-        ("a.b.py", None),
-        ("a.h", None),
-        ("0.5", None),
-        ("segment", None),
+        ("cpp", ["a.cpp", "dir/a.b.cc"]),
+        ("c", ["a.c"]),
+        ("java", ["Main.java"]),
+        ("go", ["a.go"]),
+        ("rust", ["a.rs"]),
+        ("javascript", ["a.mjs"]),
+        ("pypy", ["a.pypy.py"]),
+        ("python", ["a.py", "../a.b.py"]),
+        (None, ["a.h", "0.5", "segment", "a.pyc", "a.PY", ".py", ".#a.py", "py"]),
     ],
 )
-def test_a_suffix_says_the_language(name, language):
-    found = face.language_of(name)
-    assert (found.id if found else None) == language
-    assert face.is_program(name) == (language is not None or name.endswith(".py"))
+def test_a_suffix_says_the_language(language, names):
+    for name in names:
+        found = face.language_of(name)
+        assert (found.id if found else None) == (None if language == "python" else language), name
+        assert face.is_program(name) == (language is not None), name
+    assert not face.is_program(".a.cpp"), "it is hidden"
 
 
-def test_a_hidden_file_is_no_program_in_any_language():
-    assert not face.is_program(".a.cpp")
-
-
-def test_a_programs_name_ends_as_its_language_has_it():
-    assert face.file_name("mine", model.language_called("go")) == "mine.go"
-
-
-@pytest.mark.parametrize("word", ["C++", "cpp", "CPP", ".cc", "cc"])
-def test_a_language_is_called_by_name_or_suffix(word):
-    assert model.language_called(word).id == "cpp"
-
-
-def test_no_language_is_called_so():
+def test_languages_are_called_by_name_or_suffix_and_name_the_files():
+    for word in ("C++", "cpp", "CPP", ".cc", "cc"):
+        assert model.language_called(word).id == "cpp"
     assert model.language_called("cobol") is None
-
-
-def test_names_are_spelt_as_each_language_has_it():
+    assert face.file_name("mine") == "mine.py"
+    assert face.file_name("mine", model.language_called("go")) == "mine.go"
     spelt = {each.id: each.spelt("signed_area") for each in model.languages()}
     assert spelt["cpp"] == spelt["c"] == spelt["rust"] == "signed_area"
     assert spelt["java"] == spelt["go"] == spelt["javascript"] == "signedArea"
@@ -121,43 +125,6 @@ def test_each_description_is_whole(language):
 def test_the_entry_is_known_where_it_is_defined(language, source, defines):
     described = model.language_called(language)
     assert bool(re.search(described.head("two_points"), source)) == defines
-
-
-def test_a_broken_description_is_one_line(monkeypatch, tmp_path):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    (folder / "ada.toml").write_text('name = "Ada"\n')
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    with pytest.raises(JudgeError, match=r"ada\.toml: it describes no language: .*suffixes"):
-        model.languages()
-
-
-@pytest.mark.parametrize(("key", "text"), [("drops", "'('"), ("swaps", "[['(', '']]")])
-def test_a_pattern_that_is_none_is_one_line(monkeypatch, tmp_path, key, text):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    (folder / "tiny.toml").write_text(f"{key} = {text}\n" + (model._HERE / "c.toml").read_text())
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    with pytest.raises(JudgeError, match=rf"tiny\.toml: it describes no language: {key} is no pattern"):
-        model.languages()
-
-
-def test_a_folder_without_descriptions_is_told(monkeypatch, tmp_path):
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "nothing"))
-    with pytest.raises(JudgeError, match=r"correct \$JUDGE_LANGUAGES"):
-        model.languages()
-
-
-def test_a_folder_of_ones_own_adds_a_language(monkeypatch, tmp_path):
-    folder = tmp_path / "own"
-    folder.mkdir()
-    text = (
-        (model._HERE / "c.toml").read_text().replace('name = "C"', 'name = "Tiny"').replace('".c"', '".tiny"')
-    )
-    (folder / "tiny.toml").write_text(text)
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder))
-    assert face.language_of("a.tiny").name == "Tiny"
-    assert face.language_of("a.c").name == "C"
 
 
 @pytest.mark.parametrize(
@@ -235,3 +202,169 @@ def test_python_alone_reads_no_description():
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout == "[]\n"
+
+
+# -- languages that others describe -------------------------------------------------------------------------
+
+
+def described(folder, driver=None, name="tiny", suffix=".tiny"):
+    """A folder with a language that is C in all but its name."""
+    folder.mkdir(parents=True)
+    text = C.replace('name = "C"', f'name = "{name.capitalize()}"').replace('".c"', f'"{suffix}"')
+    (folder / f"{name}.toml").write_text(text)
+    if driver is not None:
+        (folder / f"{name}.py").write_text(driver)
+    return folder
+
+
+def installed(tmp_path, monkeypatch, value="tiny_pack", **more):
+    """A distribution that is installed and brings a language."""
+    described(tmp_path / "tiny_pack", **more)
+    (tmp_path / "tiny_pack" / "__init__.py").write_text("")
+    record = tmp_path / "tiny_pack-1.dist-info"
+    record.mkdir()
+    (record / "METADATA").write_text("Metadata-Version: 2.1\nName: tiny-pack\nVersion: 1\n")
+    (record / "entry_points.txt").write_text(f"[judge.languages]\ntiny = {value}\n")
+    monkeypatch.syspath_prepend(tmp_path)
+
+
+def test_a_package_brings_a_language(tmp_path, monkeypatch):
+    installed(tmp_path, monkeypatch)
+    assert face.language_of("a.tiny").name == "Tiny"
+    assert model.language_called("tiny") is face.language_of("b.tiny")
+    assert "tiny" in [each.id for each in model.languages()]
+
+
+def test_what_is_near_goes_before_what_is_installed(tmp_path, monkeypatch):
+    installed(tmp_path, monkeypatch, name="other", suffix=".c")
+    assert face.language_of("a.c").name == "C"
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(described(tmp_path / "own", name="other", suffix=".own")))
+    model.near_languages.cache_clear()
+    model.languages.cache_clear()
+    assert face.language_of("a.own").folder == str(tmp_path / "own")
+    assert [each.suffixes for each in model.languages() if each.id == "other"] == [(".own",)]
+
+
+@pytest.mark.parametrize("value", ["nowhere_at_all", "tiny_pack:missing"])
+def test_a_package_that_cannot_be_loaded_is_one_line(tmp_path, monkeypatch, value):
+    installed(tmp_path, monkeypatch, value)
+    with pytest.raises(JudgeError, match=r"the languages 'tiny' cannot be loaded: .*repair or uninstall it"):
+        face.language_of("a.tiny")
+
+
+def test_an_own_suffix_asks_for_nothing_that_is_installed():
+    code = (
+        "import sys\nfrom judge.languages import language_of\n"
+        "assert language_of('a.cpp').id == 'cpp'\nprint('importlib.metadata' in sys.modules)\n"
+        "assert language_of('a.txt') is None\nprint('importlib.metadata' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout == "False\nTrue\n"
+
+
+def test_a_relative_folder_stays_the_same_when_the_judge_goes_elsewhere(tmp_path, monkeypatch):
+    described(tmp_path / "own", DRIVER)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("JUDGE_LANGUAGES", "own")
+    tiny = model.language_called("tiny")
+    monkeypatch.chdir("/")
+    assert draft.driver_of(tiny).declared(draft.draft_of(tiny, SIGNATURE)) == "fun middle"
+
+
+def tiny(tmp_path, monkeypatch, driver):
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(described(tmp_path / "own", driver)))
+    return model.language_called("tiny")
+
+
+def test_without_a_driver_there_are_programs_only(tmp_path, monkeypatch):
+    with pytest.raises(Unsupported):
+        draft.driver_of(tiny(tmp_path, monkeypatch, None))
+
+
+@pytest.mark.parametrize(
+    ("driver", "told"),
+    [
+        ("def declared(:\n", r"tiny\.py: the driver of Tiny cannot be loaded: SyntaxError"),
+        ("import nothing_of_that_name\n", r"tiny\.py: .*ModuleNotFoundError"),
+        (DRIVER.replace("frame", "body"), r"the driver of Tiny has no frame"),
+    ],
+)
+def test_a_broken_driver_is_one_line(tmp_path, monkeypatch, driver, told):
+    language = tiny(tmp_path, monkeypatch, driver)
+    with pytest.raises(JudgeError, match=told):
+        draft.driver_of(language)
+
+
+def test_a_driver_that_fails_is_one_line(tmp_path, monkeypatch):
+    language = tiny(tmp_path, monkeypatch, DRIVER)
+    with pytest.raises(JudgeError, match=r"Tiny's driver fails: ValueError: too tiny; correct it"):
+        draft.driver_of(language).driver(draft.draft_of(language, SIGNATURE))
+
+
+def with_line(line):
+    """C's description with another line for one of its keys, or with one more of [compile]."""
+    key = line.partition(" ")[0]
+    kept = [each for each in C.splitlines() if not each.startswith(key)]
+    place = next(i for i, each in enumerate(kept) if each.startswith("steps")) if key == "complaint" else 1
+    return "\n".join([*kept[:place], line, *kept[place:]])
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('name = "Ada"\n', ".*suffixes"),
+        (with_line("drops = '('"), "drops is no pattern"),
+        (with_line("swaps = [['(', '']]"), "swaps is no pattern"),
+        (with_line("defines = '('"), "defines is no pattern"),
+        (
+            with_line("complaint = 'line (?P<line>[0-9]+)'"),
+            "complaint needs the groups message, file and line",
+        ),
+    ],
+)
+def test_a_broken_description_is_one_line(tmp_path, monkeypatch, text, told):
+    (tmp_path / "ada.toml").write_text(text)
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path))
+    with pytest.raises(JudgeError, match=rf"ada\.toml: it describes no language: {told}"):
+        model.languages()
+
+
+def test_a_folder_without_descriptions_is_told(monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "nothing"))
+    with pytest.raises(JudgeError, match=r"correct \$JUDGE_LANGUAGES"):
+        model.languages()
+
+
+ITSELF = """\
+name = "Who"
+suffixes = [".who"]
+order = 9
+spelling = "snake"
+file = "solution.who"
+main = ''
+empty = "nothing"
+version = ["{sh}", "-c", "echo 1"]
+[tools]
+sh = ["sh"]
+[install]
+[compile]
+steps = [["{sh}", "-c", "/usr/bin/readlink /proc/self/exe > {out}/main"]]
+runs = ["/usr/bin", "/usr/lib"]
+itself = "{sh}/is/me"
+[run]
+command = ["/usr/bin/cat", "{box}/main"]
+runs = ["/usr/bin", "/usr/lib"]
+"""
+
+
+def test_a_compiler_may_look_for_its_own_file_where_there_is_no_proc(tmp_path, monkeypatch):
+    if missing("full"):
+        pytest.skip(missing("full"))
+    (tmp_path / "own").mkdir()
+    (tmp_path / "own" / "who.toml").write_text(ITSELF)
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "own"))
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    shell = os.path.realpath(shutil.which("sh"))
+    assert ran("a.who", "", level="full").stdout.decode() == f"{shell}/is/me\n"

@@ -1,4 +1,4 @@
-"""The two levels of a kata: choosing their groups, counting them, and what is said of them."""
+"""The two levels of a kata: counting them, and what is said and kept of them."""
 
 from __future__ import annotations
 
@@ -36,52 +36,15 @@ def words(lines):
     return "\n".join("".join(span.text for span in line) for line in lines)
 
 
-# -- choosing groups --------------------------------------------------------------------------------------
-
-
-def test_a_level_stands_for_its_groups():
-    problem = find_problem("count")
-    both = [chosen_groups(problem, (), level.value) for level in KataLevel]
-    assert both == [problem.of_level(level) for level in KataLevel]
-    assert sorted(group.name for groups in both for group in groups) == sorted(
-        group.name for group in problem.groups
-    )
-
-
-def test_a_level_and_names_choose_what_is_both():
-    problem = find_problem("count")
-    chosen = chosen_groups(problem, ("grid", "tiny", "tangent"), "interview")
-    assert [group.name for group in chosen] == ["grid", "tangent"]
-
-
-@pytest.mark.parametrize(
-    ("names", "level", "told"),
-    [
-        (
-            ("tiny",),
-            "interview",
-            "no group that is named is of the interview level; leave one out: tiny is production",
-        ),
-        ((), "intervew", "there is no level 'intervew'; use one of interview, production"),
-        (("tinny",), "interview", "count has no group 'tinny'; did you mean 'tiny'?"),
-    ],
-)
-def test_what_chooses_nothing_is_refused(names, level, told):
-    with pytest.raises(UsageError) as refused:
-        chosen_groups(find_problem("count"), names, level)
-    assert str(refused.value) == told
-
-
 def test_a_problem_without_levels_has_one_only():
     problem = find_problem("count")
     plain = replace(problem, groups=tuple(replace(group, level=None) for group in problem.groups))
     assert plain.levels == ()
     assert chosen_groups(plain, ()) == plain.groups
+    with pytest.raises(UsageError, match="there is no level 'intervew'; use one of interview, production"):
+        chosen_groups(problem, (), "intervew")
     with pytest.raises(UsageError, match="count has one level only; leave the level out"):
         chosen_groups(plain, (), "interview")
-
-
-# -- what is said of a run ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -105,19 +68,6 @@ def test_the_level_that_was_passed_comes_first(interview, production, told):
     assert line.startswith(f"WA  {told}; wrong answer, " if told else "WA  wrong answer, ")
 
 
-def test_json_has_both_levels_where_there_are_levels():
-    plain = past_result().as_json()
-    assert "levels" not in plain
-    assert "level" not in plain["groups"][0]
-    result = replace(past_result(), levels=levels((8, 8, 8), (36, 36, 22))).as_json()
-    assert result["levels"] == [
-        {"level": "interview", "passed": True, "groups": 8, "run": 8, "accepted": 8},
-        {"level": "production", "passed": False, "groups": 36, "run": 36, "accepted": 22},
-    ]
-    group = GroupResult("grid", Verdict.AC, 1, 1, None, 0.0, level=INTERVIEW)
-    assert group.as_json()["level"] == "interview"
-
-
 def test_junit_has_both_levels_as_properties():
     result = replace(past_result(failed=("tiny",)), levels=levels((8, 8, 8), (36, 36, 22)))
     root = ElementTree.fromstring(junit([result, past_result()]))
@@ -125,9 +75,6 @@ def test_junit_has_both_levels_as_properties():
     assert told[0]["interview_level"] == "passed"
     assert told[0]["production_level"] == "22 of 36 groups"
     assert not {"interview_level", "production_level"} & set(told[1])
-
-
-# -- what is kept of it -------------------------------------------------------------------------------------
 
 
 def kept(path, *results):
@@ -140,17 +87,10 @@ def kept(path, *results):
         return history.runs()
 
 
-def test_the_history_keeps_the_levels_that_a_run_passed(own_history):
-    passed = replace(past_result(failed=("tiny",)), levels=levels((8, 8, 8), (36, 36, 22)))
-    first, second = kept(own_history, passed, past_result(failed=("grid",)))
-    assert first.levels == ("interview",)
-    assert second.levels == ()
-    assert "interview level passed, tiny" in words(history_lines([first, second], None))
-
-
 def test_a_damaged_result_keeps_its_row(own_history):
     passed = replace(past_result(failed=("tiny",)), levels=levels((8, 8, 8), (36, 36, 22)))
     (run,) = kept(own_history, passed)
+    assert "interview level passed, tiny" in words(history_lines([run], None))
     for packed in (b"", zlib.compress(json.dumps({"levels": [{"level": "interview"}]}).encode())):
         row = words(history_lines([replace(run, packed=packed)], None))
         assert "tiny" in row

@@ -100,12 +100,24 @@ def test_what_was_read_cannot_change():
         problem.title = "other"
 
 
-def test_huge_bounds_are_read_exactly(tmp_path):
-    folder = tmp_path / "problems" / "huge"
-    shutil.copytree(SOUND, folder)
-    text = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(text.replace("high = 9", "high = 1e100"))
-    problem = load_problem(folder)
+@pytest.fixture
+def changed(tmp_path):
+    """The sound problem with another value of a key, or with more at its end."""
+
+    def load(key="", value="", more=""):
+        folder = tmp_path / "problems" / "other"
+        shutil.copytree(SOUND, folder)
+        text = (folder / "problem.toml").read_text()
+        assert key in text
+        text = re.sub(rf"\b{key} = .*", f"{key} = {value}", text, count=1) if key else text
+        (folder / "problem.toml").write_text(text + more)
+        return load_problem(folder)
+
+    return load
+
+
+def test_huge_bounds_are_read_exactly(changed):
+    problem = changed("high", "1e100")
     assert problem.parameters[0].high == 10**100
     assert "-9 to 1e100?" in problem.statement
 
@@ -117,50 +129,32 @@ def test_a_folder_must_have_a_plain_name(tmp_path, name):
         load_problem(tmp_path / name)
 
 
-def test_an_integer_too_long_to_read_is_a_fault_of_the_file(tmp_path):
-    folder = tmp_path / "problems" / "long"
-    shutil.copytree(SOUND, folder)
-    text = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(text.replace("high = 9", "high = " + "9" * 5000))
-    with pytest.raises(
-        ProblemError, match=r"^long/problem.toml: no TOML: an integer has too many digits; rep"
-    ):
-        load_problem(folder)
-
-
-@pytest.mark.parametrize("number", ["1e400", "1" + "0" * 400, "1e-400", "1000001", "0.0009"])
-@pytest.mark.parametrize("key", ["cpu_seconds", "wall_seconds", "memory_mb", "output_mb"])
-def test_a_limit_that_no_machine_could_keep_is_a_fault(key, number, tmp_path):
-    folder = tmp_path / "problems" / "limits"
-    shutil.copytree(SOUND, folder)
-    text = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(re.sub(f"{key} = .*", f"{key} = {number}", text))
-    with pytest.raises(
-        ProblemError,
-        match=rf"limits/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and",
-    ):
-        load_problem(folder)
-
-
-@pytest.mark.parametrize("number", ["1e400", "9" * 400])
-def test_a_multiple_of_the_references_time_that_is_absurd_is_a_fault(number, tmp_path):
-    folder = tmp_path / "problems" / "time"
-    shutil.copytree(SOUND, folder)
-    with (folder / "problem.toml").open("a") as file:
-        file.write(f'[time]\nlimit = {number}\nfunction = "signs.py"\n')
-    with pytest.raises(ProblemError, match="limit is absurdly large"):
-        load_problem(folder)
+LIMITS = ("cpu_seconds", "wall_seconds", "memory_mb", "output_mb")
 
 
 @pytest.mark.parametrize(
-    ("depth", "said"),
-    [(3000, "problem.toml: no TOML: its lists or tables are nested"), (12, r"a builder cannot take \(?\[\[")],
+    ("key", "value", "said"),
+    [
+        ("high", "9" * 5000, "^other/problem.toml: no TOML: an integer has too many digits; rep"),
+        ("reach", "[" * 3000 + "]" * 3000, "problem.toml: no TOML: its lists or tables are nested"),
+        ("reach", "[" * 12 + "]" * 12, r"a builder cannot take \(?\[\["),
+        *(
+            (key, number, rf"other/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and")
+            for key in LIMITS
+            for number in ("1e400", "1" + "0" * 400, "1e-400", "1000001", "0.0009")
+        ),
+    ],
+    ids=lambda each: each[:12],
 )
-def test_lists_in_lists_in_lists_are_a_fault_of_the_file(depth, said, tmp_path):
-    folder = tmp_path / "problems" / "deep"
-    shutil.copytree(SOUND, folder)
-    text = (folder / "problem.toml").read_text()
-    nested = "reach = " + "[" * depth + "]" * depth
-    (folder / "problem.toml").write_text(text.replace("reach = 9", nested))
+def test_what_no_machine_could_read_or_keep_is_a_fault_of_the_file(key, value, said, changed):
+    if key == "reach":
+        value = f"{{ reach = {value} }}"
+        key = "parameters"
     with pytest.raises(ProblemError, match=said):
-        load_problem(folder)
+        changed(key, value)
+
+
+@pytest.mark.parametrize("number", ["1e400", "9" * 400])
+def test_a_multiple_of_the_references_time_that_is_absurd_is_a_fault(number, changed):
+    with pytest.raises(ProblemError, match="limit is absurdly large"):
+        changed(more=f'[time]\nlimit = {number}\nfunction = "signs.py"\n')

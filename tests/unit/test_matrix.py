@@ -62,6 +62,8 @@ def test_groups_that_do_nothing_of_their_own(matrix):
     assert matrix.aimless == ("examples",)
     assert matrix.replaceable == ("grid", "spare")
     assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
+    empty = kill_matrix(GROUPS, [])
+    assert (empty.rows, empty.cover, empty.unkilled) == ((), (), ())
 
 
 def test_the_cover_rejects_every_program_that_can_be(matrix):
@@ -75,30 +77,28 @@ def test_the_cover_rejects_every_program_that_can_be(matrix):
         )
 
 
-def test_no_program_needs_no_case():
-    empty = kill_matrix(GROUPS, [])
-    assert (empty.rows, empty.cover, empty.unkilled) == ((), (), ())
-
-
 def test_the_greedy_choice_takes_most_first():
     a, b, c = (CaseName("g", number) for number in (1, 2, 3))
     assert greedy_cover({a: frozenset({1}), b: frozenset({1, 2}), c: frozenset({3})}) == (b, c)
     assert greedy_cover({a: frozenset({1}), b: frozenset({1})}) == (a,)
 
 
-@pytest.mark.parametrize(
-    ("share", "text"),
-    [((0, 5), "0%"), ((5, 5), "100%"), ((1, 900), "1%"), ((899, 900), "99%"), ((1, 3), "33%")],
-)
-def test_a_share_is_all_or_nothing_only_where_it_is(share, text):
-    assert percent(Fraction(*share)) == text
+def test_a_share_is_all_or_nothing_only_where_it_is():
+    shares = [(0, 5), (5, 5), (1, 900), (899, 900), (1, 3)]
+    assert [percent(Fraction(*share)) for share in shares] == ["0%", "100%", "1%", "99%", "33%"]
 
 
-@pytest.mark.parametrize("width", [40, 60, 80, None])
+@pytest.mark.parametrize("width", [40, 60, None])
 def test_the_matrix_on_the_screen(matrix, width):
     lines = ["".join(span.text for span in line) for line in matrix_lines(matrix, width)]
-    text = " ".join(" ".join(lines).split())
-    assert "deaf 20% edge, grid 10%" in text or width == 40
-    for said in ("blind", "immortal", "no group", "grid, spare", "2 cases", "3 programs", "grid 3, edge 7"):
-        assert said in text or width == 40
     assert width is None or max(map(len, lines)) <= width
+    text = " ".join(" ".join(lines).split())
+    for said in (
+        "deaf 20% edge, grid 10%",
+        "immortal",
+        "no group",
+        "grid, spare",
+        "2 cases",
+        "grid 3, edge 7",
+    ):
+        assert said in text or width == 40

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from shutil import copytree
+
 import pytest
 
 from judge.data.load import load_data
@@ -9,7 +12,7 @@ from judge.errors import ProblemError
 from judge.languages.model import language_called
 from judge.mistakes.catalogue import read_catalogue, with_kills
 from judge.mistakes.computed import Program, computed
-from judge.mistakes.family import Choice, Family, Line
+from judge.mistakes.family import Family, Line
 from judge.mistakes.features import features
 from judge.mistakes.routes import read_routes
 from judge.problem.find import all_problems, find_problem
@@ -134,16 +137,6 @@ def single(family, name, code=""):
     )
 
 
-def test_every_program_of_the_four_problems_compiles():
-    for name in ("count", "segment", "ray-nearest", "exact-count"):
-        family = Family(find_problem(name))
-        programs = [family.program(choice) for choice in (*family.right_ways(), *family.singles())]
-        assert len(programs) > 90
-        for program in programs:
-            compile(program, name, "exec")
-            assert f"def {family.problem.entry}(" in program
-
-
 def test_a_mistake_and_a_transform_make_one_program(count):
     one, other = single(count, "tangent-twice"), single(count, "rounded-input", "round(x, 2)")
     both = count.together(one, other)
@@ -168,16 +161,6 @@ def test_the_spoilt_line_is_shown(count):
     assert count.told(choice).startswith("The distance is a cross product with its sign")
 
 
-def test_a_right_way_answers_rightly_and_a_mistake_does_not(count):
-    data = load_data(count.problem)
-    for choice in count.right_ways():
-        does = computed(data, Program(count.program(choice).encode(), "here"))
-        assert not any(answers.wrong for answers in does.values())
-    wrong = computed(data, Program(count.program(single(count, "forgotten-abs")).encode(), "here"))
-    assert len(wrong["grid"].wrong) > 5
-    assert Choice(0) in list(count.right_ways())
-
-
 def test_a_program_that_cannot_be_run_is_told_of(count):
     with pytest.raises(ProblemError, match="cannot be run: NameError"):
         computed(load_data(count.problem), Program(b"x = y\n", "count/mistakes.py:7"))
@@ -186,9 +169,6 @@ def test_a_program_that_cannot_be_run_is_told_of(count):
 @pytest.fixture
 def catalogue(tmp_path):
     """Reads a mistakes.toml of that text for a problem of the fixtures."""
-    from pathlib import Path
-    from shutil import copytree
-
     copytree(Path(__file__).parents[1] / "fixtures" / "pack", tmp_path / "pack")
 
     def read(text):
@@ -250,17 +230,6 @@ def test_a_fault_of_the_words_is_told(catalogue, text, what):
         ("def f(a):\n    seen = {}\n    seen[a] = 1\n    return a\n", set(), {"state"}),
         ("def f(a):\n    return float('%.3f' % a)\n", {"round", "float"}, {"float32"}),
         ("import numpy as np\ndef f(a):\n    return np.float32(a)\n", {"float32"}, {"decimal"}),
-    ],
-)
-def test_features_of_a_program(source, has, lacks):
-    found = features(source.encode())
-    assert has <= found
-    assert not lacks & found
-
-
-@pytest.mark.parametrize(
-    ("source", "has", "lacks"),
-    [
         (
             "double f(double a) { return a - 2; }",
             {"state", "float"},
@@ -274,7 +243,7 @@ def test_features_of_a_program(source, has, lacks):
         ("function f(a) { console.log(a); }", {"print"}, {"/"}),
     ],
 )
-def test_features_of_a_text_in_another_language(source, has, lacks):
-    found = features(source.encode(), language_called("cpp"))
+def test_features_of_a_program(source, has, lacks):
+    found = features(source.encode(), None if "def" in source else language_called("cpp"))
     assert has <= found
     assert not lacks & found

@@ -46,29 +46,15 @@ for name in sys.argv[1:]:
 """
 
 
-def test_nothing_happens_when_they_are_imported():
-    names = [name for name in STANDARD if name != "logging"]
+PLAIN = [name for name in STANDARD if name != "logging"]
+LOGGING = ["string", "traceback", "weakref", "logging"]  # it only adds the exit function that flushes it
+
+
+@pytest.mark.parametrize(("names", "told"), [(PLAIN, ""), (LOGGING, "logging changes exit functions")])
+def test_nothing_happens_when_they_are_imported(names, told):
     command = [sys.executable, "-s", "-P", "-S", "-B", "-c", WATCH, *names]
     run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
-    assert run.stdout == ""
-
-
-def test_logging_only_adds_the_exit_function_that_flushes_it():
-    command = [
-        sys.executable,
-        "-s",
-        "-P",
-        "-S",
-        "-B",
-        "-c",
-        WATCH,
-        "string",
-        "traceback",
-        "weakref",
-        "logging",
-    ]
-    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
-    assert run.stdout == "logging changes exit functions"
+    assert run.stdout == told
 
 
 @pytest.mark.parametrize("names", [STANDARD[::2], STANDARD[1::2], ["signal"]])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from native import LIMITS, box_of, fault_of, ran
+from native import LIMITS, box_of, fault_of, ran, sources
+from sampling import daily
 
 from judge.errors import JudgeError
 from judge.languages import find
@@ -13,80 +14,41 @@ from judge.sandbox import Boxes, Stop, Usage
 
 pytestmark = pytest.mark.slow
 
-ADDING = {  # the sum of two numbers on a line
-    "a.c": '#include <stdio.h>\nint main(void) { int a, b; scanf("%d%d", &a, &b); printf("%d\\n", a + b); }',
-    "a.cpp": "#include <iostream>\nint main() { int a, b; std::cin >> a >> b; std::cout << a + b << '\\n'; }",
-    "a.go": 'package main\nimport "fmt"\nfunc main() { var a, b int; fmt.Scan(&a, &b); fmt.Println(a + b) }',
-    "Any.java": (
-        "import java.util.*;\npublic class Sum { public static void main(String[] w) {"
-        " var in = new Scanner(System.in); System.out.println(in.nextInt() + in.nextInt()); } }"
-    ),
-    "a.rs": (
-        "use std::io::*;\nfn main() { let mut t = String::new(); stdin().read_to_string(&mut t).unwrap();"
-        ' println!("{}", t.split_whitespace().map(|w| w.parse::<i32>().unwrap()).sum::<i32>()); }'
-    ),
-    "a.js": (
-        "const w = require('fs').readFileSync(0, 'utf8').trim().split(/\\s+/).map(Number);"
-        " console.log(w[0] + w[1]);"
-    ),
-    "a.cjs": (
-        "const w = require('fs').readFileSync('/dev/stdin', 'utf8').split(' ').map(Number); // it has '/*'\n"
-        " console.log(w[0] + w[1]);"
-    ),
-    "a.pypy": "print(sum(map(int, input().split())))",
-}
+ADDING = sources("adding")  # the sum of two numbers on a line
 
 
-@pytest.mark.parametrize("name", ADDING)
+@pytest.mark.parametrize("name", daily(ADDING, ["a.c", "a.go", "Any.java", "a.cjs"]))
 def test_a_program_is_compiled_and_run(name):
     done = ran(name, ADDING[name], b"19 23\n")
     assert (done.stop, done.stdout, done.detail) == (Stop.ANSWERED, b"42\n", "")
     assert done.usage.memory_bytes > 1 << 20
 
 
+@pytest.mark.nightly
 def test_a_java_program_starts_in_the_class_with_the_main():
     main = "public static void main(String[] words) { System.out.print(7); }"
     source = f"package a.b;\nclass Pt {{ double x, y; }}\nclass Other {{ {main} }}"
     assert ran("x.java", source).stdout == b"7"
 
 
-@pytest.mark.parametrize("level", ["full", "strong", "limits"])
-@pytest.mark.parametrize("name", ["a.cpp", "a.go"])
-def test_it_runs_at_each_level(name, level, monkeypatch, tmp_path):
-    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
-    try:
-        with box_of(name, ADDING[name], level=level) as box:
-            done = box.run_program(b"1 2\n", LIMITS)
-            assert (done.stdout, box.isolation) == (b"3\n", level)
-    except JudgeError as fault:
-        if "cannot be had" not in str(fault):
-            raise
-        pytest.skip(str(fault))
+BROKEN = {  # the line, the column and words of what is told
+    "brace.c": (2, 11, "expected"),
+    "unknown.cpp": (2, 10, "none"),
+    "template.cpp": (5, 13, "no match for ‘operator<’"),
+    "unused.go": (3, 2, "declared"),
+    "expression.java": (2, 10, "illegal start"),
+    "symbol.java": (2, 14, "cannot find symbol: variable y"),
+    "type.rs": (2, 15, "mismatched"),
+    "twice.js": (2, 5, "SyntaxError"),
+    "open.pypy": (2, 0, "SyntaxError"),
+}
 
 
-@pytest.mark.parametrize(
-    ("name", "source", "line", "column", "words"),
-    [
-        ("a.c", "int main(void)\n{ return 0 }", 2, 11, "expected"),
-        ("a.cpp", "int main() {\n  return none;\n}", 2, 10, "none"),
-        ("a.go", "package main\nfunc main() {\n\tx := 1\n}", 3, 2, "declared"),
-        ("A.java", "class A {\n int x = ;\n void main() {} }", 2, 10, "illegal start"),
-        ("A.java", "class A {\n\tint x = 1 + y;\n void main() {} }", 2, 14, "cannot find symbol: variable y"),
-        ("a.rs", "fn main() {\n let x: i32 = 1.5;\n}", 2, 15, "mismatched"),
-        ("a.js", "let a = 1;\nlet a = 2;\n", 2, 5, "SyntaxError"),
-        ("a.pypy", "a = 1\nb = (\n", 2, 0, "SyntaxError"),
-        (
-            "a.cpp",
-            "#include <set>\nstruct Pt {};\nint main() {\n  std::set<Pt> all;\n  all.insert(Pt());\n}",
-            5,
-            13,
-            "no match for ‘operator<’",
-        ),
-    ],
-)
-def test_what_does_not_compile_is_told_with_its_place(name, source, line, column, words):
-    fault = fault_of(name, source)
-    assert (fault.line, fault.column) == (line, column), fault
+@pytest.mark.parametrize("name", daily(BROKEN, ["brace.c", "unused.go", "twice.js"]))
+def test_what_does_not_compile_is_told_with_its_place(name):
+    *place, words = BROKEN[name]
+    fault = fault_of(name, sources("broken")[name])
+    assert [fault.line, fault.column] == place, fault
     assert words in fault.message
     assert "/" not in fault.message.replace("//", "")
 
@@ -133,74 +95,29 @@ def test_a_cache_that_cannot_be_written_costs_only_time(tmp_path):
     assert store.artifact("a") is None
 
 
-ENDS = [
-    ("a.c", "int main(void) { return 7; }", Stop.EXITED, "exit status 7"),
-    ("a.c", "int main(void) { *(volatile int *)0 = 1; }", Stop.EXITED, "killed by SIGSEGV"),
-    ("a.c", "int main(void) { for (;;); }", Stop.CPU, "CPU time"),
-    ("a.c", '#include <stdio.h>\nint main(void) { for (;;) puts("x"); }', Stop.OUTPUT, "wrote more than"),
-    (
-        "a.cpp",
-        (
-            "#include <string>\n#include <vector>\n"
-            "int main() { std::vector<std::string> v; for (;;) v.emplace_back(1 << 20, 'x'); }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
-    ),
-    (
-        "a.cpp",
-        '#include <stdexcept>\nint main() { throw std::runtime_error("lost"); }',
-        Stop.EXITED,
-        "lost",
-    ),
-    ("a.go", "package main\nfunc main() { var a []int; _ = a[3] }", Stop.EXITED, "index out of range"),
-    (
-        "a.go",
-        (
-            "package main\nvar k [][]byte\nfunc main() { for { b := make([]byte, 1<<20)\n"
-            "for i := range b { b[i] = 1 }\nk = append(k, b) } }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
-    ),
-    (
-        "a.go",
-        'package main\nimport "fmt"\nfunc main() { for i := 0; i < 3000000; i++ { fmt.Println("xxxxxx") } }',
-        Stop.OUTPUT,
-        "wrote more than",
-    ),
-    (
-        "A.java",
-        "class A { public static void main(String[] w) { int[] a = {}; a[0]++; } }",
-        Stop.EXITED,
-        "ArrayIndex",
-    ),
-    (
-        "A.java",
-        (
-            "import java.util.*; class A { public static void main(String[] w) {"
-            " var k = new ArrayList<byte[]>(); for (;;) k.add(new byte[1 << 20]); } }"
-        ),
-        Stop.MEMORY,
-        "256 MB",
-    ),
-    ("a.js", "null.x", Stop.EXITED, "TypeError"),
-    ("a.js", "const k = []; for (;;) k.push(Buffer.alloc(1 << 20, 1));", Stop.MEMORY, "JavaScript's own"),
-    (
-        "a.rs",
-        'fn main() { let v: Vec<i32> = vec![]; println!("{}", v[2]); }',
-        Stop.EXITED,
-        "index out of bounds",
-    ),
-]
+ENDS = {
+    "status.c": ("exited", "exit status 7"),
+    "signal.c": ("exited", "killed by SIGSEGV"),
+    "time.c": ("cpu", "CPU time"),
+    "output.c": ("output", "wrote more than"),
+    "output.go": ("output", "wrote more than"),
+    "memory.cpp": ("memory", "256 MB"),
+    "memory.go": ("memory", "256 MB"),
+    "memory.java": ("memory", "256 MB"),
+    "memory.js": ("memory", "JavaScript's own"),
+    "fault.cpp": ("exited", "lost"),
+    "fault.go": ("exited", "index out of range"),
+    "fault.java": ("exited", "ArrayIndex"),
+    "fault.js": ("exited", "TypeError"),
+    "fault.rs": ("exited", "index out of bounds"),
+}
 
 
-@pytest.mark.parametrize(
-    ("name", "source", "stop", "words"), ENDS, ids=[f"{row[0]}-{row[2].value}" for row in ENDS]
-)
-def test_each_end_is_told(name, source, stop, words):
-    done = ran(name, source, limits=LIMITS._replace(cpu_seconds=1.0))
-    assert (done.stop, words in done.detail) == (stop, True), (done.stop, done.detail, done.stderr)
+@pytest.mark.parametrize("name", daily(ENDS, [each for each in ENDS if "memory" not in each]))
+def test_each_end_is_told(name):
+    done = ran(name, sources("ends")[name], limits=LIMITS._replace(cpu_seconds=1.0))
+    stop, words = ENDS[name]
+    assert (done.stop.value, words in done.detail) == (stop, True), (done.stop, done.detail, done.stderr)
 
 
 def test_shared_memory_that_no_limit_counts_is_refused():
@@ -224,19 +141,14 @@ def test_a_missing_toolchain_costs_one_submission_and_names_the_command(monkeypa
     find.toolchain.cache_clear()
 
 
+LOST = sources("lost")
+
+
 @pytest.mark.parametrize("level", ["full", "strong"])
-@pytest.mark.parametrize(
-    ("name", "source"),
-    [
-        ("a.c", "#include <assert.h>\nint main(int n, char **w) { assert(n == 2); }"),
-        ("a.go", 'package main\nfunc main() { panic("lost") }'),
-        ("a.rs", 'fn main() { panic!("lost") }'),
-        ("A.java", 'class A { public static void main(String[] w) { throw new RuntimeException("lost"); } }'),
-    ],
-)
-def test_a_program_knows_no_path_of_this_machine(name, source, level, monkeypatch, tmp_path):
+@pytest.mark.parametrize("name", daily(LOST, ["a.c"]))
+def test_a_program_knows_no_path_of_this_machine(name, level, monkeypatch, tmp_path):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
-    done = ran(name, source, level=level)
+    done = ran(name, LOST[name], level=level)
     assert done.stop is Stop.EXITED
     assert b"solution" in done.stderr or b"A.java" in done.stderr
     assert b"judge-" not in done.stderr

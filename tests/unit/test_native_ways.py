@@ -1,11 +1,14 @@
-"""Functions in Go, Rust and PyPy as people write them: names and types of their own, and how they end."""
+"""Functions in other languages as people write them: where they stand, what they are made of, what is told."""
 
 # ruff: noqa: E501 - sources in other languages
 
 from __future__ import annotations
 
+from array import array
+
 import pytest
-from native import LIMITS, answers, box_of, called, need, signature
+from native import LIMITS, answers, box_of, called, need, signature, sources
+from sampling import daily
 
 from judge.languages.boxes import AnyBoxes
 from judge.languages.draft import draft_of, driver_of
@@ -23,18 +26,15 @@ RUST_WHOLE = {
 }
 
 
-def test_in_rust_they_are_digits_or_what_the_function_takes():
+@pytest.mark.nightly
+def test_in_rust_they_are_digits_or_what_the_function_takes_and_never_within_an_answer():
     assert answers("a.rs", RUST_WHOLE["digits"], BIG, [(10**40,), (-7,)]) == [41, 2]
     found = called("a.rs", RUST_WHOLE["machine"], BIG, [(5 << 100,), (1 << 127,), (-(1 << 127),)])
     assert [reply.answer for reply in found] == [5, None, -(1 << 27)]
     assert found[1].detail == f"{1 << 127} does not fit into i128"
-
-
-def test_in_rust_they_are_never_within_an_answer():
     with box_of("a.rs", RUST_WHOLE["digits"], signature=BIG._replace(answer=parse("[int]"))) as box:
-        assert box.inspect().fault.message == (
-            "Rust functions of this problem's types cannot be called: give it a main"
-        )
+        told = box.inspect().fault.message
+    assert told == "Rust functions of this problem's types cannot be called: give it a main"
 
 
 def test_in_go_an_answer_may_be_one_too():
@@ -42,25 +42,28 @@ def test_in_go_an_answer_may_be_one_too():
     assert answers("a.go", counting, BIG, [(2**99,)]) == [100]
     nothing = 'package main\nimport "math/big"\nfunc mirrorAll(n *big.Int) *big.Int { return nil }'
     assert answers("a.go", nothing, BIG, [(2**99,)]) == [None]
-    assert driver_of(language_called("go")).declared(draft_of(language_called("go"), BIG)) == (
-        "func mirrorAll(n *big.Int) int"
-    )
 
 
-def test_a_stack_without_end_is_said_so():
+def test_go_says_a_type_once_for_neighbours_and_takes_big_ints_by_their_address():
+    go, given = language_called("go"), signature("real", r="real", A="point", B="point", n="int")
+    declared = [driver_of(go).declared(draft_of(go, each)) for each in (BIG, given)]
+    assert declared == ["func mirrorAll(n *big.Int) int", "func mirrorAll(r float64, A, B Pt, n int) float64"]
+
+
+def test_a_stack_without_end_and_more_memory_than_there_is_are_said_so():
     source = """package main
 func deep(x float64) float64 { return deep(x) + 1 }
-func mirrorAll(x float64) float64 { if x == 2 { return deep(x) }; return x }"""
-    found = called("a.go", source, REAL, [(1.0,), (2.0,), (3.0,)])
-    assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.EXITED]
-    assert found[1].detail.endswith("stack overflow")
-
-
-def test_more_than_there_is_of_memory_is_said_so():
-    source = """package main
-func mirrorAll(x float64) float64 { if x == 2 { all := make([]float64, 1<<33); all[5] = x; return all[int(x)] }; return x }"""
-    found = called("a.go", source, REAL, [(1.0,), (2.0,), (3.0,)])
-    assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.MEMORY]
+func mirrorAll(x float64) float64 {
+    if x == 2 { return deep(x) }
+    if x == 4 { all := make([]float64, 1<<33); all[5] = x; return all[int(x)] }
+    return x }"""
+    with box_of("a.go", source, signature=REAL) as box:
+        deep, large = (
+            box.call_many("mirror_all", [(1.0,), (x,), (3.0,)], LIMITS).replies for x in (2.0, 4.0)
+        )
+    assert [reply.stop for reply in deep] == [Stop.ANSWERED, Stop.EXITED]
+    assert deep[1].detail.endswith("stack overflow")
+    assert [reply.stop for reply in large] == [Stop.ANSWERED, Stop.MEMORY]
 
 
 def test_pypy_prints_nothing_of_its_own():
@@ -70,60 +73,10 @@ def test_pypy_prints_nothing_of_its_own():
 
 
 PLACED = signature("[point; 0..2]", A="point")
-OWN = {  # types, fields and names of the submission's own, as people have them
-    "lower.go": """package main
-type Pt struct{ x, y float64 }
-func mirrorAll(A Pt) []Pt { return []Pt{{A.y, A.x}} }""",
-    "grouped.go": """package geometry // a package of any name
-type (
-	Pt struct {
-		U float64 `json:"u"` // along
-		V float64
-	}
-)
-func mirrorAll(A Pt) []Pt { return []Pt{{A.V, A.U}} }""",
-    "printer.go": """package main
-import ("bufio"; "fmt"; "os")
-var out = bufio.NewWriter(os.Stdout) // made before the driver begins
-func math() string { return `func main() {} // "` }
-func mirrorAll(A Pt) []Pt { fmt.Fprintln(out, "[0,[]]", math()); out.Flush(); return []Pt{{A.Y, A.X}} }""",
-    "fields.rs": """\ufeff//! My solution.
-#![allow(dead_code,
-    unused)]
-#[derive(Clone, Copy)]
-struct Pt { pub u: f64, v: f64 }
-fn mirror_all(a: Pt) -> Vec<Pt> { vec![Pt { u: a.v, v: a.u }] }""",
-    "places.rs": """struct Pt(f64, f64);
-fn mirror_all(a: Pt) -> Vec<Pt> { vec![Pt(a.1, a.0)] }""",
-    "alias.go": """package main
-type (
-	Vector struct{ X, Y float64 }
-	Pt = Vector
-)
-func mirrorAll(A Pt) []Pt { return []Pt{{A.Y, A.X}} }""",
-    "typedef.cpp": """#define x first
-#define y second
-typedef std::pair<double, double> Pt;
-int link[26], write = 1; // names of unistd.h, which it does not include
-std::vector<Pt> mirror_all(Pt A) { return {{A.y, A.x}}; }""",
-    "tag.c": """struct point { double x, y; };
-typedef struct point Pt;
-int link[26];
-static int read(void) { return getchar(); }
-int mirror_all(Pt A, Pt out[2]) { out[0] = (Pt){A.y, A.x}; return 1 + 0 * link[3]; }
-int main(void) { return read(); }""",
-    "methods.java": """import java.util.*;
-class Pt {
-    final double x, y;
-    Pt(double x, double y) { this.x = x; this.y = y; }
-    static List<Pt> mirrorAll(Map<Pt, Pt> all, Pt more) { return List.of(); }
-    List<Pt> mirrorAll() { return List.of(new Pt(y, x)); }
-}
-class Solution { static List<Pt> mirrorAll(Pt A) { return A.mirrorAll(); } }""",
-}
+OWN = sources("own")  # types, fields and names of the submission's own, as people have them
 
 
-@pytest.mark.parametrize("name", OWN)
+@pytest.mark.parametrize("name", daily(OWN, ["grouped.go", "fields.rs", "tag.c", "methods.java"]))
 def test_types_and_names_of_its_own_are_taken(name):
     assert answers(name, OWN[name], PLACED, [((1.5, 2.0),)]) == [[[2, 1.5]]]
 
@@ -143,15 +96,200 @@ def test_what_is_no_text_is_told():
         assert box.inspect().fault.message == "it is UTF-16: save it as UTF-8"
 
 
-def test_go_says_a_type_once_for_neighbours():
-    draft = draft_of(language_called("go"), signature("real", r="real", A="point", B="point", n="int"))
-    assert (
-        driver_of(language_called("go")).declared(draft)
-        == "func mirrorAll(r float64, A, B Pt, n int) float64"
-    )
-
-
 def test_what_is_blanked_at_the_head_of_a_file_keeps_its_lines():
     source = "#![allow(\n    unused)]\nfn mirror_all(x: f64) -> f64 { y }"
     with box_of("a.rs", source, signature=REAL) as box:
         assert box.inspect().fault[1:3] == (3, 32)
+
+
+# -- functions as people write them ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "export function mirrorAll(x) { return -x; }",
+        "export default function mirrorAll(x) { return -x; }",
+        "const mirrorAll = x => -x;\nexport { mirrorAll };\n",
+        "const mirrorAll = x => -x;\nmodule.exports = { mirrorAll };\n",
+        "const all = 'src/*', some = /[\"'`/]/g;\nfunction mirrorAll(x) { return -x; }\nlet none = '*/';",
+    ],
+)
+def test_what_a_script_exports_is_called_all_the_same(source):
+    assert answers("a.mjs", source, REAL, [(2.5,)]) == [-2.5]
+
+
+IMPORTING = """import fs, { readFileSync as slurp } from 'node:fs';
+import * as path
+  from "path";
+import 'util';
+const told = `
+import nothing from 'nowhere';`;
+export const mirrorAll = x => (console.log(path.sep, told, fs.constants), -x);
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "source"),
+    [
+        ("a.mjs", f"\ufeff{IMPORTING}slurp(0);"),
+        ("a.pypy", "def mirror_all(x):\n    return -x\nopen(0).read()\n"),
+    ],
+)
+def test_what_reads_at_once_reads_nothing_and_the_function_is_called(name, source):
+    assert answers(name, source, REAL, [(2.5,), (1.5,)]) == [-2.5, -1.5]
+
+
+JAVA = sources("java")
+
+
+@pytest.mark.parametrize("name", daily(JAVA, ["after.java"]))
+def test_java_functions_are_found_wherever_they_stand(name):
+    assert answers(name, JAVA[name], REAL, [(2.5,)]) == [-2.5]
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("source", "given", "calls", "found"),
+    [
+        (
+            "class A { static float mirrorAll(double x) { return x < 0 ? Float.NaN : (float) x; } }",
+            REAL,
+            [(0.1,), (-1.0,)],
+            [0.10000000149011612, {"type": "float", "text": "nan"}],
+        ),
+        (
+            "class A { static byte[] mirrorAll(double[] raw) { byte[] out = new byte[raw.length]; for (int i = 0; i < raw.length; i++) out[i] = (byte) -raw[i]; return out; } }",
+            signature("array(i8)", raw="array(f64)"),
+            [(array("d", [1.0, -2.5]),), (array("d"),)],
+            [[-1, 2], []],
+        ),
+        (
+            "class A { record Enclosure(double lo, double hi) {} static Enclosure mirrorAll(double x) { return new Enclosure(-x, x); } }",
+            signature("enclosure", x="real"),
+            [(1.5,)],
+            [[-1.5, 1.5]],
+        ),
+    ],
+    ids=["float", "arrays", "a record of its own"],
+)
+def test_java_has_other_types_for_the_same(source, given, calls, found):
+    assert answers("A.java", source, given, calls) == found
+
+
+@pytest.mark.nightly
+def test_what_java_cannot_begin_with_is_told_by_its_cause():
+    source = 'class A { static double k = Double.parseDouble("x"); static double mirrorAll(double x) { return k; } }'
+    found = called("A.java", source, REAL, [(1.0,)])
+    assert found[0].detail == 'java.lang.NumberFormatException: For input string: "x"'
+
+
+# -- what stands around the function ---------------------------------------------------------------------------
+
+MEDDLING = sources("meddling")  # macros, pragmas and names that files of contests begin with
+
+
+def test_macros_of_ones_own_do_not_reach_the_driver():
+    assert answers("a.c", MEDDLING["a.c"], REAL, [(1.0,), (2.5,)]) == [-1, -2.5]
+
+
+@pytest.mark.nightly
+def test_nor_do_those_of_cpp_nor_does_fast_mathematics_which_has_no_nan():
+    *plain, nan = answers("a.cpp", MEDDLING["a.cpp"], REAL, [(1.0,), (2.5,), (3.0,)])
+    assert (plain, nan) == ([-1, -2.5], {"type": "float", "text": "nan"})
+
+
+CPP = [
+    "static inline auto mirror_all(double x) noexcept -> double\n{ return -x; }",
+    "const auto mirror_all = [](double x) { return -x; };",
+    "template <class T> T mirror_all(T x) { return -x; }",
+    "#include <cmath>\ndouble mirror_all(double x) { return x < 0 ? std::sqrt(x) : -x; }",
+]
+
+
+@pytest.mark.parametrize("source", daily(CPP, CPP[3:]))
+def test_a_function_may_be_defined_in_any_way_of_cpp(source):
+    assert answers("a.cpp", source, REAL, [(1.5,)]) == [-1.5]
+    if "sqrt" in source:
+        assert answers("a.cpp", source, REAL, [(-1.0,)]) == [{"type": "float", "text": "nan"}]
+
+
+UNLIKE = {
+    "a.cpp": "double mirror_all(double x)",
+    "a.c": "double mirror_all(double x)",
+    "a.go": "func mirrorAll(x float64) float64",
+    "A.java": "static double mirrorAll(double x)",
+    "a.rs": "fn mirror_all(x: f64) -> f64",
+}
+
+
+@pytest.mark.parametrize("name", daily(UNLIKE, ["a.c", "a.go"]))
+def test_another_declaration_is_told_as_the_problem_has_it(name):
+    with box_of(name, sources("unlike")[name], signature=REAL) as box:
+        told = box.inspect().fault.message
+    assert told.endswith(f"is not declared as the problem says: {UNLIKE[name]}")
+
+
+@pytest.mark.parametrize(
+    ("given", "source", "words"),
+    [
+        (BIG, "long long mirror_all(long long n) { return n; }", "mirror_all(const char *n)"),
+        (signature("real?", x="real"), "bool mirror_all(double x, float *out) { return 0; }", "double *out)"),
+        (
+            signature("[int]", n="int"),
+            "int mirror_all(int n) { return n; }",
+            "C functions of this problem's types cannot be called: give it a main",
+        ),
+    ],
+)
+def test_in_c_no_pointer_and_no_type_is_taken_for_something_else(given, source, words):
+    with box_of("a.c", source, signature=given) as box:
+        assert box.inspect().fault.message.endswith(words)
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "place", "words"),
+    [
+        ("a.js", "function mirrorAll(x) {\n  return 1 +;\n}", (2, 13), "SyntaxError: Unexpected token ';'"),
+        ("a.mjs", f"{IMPORTING}slurp(0;", (8, 7), "SyntaxError"),
+        ("a.pypy", "def mirror_all(x):\n    return 1 +\n", (2, 0), "SyntaxError"),
+        ("a.cpp", "double mirror_all(double x) {\n  return y;\n}", (2, 10), ""),
+    ],
+)
+def test_an_error_is_told_before_it_is_called_and_keeps_its_place(name, source, place, words):
+    with box_of(name, source, signature=REAL) as box:
+        fault = box.inspect().fault
+    assert fault.message.startswith(words)
+    assert (fault.line, fault.column) == place
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "words"),
+    [
+        (
+            "a.cpp",
+            "double mirrorAll(double x) { return x; }",
+            "neither mirror_all nor main: write mirror_all for mirrorAll",
+        ),
+        (
+            "a.go",
+            "package main\nfunc mirror_all(x float64) {}",
+            "neither mirrorAll nor main: write mirrorAll for mirror_all",
+        ),
+        ("a.c", "int other(void) { return 1; }", "neither mirror_all nor main"),
+        (
+            "a.js",
+            "class Solution {\n  mirrorAll(x) { return -x; }\n}",
+            "mirrorAll is a method of Solution: write it as a function",
+        ),
+        (
+            "a.js",
+            "function mirror_all(x) { return x; }\nconsole.log(mirror_all(1));",
+            "it defines no mirrorAll, and reads no input: write mirrorAll for mirror_all",
+        ),
+        ("a.c", "// double mirror_all(double x) { return x; }\nint a;", "neither mirror_all nor main"),
+    ],
+)
+def test_neither_function_nor_program_is_told(name, source, words):
+    with box_of(name, source, signature=REAL) as box:
+        assert box.inspect().fault.message.endswith(words)

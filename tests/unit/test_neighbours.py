@@ -6,8 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
+from sampling import daily
 
-from judge.data.build import build_cases, choices_of
+from judge.data.build import build_cases
 from judge.data.fresh import Fresh
 from judge.data.module import load_module
 from judge.errors import ProblemError
@@ -17,7 +18,7 @@ PROBLEMS = Path(__file__).parents[2] / "problems"
 FIXTURE = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
 
 
-@pytest.fixture(params=["count", "exact-count", "segment", "ray-nearest"])
+@pytest.fixture(params=daily(["count", "exact-count", "segment", "ray-nearest"], ["segment"]))
 def problem(request):
     return load_problem(PROBLEMS / request.param)
 
@@ -56,31 +57,16 @@ def test_fresh_neighbours_are_such_too_with_nothing_between_them(problem):
     assert fresh.choices_of(series, 3) is None
 
 
-def test_a_neighbour_is_built_from_no_choices_of_its_own(problem):
-    group = problem.group("neighbours")
-    assert choices_of(group, lambda draw: None, 3, (0,)) is None
-
-
-def test_examples_are_no_neighbours(tmp_path):
+@pytest.mark.parametrize("after", ['builder = "examples"', "parameters = { reach = 9 }"])
+def test_examples_are_no_neighbours_and_others_are_even_where_nothing_changes_the_answer(tmp_path, after):
     folder = tmp_path / "root-count"
     shutil.copytree(FIXTURE, folder)
     text = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(
-        text.replace('builder = "examples"', 'builder = "examples"\nneighbours = true')
-    )
-    with pytest.raises(ProblemError, match="are no neighbours of one another"):
-        load_problem(folder)
-
-
-def test_where_nothing_changes_the_answer_neighbours_are_found_all_the_same(tmp_path):
-    folder = tmp_path / "root-count"
-    shutil.copytree(FIXTURE, folder)
-    text = (
-        (folder / "problem.toml")
-        .read_text()
-        .replace("parameters = { reach = 9 }", "parameters = { reach = 9 }\nneighbours = true")
-    )
-    (folder / "problem.toml").write_text(text)
-    problem = load_problem(folder)
-    group = next(each for each in problem.groups if each.neighbours)
-    assert len(build_cases(problem, load_module(problem), group)) == group.count
+    (folder / "problem.toml").write_text(text.replace(after, f"{after}\nneighbours = true"))
+    if "examples" in after:
+        with pytest.raises(ProblemError, match="are no neighbours of one another"):
+            load_problem(folder)
+    else:
+        problem = load_problem(folder)
+        (group,) = (each for each in problem.groups if each.neighbours)
+        assert len(build_cases(problem, load_module(problem), group)) == group.count

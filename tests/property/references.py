@@ -1,0 +1,140 @@
+"""Exact answers of katas held against other formulas, in so many digits that none is lost; vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from decimal import Decimal, localcontext
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+from judge.data import load_data
+from judge.data.build import build_cases
+from judge.data.model import reseeded
+from judge.data.module import load_module
+from judge.exact import Surd
+from judge.problem.load import load_problem
+from judge.values import Real
+
+PROBLEMS = Path(__file__).parents[2] / "problems"
+CASES = 1000
+SNAP = Decimal("1e-12")
+CLOSE = Decimal("1e-60")  # of a number's unit; of 160 digits differences keep 80, and a root of them more
+
+
+def vec(*numbers):
+    return tuple(map(Decimal, numbers))  # of ints or doubles, without rounding
+
+
+def plus(p, q, times=1):
+    return tuple(x + times * y for x, y in zip(p, q, strict=True))
+
+
+def minus(p, q):
+    return plus(p, q, -1)
+
+
+def times(share, p):
+    return tuple(share * x for x in p)
+
+
+def dot(p, q):
+    return sum(x * y for x, y in zip(p, q, strict=True))
+
+
+def cross(p, q):
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def norm(p):
+    return dot(p, p).sqrt()
+
+
+def reach(*vectors):
+    return max(abs(x) for vector in vectors for x in vector)
+
+
+def number(x: Any) -> Decimal:
+    x = x.x if isinstance(x, Real) else x
+    x = x if isinstance(x, Surd) else Surd.of(x)
+    return (Decimal(x.p) + Decimal(x.q) * Decimal(x.d).sqrt()) / Decimal(x.s)
+
+
+def alike(answer: Any, other: Any, close: Decimal = CLOSE) -> bool:
+    """Whether two answers are alike: each number within a hair of its own unit."""
+    if isinstance(answer, Real):
+        unit = number(answer.unit)
+        return other is not None and abs(number(answer) - other) <= close * unit
+    if isinstance(answer, list | tuple):
+        return (
+            isinstance(other, list | tuple)
+            and len(answer) == len(other)
+            and all(alike(*pair, close) for pair in zip(answer, other, strict=True))
+        )
+    return answer == other
+
+
+def solver(name: str) -> Callable[..., Any]:
+    return load_module(load_problem(PROBLEMS / name)).solve
+
+
+def cases_of(name: str, seeds: Iterable[int | None] = (None, 1, 2), most: int | None = None, step: int = 1):
+    """A thousand cases, shipped ones and fresh ones; of each group so many at most, of all each step-th."""
+    problem = load_problem(PROBLEMS / name)
+    data = (load_data(problem, seed=seed, cache=False) for seed in seeds)
+    found = chain.from_iterable(group.cases[:most] for each in data for group in each.groups)
+    cases = list(islice(islice(found, None, None, step), CASES))
+    assert len(cases) == CASES
+    return cases
+
+
+def answers(
+    name: str, formula: Callable[..., Any], cases: Iterable[Any], same: Callable[..., bool] = alike
+) -> Iterator[Any]:
+    """The exact answers, each of which is that of the formula in 160 digits."""
+    solve = solver(name)
+    for case in cases:
+        solved = solve(*case)
+        assert solved.broken is None
+        with localcontext(prec=160):
+            assert same(solved.answer, formula(*case)), case
+        yield solved.answer
+
+
+class Least:
+    """A source of chance that draws the least number."""
+
+    def integer(self, low: int, _high: int) -> int:
+        return low
+
+
+def images(name: str, most: int, count: int) -> Iterator[tuple[Any, Any]]:
+    """The targets of images of shipped cases: that which stress takes, and that of their exact answer."""
+    problem = load_problem(PROBLEMS / name)
+    module = load_module(problem)
+    for group in load_data(problem, cache=False).groups:
+        for case, target in islice(zip(group.cases, group.targets, strict=True), most):
+            for image, changed in module.topic.images(problem, case, target, Least(), count):
+                solved = module.solve(*image)
+                assert solved.broken is None
+                yield changed, problem.answer.target(solved.answer, group.group.tolerance)
+
+
+def near_targets(given: Any, wanted: Any) -> bool:
+    """Whether two targets accept the same numbers; of the errors in ulps the last bits may differ."""
+    if not isinstance(wanted, tuple | list):
+        return bool(given == wanted)
+    if len(wanted) == 5 and all(type(each) is float for each in wanted):
+        off, residual = given[3], wanted[3]
+        return (*given[:3], given[4]) == (*wanted[:3], wanted[4]) and abs(off - residual) < 1e-9
+    return len(given) == len(wanted) and all(map(near_targets, given, wanted))
+
+
+def small_cases(name: str, seeds: Iterable[int | None]) -> Iterator[Any]:
+    """The first cases of the groups of a kata of large ones that are not large, with their exact answers."""
+    problem = load_problem(PROBLEMS / name)
+    module = load_module(problem)
+    for seed in seeds:
+        for group in problem.groups:
+            if group.size is None and group.builder != "examples":
+                yield from islice(build_cases(problem, module, reseeded(group, seed)), 12)
