@@ -36,6 +36,15 @@ def replace_file(path: Path, content: bytes) -> None:
         temporary.replace(place)
 
 
+def put_file(path: Path, content: bytes) -> None:
+    """Put `content` at `path` itself: what is there passes nothing on, and no link is followed.
+
+    Raises OSError.
+    """
+    with _written_beside(path, content, None) as temporary:
+        temporary.replace(path)
+
+
 def new_file(path: Path, content: bytes) -> None:
     """Put `content` at `path`, where nothing may be.
 

@@ -1,24 +1,47 @@
-"""A JSON file of the cache, keyed by the content of all that it was made from.
+"""A file of the cache, keyed by the content of all that it was made from.
 
     line 1     the digest of the file's key and of everything after this line
-    the rest   the JSON
+    the rest   the content, JSON in most
 
 A file that is not as it should be counts as missing; a folder that cannot be written costs speed and a note,
-never a run. Two runs may write at once: either file is whole.
+never a run. Two runs may write at once: either file is whole. Of users who share a cache each believes what
+it has written itself, or the superuser, or the folder's owner.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from judge.atomic import replace_file, sweep
+from judge.atomic import put_file, sweep
 from judge.digest import digest_of
 from judge.folders import CACHE_VARIABLE
 from judge.reading import read_ordinary
+
+
+def read_kept(path: Path, key: str, folder: Path) -> bytes | None:
+    """What is kept under that key in a file of the cache `folder`; None where it is not as it was written.
+
+    Raises OSError where it cannot be read, or is of a user who is not believed.
+    """
+    content = read_ordinary(path, owners={os.geteuid(), 0, folder.stat().st_uid})
+    checksum, _, body = content.partition(b"\n")
+    return body if checksum == _checksum(key, body) else None
+
+
+def write_kept(path: Path, key: str, body: bytes) -> None:
+    """Keep that. Raises OSError."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    put_file(path, _checksum(key, body) + b"\n" + body)
+
+
+def _checksum(key: str, body: bytes) -> bytes:
+    """With the key in it, so that a sound file under another one's name is not taken for its content."""
+    return digest_of(key.encode() + body).encode()
 
 
 class KeptFile:
@@ -43,12 +66,12 @@ class KeptFile:
         `form` is the type it is read as, such as tuples for JSON's lists; where it does not fit, it is none.
         """
         try:
-            sweep(self._path().parent)
-            content = read_ordinary(self._path())
+            path = self._path()
+            sweep(path.parent)
+            body = read_kept(path, self._key, self._cache_folder())
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
-        checksum, _, body = content.partition(b"\n")
-        if checksum != self._checksum(body):
+        if body is None:
             return None
         try:
             return _parsed(body, form)
@@ -69,8 +92,7 @@ class KeptFile:
         body = json.dumps(value, separators=(",", ":")).encode()
         try:
             path = self._path()
-            path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(path, self._checksum(body) + b"\n" + body)
+            write_kept(path, self._key, body)
             for old in path.parent.glob(f"{self._stem}*.json"):
                 if old != path:
                     old.unlink(missing_ok=True)
@@ -79,10 +101,6 @@ class KeptFile:
             remedy = f"set ${CACHE_VARIABLE} to a writable folder"
             return f"{self._what} are not kept for the next run ({reason}); {remedy}"
         return None
-
-    def _checksum(self, body: bytes) -> bytes:
-        """With the key in it, so that a sound file under another one's name is not taken for its data."""
-        return digest_of(self._key.encode() + body).encode()
 
     def _path(self) -> Path:
         return self._cache_folder() / self._folder / f"{self._stem}{self._key}.json"

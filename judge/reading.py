@@ -11,6 +11,7 @@ import errno
 import os
 import select
 import stat
+from collections.abc import Container
 from pathlib import Path
 
 _AT_ONCE = 65536  # bytes
@@ -18,15 +19,19 @@ _FOR_READING = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
 _AS_A_FOLDER = getattr(os, "O_PATH", os.O_RDONLY) | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
-def read_ordinary(path: Path, most: int = -1) -> bytes:
+def read_ordinary(path: Path, most: int = -1, owners: Container[int] | None = None) -> bytes:
     """The first `most` bytes of an ordinary file, all of them without it.
 
     Raises:
-        OSError: it cannot be read; of what is no ordinary file its text says that.
+        OSError: it cannot be read, or is not of one of the `owners`; of what is no ordinary file its text
+            says that.
         ValueError: there is a NUL in the name.
     """
     check_ordinary(path.stat())
-    return _read(os.open(path, _FOR_READING), most)[0]  # what is there may have changed since
+    content, found = _read(os.open(path, _FOR_READING), most)  # what is there may have changed since
+    if owners is not None and found.st_uid not in owners:
+        raise PermissionError(errno.EPERM, "it is another user's")
+    return content
 
 
 class LedOutError(OSError):

@@ -171,8 +171,8 @@ class _Reader:
         """The problem that the text tells, or why there is none."""
         try:
             fitting = fitting_problems(signs(source, path), self._folders)
-        except JudgeError as fault:  # of a problem that is broken
-            return "", str(fault)
+        except JudgeError as fault:  # of a problem that is broken, or of this text
+            return "", str(fault).removeprefix(f"{path}: ")
         if len(fitting) > 1:
             return "", f"it fits {' and '.join(each.id for each in fitting)}"
         return (fitting[0].id, "") if fitting else ("", "")

@@ -10,14 +10,18 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge.digest import digest_of
+from judge.errors import JudgeError
 from judge.languages import SUFFIX, language_of
-from judge.problem.program import tree_of
+from judge.languages.scan import reading, unsaid
+from judge.problem.program import LONGEST, tree_of_stranger
 
-_LONGEST = 65_536  # bytes of a source that is read; a longer one stands for itself
+if TYPE_CHECKING:
+    from judge.languages.model import Language
 
 
 class NormalForm(Struct, frozen=True):
@@ -32,14 +36,15 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
 
     A source that cannot be read, or is longer than any that a person writes, is its own form.
     """
-    if len(source) <= _LONGEST:
+    if len(source) <= LONGEST:
         try:
             if name.endswith(SUFFIX):
                 return _of_python(source, entry)
             language = language_of(name)
             if language is not None and language.comment == "//" and not language.folder:
-                return _of_words(language.id, source.decode(), language.spelt(entry) if entry else "")
-        except (SyntaxError, ValueError, RecursionError, MemoryError):  # not to be read, so itself
+                with reading():
+                    return _of_words(language, source.decode(), language.spelt(entry) if entry else "")
+        except (SyntaxError, ValueError, RecursionError, JudgeError):  # not to be read, so itself
             pass
     return NormalForm(digest_of(source), len(source.split()))
 
@@ -48,7 +53,7 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
 
 
 def _of_python(source: bytes, entry: str) -> NormalForm:
-    tree = tree_of(source)
+    tree = tree_of_stranger(source)
     nodes = list(ast.walk(tree))
     own = {name for node in nodes for name in _bound(node)} - _imported(nodes) - {entry}
     for node in nodes:
@@ -121,14 +126,11 @@ def _number(nodes: list[ast.AST], own: set[str]) -> None:
 
 # -- the judge's own other languages ----------------------------------------------------------------
 
-_TOKEN = re.compile(
-    r"""(?P<remark>//[^\n]*|/\*.*?\*/)
-    |(?P<text>R"(?P<mark>[^()\\\s]*)\(.*?\)(?P=mark)"|r(?P<hashes>\#*)".*?"(?P=hashes)
-      |"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|`(?:\\.|[^`\\])*`)
-    |(?P<name>[^\W\d]\w*)
-    |(?P<number>\.?\d(?:[eEpP][+-]|[\w.])*)
+_WORD = re.compile(
+    r"""(?P<name>[^\W\d]\w*+)
+    |(?P<number>\.?\d(?>(?:[eEpP][+-]|[\w.])*))
     |(?P<sign>:=|::|->|=>|==|[^\w\s])""",
-    re.DOTALL | re.VERBOSE,
+    re.VERBOSE,
 )
 # After one of these a name is not a new one, but something used.
 _USES = re.compile(
@@ -140,11 +142,8 @@ _GIVES = frozenset(("=", ":=", ":", "=>"))
 _KEEPS = frozenset((".", "::", "->", "#"))
 
 
-def _of_words(language: str, text: str, entry: str) -> NormalForm:
-    words = [
-        (found.lastgroup or "", found[0]) for found in _TOKEN.finditer(text) if found.lastgroup != "remark"
-    ]
-    words = [("text" if kind in ("mark", "hashes") else kind, word) for kind, word in words]
+def _of_words(language: Language, text: str, entry: str) -> NormalForm:
+    words = list(_words(language, text))
     own = _declared(words) - {entry, "main", "Main", "self", "this"}
     numbers: dict[str, str] = {}
     plain = []
@@ -153,7 +152,22 @@ def _of_words(language: str, text: str, entry: str) -> NormalForm:
         if kind == "name" and word in own and not part:
             word = numbers.setdefault(word, f"_{len(numbers)}")
         plain.append(word)
-    return NormalForm(f"{language} " + "\x00".join(plain), len(words))
+    return NormalForm(f"{language.id} " + "\x00".join(plain), len(words))
+
+
+def _words(language: Language, text: str) -> Iterator[tuple[str, str]]:
+    """The words of a text, each with its kind; comments are none, a string is one."""
+    start = 0
+    for begin, end in unsaid(text, language.tokens):
+        yield from _between(text, start, begin)
+        if not text.startswith(("//", "/*"), begin):
+            yield "text", text[begin:end]
+        start = end
+    yield from _between(text, start, len(text))
+
+
+def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str]]:
+    return ((found.lastgroup or "", found[0]) for found in _WORD.finditer(text, start, end))
 
 
 def _declared(words: list[tuple[str, str]]) -> set[str]:

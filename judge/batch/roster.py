@@ -19,6 +19,7 @@ from judge.errors import UsageError
 from judge.reading import read_ordinary
 
 _LARGEST = 2**24  # bytes
+_LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
 
@@ -45,6 +46,8 @@ def read_students(path: Path) -> list[Student]:
         found = cells[first] if first < len(cells) else ""
         if not found:
             raise _bad(path, number, "there is no id in this line", "write one, or take the line out")
+        if len(found) > _LONGEST:
+            raise _bad(path, number, f"an id of {len(found):,} characters", "write a shorter one")
         name, group = _cell(cells, places.get("name")), _cell(cells, places.get("group"))
         student = Student(legible(found), name, group)
         if student.id in students:

@@ -9,6 +9,7 @@ The file begins with a line that says who wrote it. A file that does not is neve
 from __future__ import annotations
 
 import os
+import re
 from itertools import count
 from pathlib import Path
 
@@ -114,8 +115,9 @@ def _free_name(place: str, found: Counterexample, content: str) -> str:
     words = f"test_{Path(place).stem}_{problem}_{group}_{check}"
     # Not every letter of a file's name may stand in a function's: not "²", nor a half of a surrogate pair.
     name = "".join(letter if f"_{letter}".isidentifier() else "_" for letter in words)
+    taken = set(re.findall(r"def (\w++)\(\)", content))
     names = (name if number == 1 else f"{name}_{number}" for number in count(1))
-    return next(name for name in names if f"def {name}()" not in content)
+    return next(name for name in names if name not in taken)
 
 
 def _asserts(answer: Type, target: Target) -> list[str]:

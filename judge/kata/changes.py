@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from judge.kata.history import Run
 
-_MOST_LINES = 20_000  # of a source: beyond that no person wrote it, and comparing would take minutes
+_MOST_LINES = 5_000  # of a source: beyond that no person wrote it, and comparing takes the square
 _NO_END = "\\ No newline at end of file"
 
 

@@ -48,7 +48,7 @@ def make_stub(problem: Problem) -> str:
     try:
         ast.parse(text)
     except (SyntaxError, ValueError) as fault:
-        what = f"no stub can be made of it: {fault}"
+        what = f"no stub can be made of it: {getattr(fault, 'msg', fault)}"
         where = f"{problem.id}/problem.toml"
         raise ProblemError(what, where=where, remedy="write entry and parameters as plain names") from None
     return text

@@ -12,11 +12,13 @@ from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
 from judge.languages.model import Language
+from judge.languages.scan import met
 from judge.languages.shapes import Shape, Unsupported, shape_of, structs
 from judge.languages.signature import Signature
 
 DRIVER = ("declared", "frame", "driver")  # what its module defines, see judge.languages.drivers
-_BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s+(\w+)")
+_BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s++(\w++)")
+_TYPEDEFS = re.compile(r"\btypedef\b([^;{}]*+)(;?)")
 
 
 class Draft(NamedTuple):
@@ -72,18 +74,20 @@ def _is_big(shape: Shape) -> bool:
 
 def _defines(name: str, text: str) -> bool:
     forms = (
-        rf"\b(?:struct|class|record|type|using)\s+{name}\b",
-        rf"\}}\s*{name}\s*;",
-        rf"\btypedef\b[^;{{}}]*[\s>]{name}\s*;",
-        rf"^\s*{name}\s+(?:struct\b|=)",
+        rf"\b(?:struct|class|record|type|using)\s++{name}\b",
+        rf"\}}\s*+{name}\s*+;",
+        rf"^[ \t]*+{name}\s++(?:struct\b|=)",
     )
-    return re.search("|".join(forms), text, re.MULTILINE) is not None
+    if re.search("|".join(forms), text, re.MULTILINE):
+        return True
+    typedefs = (found[1].replace(">", " ").split() for found in _TYPEDEFS.finditer(text) if found[2])
+    return any(words[-1:] == [name] for words in typedefs)
 
 
 def around(text: str, place: int) -> str:
     """The outermost class, or what is like one, around a place of a source; empty where there is none."""
     depth, name = 0, ""
-    for found in _BRACES.finditer(text, 0, place):
+    for found in met(_BRACES, text, place):
         if found[1]:
             name = name if depth else found[1]
         elif found[0] in "{}":
@@ -136,12 +140,6 @@ def _guarded(made: Callable[..., Any], what: str, path: Path) -> Callable[..., A
             raise JudgeError(told, where=str(path), remedy="correct it") from fault
 
     return called
-
-
-def changed(source: bytes, pattern: str, change: Callable[[re.Match[bytes]], bytes], unsaid: str) -> bytes:
-    """The source, changed wherever it meets the pattern, but not within what the pattern `unsaid` meets."""
-    met = re.compile(f"{pattern}|(?P<unsaid>{unsaid})".encode(), re.DOTALL | re.MULTILINE)
-    return met.sub(lambda found: found[0] if found["unsaid"] else change(found), source)
 
 
 def listed(words: Iterable[str]) -> str:

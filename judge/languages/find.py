@@ -204,8 +204,12 @@ def _asked(language: Language, command: Iterable[str]) -> str:
             stdin=subprocess.DEVNULL,
             check=False,
         )
-    except (OSError, subprocess.TimeoutExpired) as fault:
-        raise JudgeError(f"{words[0]} does not answer: {fault}", remedy=remedy(language)) from None
+    except OSError as fault:
+        reason = (fault.strerror or "it failed").lower()
+        raise JudgeError(f"{words[0]} cannot be started ({reason})", remedy=remedy(language)) from None
+    except subprocess.TimeoutExpired:
+        what = f"{' '.join(words)} does not answer within {_PATIENCE:g} s"
+        raise JudgeError(what, remedy=f"repair it, or {remedy(language)}") from None
     if done.returncode:
         said = (done.stderr or done.stdout).strip().splitlines()
         what = f"{' '.join(words)} fails" + (f": {said[0][:200]}" if said else "")

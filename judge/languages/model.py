@@ -22,8 +22,9 @@ from msgspec import Meta, Struct
 from judge.digest import digest_of
 from judge.errors import JudgeError, UsageError, nearest
 from judge.languages import NAME, SUFFIX, VARIABLE, folders
+from judge.languages.scan import PARAMETERS, Tokens, usual_tokens
+from judge.languages.steps import check_pattern, check_tokens
 
-UNSAID = r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|`[^`]*`"""  # in '' a character
 _HERE = Path(__file__).parent
 _Words = tuple[str, ...]
 _Name = Annotated[str, Meta(min_length=1)]
@@ -70,13 +71,15 @@ class Language(
 
     `spelling` is how names of several words are written in it, `file` what a submission's own file is
     called where it is compiled, `main` a pattern that is met where a source is a whole program, `defines`
-    one that is met where it defines the function `{entry}`, `unsaid` one of its comments and strings.
-    Outside of those `drops` is a pattern of what is taken out before it is compiled, and `swaps` are pairs of
-    one and what stands for it then. `integers` are the bits of its widest integer, sign and all; 0 where they
-    have any size. `empty` is a program that does nothing, as costly as any program before its first line.
-    `tools` are the names that each tool may have; `homes` the folder above the folder of a tool's real
-    file, `folders` where a file really lies, `probes` a tool's answer that is a path, `prepared` one that
-    is kept as a file for the compiler.
+    one that is met where it defines the function `{entry}` of `{parameters}`, in their brackets. `unsaid` is
+    what begins and ends its comments and strings, see `judge.languages.scan.Tokens`; without it they are
+    those of C, or of Python where `comment` is not `//`. Outside of those `drops` is a pattern of what is
+    taken out before it is compiled, and `swaps` are pairs of one and what stands for it then. A pattern may
+    take so many steps at one place (`judge.languages.steps`). `integers` are the bits of its widest integer,
+    sign and all; 0 where they have any size. `empty` is a program that does nothing, as costly as any program
+    before its first line. `tools` are the names that each tool may have; `homes` the folder above the folder
+    of a tool's real file, `folders` where a file really lies, `probes` a tool's answer that is a path,
+    `prepared` one that is kept as a file for the compiler.
     """
 
     name: _Name
@@ -93,7 +96,7 @@ class Language(
     running: Running
     drops: str = ""
     swaps: tuple[tuple[str, str], ...] = ()
-    unsaid: str = UNSAID
+    unsaid: tuple[Annotated[_Words, Meta(min_length=1, max_length=3)], ...] = ()
     integers: int = 0
     defines: str = ""
     comment: str = "//"  # what begins one
@@ -108,6 +111,16 @@ class Language(
 
     def __hash__(self) -> int:
         return hash(self.digest)
+
+    @property
+    def tokens(self) -> Tokens:
+        """What begins and ends its comments and strings."""
+        return self.unsaid or usual_tokens(self.comment)
+
+    def head(self, entry: str) -> str:
+        """The pattern of where it defines the function that the problem calls so; empty without one."""
+        name = re.escape(self.spelt(entry))
+        return self.defines.replace("{entry}", name).replace("{parameters}", PARAMETERS)
 
     def spelt(self, name: str) -> str:
         """A name of several words, such as `signed_area`, as the language writes it."""
@@ -199,20 +212,17 @@ def _read(path: Path) -> Language:
 
 
 def _check_patterns(language: Language) -> None:
-    """Raises ValueError for what is no pattern, and for a complaint's without what it must tell."""
+    """Raises ValueError as `check_pattern`, and for a complaint's without what it must tell."""
     complaint = language.compiling.complaint
     patterns = {
         "main": language.main,
-        "defines": language.defines.replace("{entry}", "f"),
+        "defines": language.head("f"),
         "complaint": complaint,
         "drops": language.drops,
-        "unsaid": language.unsaid,
     }
     swaps = [("swaps", pattern) for pattern, _ in language.swaps]
     for key, pattern in (*patterns.items(), *swaps):
-        try:
-            groups = re.compile(pattern).groupindex
-        except re.error as fault:
-            raise ValueError(f"{key} is no pattern: {fault}") from None
-        if key == "complaint" and pattern and not {"message", "file", "line"} <= set(groups):
-            raise ValueError("complaint needs the groups message, file and line")
+        check_pattern(key, pattern)
+    check_tokens("unsaid", language.unsaid)
+    if complaint and not {"message", "file", "line"} <= set(re.compile(complaint).groupindex):
+        raise ValueError("complaint needs the groups message, file and line")

@@ -9,10 +9,12 @@ from __future__ import annotations
 import codecs
 import re
 from functools import partial
+from itertools import islice
 
 from judge.errors import nearest
-from judge.languages.draft import around, changed, draft_of, driver_of
-from judge.languages.model import UNSAID, Language
+from judge.languages.draft import around, draft_of, driver_of
+from judge.languages.model import Language
+from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import Signature
 from judge.sandbox.boundary import SourceFault
@@ -20,48 +22,54 @@ from judge.sandbox.recipe import Sources
 
 _UTF16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _CLASS = re.compile(r"\bclass\s+(\w+)")
-_PUBLIC_CLASS = re.compile(r"\bpublic\s+(?:final\s+|abstract\s+)*class\s+(\w+)")
-_CALLED = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
-
-
-def stripped(source: bytes, unsaid: str = UNSAID) -> str:
-    """The source without comments and strings, which that pattern meets; its lines where they were."""
-    text = source.decode(errors="replace")
-    return re.sub(unsaid, lambda found: " " + "\n" * found[0].count("\n"), text, flags=re.DOTALL)
+_PUBLIC_CLASS = re.compile(r"\bpublic\s++(?>(?:(?:final|abstract)\s++)*)class\s++(\w+)")
+_CALLED = re.compile(r"\b([A-Za-z_]\w*+)\s*+\(")
+_MOST_NAMES = 10_000  # of functions, one of which may be meant
 
 
 def sources_of(language: Language, source: bytes, signature: Signature | None = None) -> Sources:
-    """The files that a submission is compiled from."""
-    source, text = _kept(language, source), stripped(source, language.unsaid)
+    """The files that a submission is compiled from. Raises JudgeError as `judge.languages.scan.reading`."""
+    with reading():
+        return _sources_of(language, source, signature)
+
+
+def _sources_of(language: Language, source: bytes, signature: Signature | None) -> Sources:
+    source, text = _kept(language, source), stripped(source, language.tokens)
     own = own_file(language, text, signature.entry if signature else "")
     whole = Sources(((own, source),), own)
     if source.startswith(_UTF16):
         return whole._replace(fault=SourceFault("it is UTF-16: save it as UTF-8"))
     if signature is None:
         return whole
-    found = _definition(language, text, signature.entry)
+    found = defined(language, text, signature.entry)
     if found:
         try:
             return _called(language, signature, source, text, found.end())
         except Unsupported:
-            if language.main and re.search(language.main, text) is None:
+            if language.main and not _met(language.main, text):
                 what = f"{language.name} functions of this problem's types cannot be called: give it a main"
                 return whole._replace(fault=SourceFault(what))
     if not language.main:
         return whole
-    if re.search(language.main, text) is None:
+    if not _met(language.main, text):
         return whole._replace(fault=_neither(language, text, signature.entry))
     return whole
 
 
 def definition(language: Language, source: bytes, entry: str) -> re.Match[str] | None:
     """Where a source defines the function that is called `entry` in Python; None where it does not."""
-    return _definition(language, stripped(source, language.unsaid), entry)
+    return defined(language, stripped(source, language.tokens), entry)
 
 
-def _definition(language: Language, text: str, entry: str) -> re.Match[str] | None:
-    name = re.escape(language.spelt(entry))
-    return re.search(language.defines.replace("{entry}", name), text) if language.defines else None
+def defined(language: Language, text: str, entry: str) -> re.Match[str] | None:
+    """The same of a source without comments and strings."""
+    pattern = language.head(entry) if language.spelt(entry) in text else ""
+    return _met(pattern, text) if pattern else None
+
+
+def _met(pattern: str, text: str) -> re.Match[str] | None:
+    """Where a text first meets a pattern of the description."""
+    return next(met(re.compile(pattern), text), None)
 
 
 def _called(language: Language, signature: Signature, source: bytes, text: str, end: int) -> Sources:
@@ -86,10 +94,8 @@ def own_file(language: Language, text: str, entry: str = "") -> str:
     """
     if "{class}" not in language.file:
         return language.file
-    name = re.escape(language.spelt(entry))
-    starts = [language.defines.replace("{entry}", name)] if entry else []
-    met = (re.search(pattern, text) for pattern in (*starts, language.main))
-    holders = (around(text, found.start()) for found in met if found)
+    starts = (defined(language, text, entry) if entry else None, _met(language.main, text))
+    holders = (around(text, found.start()) for found in starts if found)
     said = _PUBLIC_CLASS.search(text)
     first = _CLASS.search(text)
     name = said[1] if said else next(filter(None, holders), first[1] if first else "Main")
@@ -99,17 +105,17 @@ def own_file(language: Language, text: str, entry: str = "") -> str:
 def _kept(language: Language, source: bytes) -> bytes:
     """The source without what the language drops, and with what it swaps; places stay where they were."""
     if language.drops:
-        source = changed(source, language.drops, _blank, language.unsaid)
+        source = changed(source, language.drops, _blank, language.tokens)
     for pattern, text in language.swaps:
-        source = changed(source, pattern, partial(_swapped, text.encode()), language.unsaid)
+        source = changed(source, pattern, partial(_swapped, text), language.tokens)
     return source
 
 
-def _blank(found: re.Match[bytes]) -> bytes:
-    return re.sub(rb"[^\n]", b" ", found[0])
+def _blank(found: re.Match[str]) -> str:
+    return re.sub(r"[^\n]", " ", found[0])
 
 
-def _swapped(text: bytes, found: re.Match[bytes]) -> bytes:
+def _swapped(text: str, found: re.Match[str]) -> str:
     """The text instead of what was found, as long where that is longer."""
     return text.ljust(len(found[0]))
 
@@ -119,7 +125,8 @@ def _neither(language: Language, text: str, entry: str) -> SourceFault:
     method = re.search(rf"\b{re.escape(wanted)}\s*\(", text)
     if method and (holder := around(text, method.start())):
         return SourceFault(f"{wanted} is a method of {holder}: write it as a function")
-    other = nearest(wanted, dict.fromkeys(_CALLED.findall(text)))
+    calls = islice(_CALLED.finditer(text), _MOST_NAMES)
+    other = nearest(wanted, dict.fromkeys(found[1] for found in calls))
     meant = f": write {wanted} for {other}" if other and other != wanted else ""
     lacking = f"neither {wanted} nor main" if "main" in language.main else f"no {wanted}, and reads no input"
     return SourceFault(f"it defines {lacking}{meant}")

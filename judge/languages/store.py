@@ -1,9 +1,10 @@
 """Where compiled programs and what a language costs are kept from run to run, in the cache folder.
 
-    languages/compiled/<key>.bin     a digest of what follows, then names and contents
+    languages/compiled/<key>.bin     names and contents
     languages/idle/<key>.json        CPU and wall seconds and peak bytes of the empty program
 
-What is not as it was written counts as missing, and what cannot be written is made again.
+What is not as it was written counts as missing, as everywhere in the cache (`judge.kept`), and what cannot be
+written is made again.
 """
 
 from __future__ import annotations
@@ -15,11 +16,9 @@ from pathlib import Path
 
 import msgspec
 
-from judge.atomic import replace_file
 from judge.digest import digest_of
 from judge.folders import cache_folder
-from judge.kept import KeptFile
-from judge.reading import read_ordinary
+from judge.kept import KeptFile, read_kept, write_kept
 from judge.sandbox.boundary import Usage
 
 Files = Sequence[tuple[str, bytes]]
@@ -38,10 +37,10 @@ class CacheStore:
         """What was compiled under that key."""
         try:
             path = self._path(key)
-            content = read_ordinary(path)
-            if digest_of(content[64:]).encode() != content[:64]:
+            body = read_kept(path, key, self._folder())
+            if body is None:
                 return None
-            found = msgspec.msgpack.decode(content[64:], type=list[tuple[str, bytes]])
+            found = msgspec.msgpack.decode(body, type=list[tuple[str, bytes]])
             os.utime(path)
         except (OSError, RuntimeError, ValueError):
             return None
@@ -52,8 +51,7 @@ class CacheStore:
         body = msgspec.msgpack.encode(list(files))
         with contextlib.suppress(OSError, RuntimeError):
             path = self._path(key)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(path, digest_of(body).encode() + body)
+            write_kept(path, key, body)
             kept = sorted(path.parent.glob("*.bin"), key=lambda each: each.stat().st_mtime)
             for old in kept[:-MOST_KEPT]:
                 old.unlink(missing_ok=True)
@@ -69,7 +67,7 @@ class CacheStore:
 
     def _idle(self, key: str) -> KeptFile:
         name = digest_of(key.encode())[:32]
-        return KeptFile(self._folder, "languages/idle", f"{name}-", "cost", "costs of languages")
+        return KeptFile(self._folder, "languages/idle", f"{name}-", name, "costs of languages")
 
     def _path(self, key: str) -> Path:
         return self._folder() / "languages" / "compiled" / f"{key}.bin"

@@ -18,6 +18,7 @@ from typing import Any
 from judge.data.model import ProblemData
 from judge.mistakes.computed import Ends, Program, raised, written
 from judge.problem import Problem
+from judge.problem.program import tree_of
 from judge.run.group import group_limits
 from judge.sandbox import Box, BoxFactory, Reply, Stop, Usage
 
@@ -108,6 +109,6 @@ def _imported(sources: Iterable[bytes]) -> Iterator[str]:
 def _tree(source: bytes) -> ast.Module:
     """What a program is; nothing, where it is no Python, which its first call says."""
     try:
-        return ast.parse(source)
-    except (SyntaxError, ValueError):
+        return tree_of(source)
+    except SyntaxError:
         return ast.Module([], [])

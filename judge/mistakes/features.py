@@ -9,6 +9,13 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from judge.languages.scan import reading, stripped
+from judge.problem.program import LONGEST, tree_of_stranger
+
+if TYPE_CHECKING:
+    from judge.languages.model import Language
 
 _ROUNDERS = frozenset({"int", "round", "floor", "trunc", "ceil", "rint", "astype", "quantize", "divmod"})
 _ROOTS = frozenset({"sqrt", "hypot", "isqrt", "dist", "norm", "pow", "cbrt", "csqrt"})
@@ -37,6 +44,7 @@ _FIXED = frozenset(
 _DECIMAL = frozenset(
     {"Decimal", "decimal", "getcontext", "localcontext", "mpf", "mp", "mpmath", "longdouble"}
 )
+_MOST_VISITS = 20  # of a node, for the functions that it is in
 _SLICED = (ast.Subscript, ast.Attribute)
 
 
@@ -52,23 +60,28 @@ _NOTED: Mapping[
     r"|\b(?:int|long|i32|i64|as)\b|int\d\d",
     "float32": r"\bfloat\b|[Ff]loat32|\bf32\b|fround|\bFloat\b|\d[fF]\b|[a-z]f\(",
     "fixed-width": r"[Ii]nt|[Ll]ong|\b[iu](?:8|16|32|64|128)\b|[&%|]|>>|asUintN",
-    "decimal": r"[Dd]ecimal|long\s+double|__float128|\bbig\.|quadmath|Float\d",
+    "decimal": r"[Dd]ecimal|long\s++double|__float128|\bbig\.|quadmath|Float\d",
     "comparison": r"[<>=!]=|[<>]|[Cc]ompare|[Mm]in|[Mm]ax",
     "print": r"[Pp]rint|[Pp]uts?\b|[Ww]rite|cout|cerr|\blog\b|\bsay\b|\becho\b",
 }
 
 
-def features(source: bytes | str, foreign: str | None = None) -> frozenset[str]:
-    """The features of a program; of a text that is no Python all of them, for nothing is known.
+def features(source: bytes, language: Language | None = None) -> frozenset[str] | None:
+    """The features of a program in that language, in Python without one; None where it is not looked at.
 
-    `foreign` is the source of another language without comments and strings: what shows nowhere is missing.
+    In another language what shows nowhere but in comments and strings is missing. Raises JudgeError as
+    `judge.languages.scan.reading`.
     """
+    if len(source) > LONGEST:
+        return None
     try:
-        tree = ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        if foreign is None:
-            return frozenset(FEATURES)
-        return frozenset(each for each in FEATURES if re.search(_NOTED.get(each, ""), foreign))
+        tree = tree_of_stranger(source)
+    except SyntaxError:
+        if language is None:
+            return None
+        with reading():
+            text = stripped(source, language.tokens)
+        return frozenset(each for each in FEATURES if re.search(_NOTED.get(each, ""), text))
     nodes = list(ast.walk(tree))
     names = frozenset(_names(nodes))
     return frozenset(name for name, has in FEATURES.items() if has(nodes, names))
@@ -111,6 +124,7 @@ def _state(nodes: list[ast.AST], names: frozenset[str]) -> bool:
     """A global, a default or a name outside that a function changes, an attribute of a function."""
     if any(isinstance(node, _STATE) for node in nodes) or names & {"cache", "lru_cache", "globals"}:
         return True
+    left = _MOST_VISITS * len(nodes)
     for function in (node for node in nodes if isinstance(node, ast.FunctionDef | ast.Lambda)):
         arguments = function.args
         defaults = [*arguments.defaults, *(each for each in arguments.kw_defaults if each)]
@@ -118,6 +132,9 @@ def _state(nodes: list[ast.AST], names: frozenset[str]) -> bool:
             return True
         own = {each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)}
         inside = list(ast.walk(function))
+        left -= len(inside)
+        if left < 0:  # functions in functions, deeper than anybody writes: it may be there
+            return True
         own |= {each.id for each in inside if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
         if any(_changes_what_is_outside(each, own) for each in inside):
             return True

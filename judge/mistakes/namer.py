@@ -13,7 +13,6 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.languages import language_of
-from judge.languages.sources import stripped
 from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
@@ -80,7 +79,8 @@ class Namer:
     def named(self, result: Result, source: bytes, alone: Alone) -> Result:
         """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
 
-        `source` is the submission's text. Raises JudgeError where the mistakes' programs cannot be judged.
+        `source` is the submission's text; of one that is longer than any that a person writes nothing is
+        said. Raises JudgeError where the mistakes' programs cannot be judged.
         """
         if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
             return result
@@ -88,8 +88,9 @@ class Namer:
             return self._named(result, source, alone)
 
     def _named(self, result: Result, source: bytes, alone: Alone) -> Result:
-        abroad = language_of(result.submission) is not None
-        has = features(source, stripped(source) if abroad else None)
+        has = features(source, language_of(result.submission))
+        if has is None:
+            return result
         found = of_form(result, self._data, has, self._rights)
         if found.pitfall is not None:
             return replace(result, pitfall=found.pitfall)

@@ -22,6 +22,7 @@ from msgspec import Struct
 
 from judge.errors import nearest
 from judge.languages import language_of
+from judge.languages.scan import reading, stripped, usual_tokens
 from judge.problem.find import near_problem_folders, problem_folders
 from judge.problem.load import load_problem
 from judge.problem.model import Problem
@@ -30,13 +31,7 @@ if TYPE_CHECKING:
     from judge.languages.model import Language
 
 _READ = 2**20  # characters of a file that are looked at
-_QUIET = re.compile(  # comments and strings, in which nothing is defined; one without an end goes to the end
-    r"""\#[^\n]*
-    | (\"\"\"|''') (?: \\. | (?!\1). )* (?: \1 | \Z )
-    | "(?: \\. | [^"\\\n] )*"?
-    | '(?: \\. | [^'\\\n] )*'?""",
-    re.DOTALL | re.VERBOSE,
-)
+_MOST_NAMES = 200  # of functions, one of which may be meant
 _DEFINED = re.compile(
     r"^(?:async[ \t]+def|def|class)[ \t]+(\w+)|^(\w+)[ \t]*(?::[^=\n]*)?=(?!=)", re.MULTILINE
 )
@@ -53,6 +48,7 @@ class Signs(Struct, frozen=True):
     nested: frozenset[str]  # functions below it
     stub: str  # the problem's id in the first line, or nothing
     stem: str  # the id that the file's name stands for
+    file: str  # the file's own name
     defines: Callable[[str], bool] | None = None  # in another language: whether it defines such an entry
 
     def has(self, entry: str) -> bool:
@@ -61,34 +57,39 @@ class Signs(Struct, frozen=True):
 
 
 def signs(source: bytes, name: str) -> Signs:
-    """The signs of a file with this text and name."""
+    """The signs of a file with this text and name. Raises JudgeError as `judge.languages.scan.reading`."""
+    with reading(name):
+        return _signs(source, name)
+
+
+def _signs(source: bytes, name: str) -> Signs:
     text = source[:_READ].decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")
     language = language_of(name)
     if language is not None:
-        return _signs_abroad(text, PurePath(name).name, language)
+        return _signs_abroad(text, name, language)
     stub = _STUB.match(text)
-    bare = _QUIET.sub(" ", text)
+    bare = stripped(text.encode(), usual_tokens("#"))
     return Signs(
         frozenset(one or other for one, other in _DEFINED.findall(bare)),
         frozenset(_NESTED.findall(bare)),
         stub[1] if stub else "",
         id_of(PurePath(name).stem),
+        name,
     )
 
 
 def _signs_abroad(text: str, name: str, language: Language) -> Signs:
-    from judge.languages.sources import stripped
+    from judge.languages.sources import defined
 
     stub = re.match(_ABROAD.replace("{comment}", re.escape(language.comment)), text)
-    quiet = stripped(text.encode())
+    quiet = stripped(text.encode(), language.tokens)
 
     def defines(entry: str) -> bool:
-        word = language.spelt(entry)
-        pattern = language.defines.replace("{entry}", re.escape(word))
-        return bool(pattern) and word in quiet and re.search(pattern, quiet) is not None
+        return defined(language, quiet, entry) is not None
 
     suffix = next(each for each in language.suffixes if name.endswith(each))
-    return Signs(frozenset(), frozenset(), stub[1] if stub else "", id_of(name.removesuffix(suffix)), defines)
+    stem = id_of(PurePath(name).name.removesuffix(suffix))
+    return Signs(frozenset(), frozenset(), stub[1] if stub else "", stem, name, defines)
 
 
 def id_of(stem: str) -> str:
@@ -100,22 +101,28 @@ def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
     """The problems that the signs fit equally well: none, one or several; `extra` folders come first.
 
     Installed packs are searched only where no nearer problem fits, or the stub's line names none of them.
-    Raises as `find_problem` does.
+    Raises as `find_problem` does, and JudgeError where the text takes too long to read.
     """
+    with reading(found.file):
+        fitting = _all_fitting(found, extra)
+    return [load_problem(folder) for folder in fitting]
+
+
+def _all_fitting(found: Signs, extra: Sequence[Path]) -> list[Path]:
     near = _entries(near_problem_folders(extra))
     fitting = _fitting(found, near)
     if not fitting or (found.stub and found.stub not in [folder.name for folder in near]):
         every = _fitting(found, _entries(problem_folders(extra)))
         if not fitting or [folder.name for folder in every] == [found.stub]:
             fitting = every
-    return [load_problem(folder) for folder in fitting]
+    return fitting
 
 
 def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
     """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
     entries = _entries(near_problem_folders(extra))
     names = {entry: folder.name for folder, entry in entries.items()}
-    for name in sorted(found.defined | found.nested):
+    for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
         entry = nearest(name, names)
         if entry:
             return name, entry, names[entry]

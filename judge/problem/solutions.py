@@ -182,7 +182,8 @@ def _read(kind: Kind, path: Path) -> Solution:
         what = f"cannot be read: {fault.strerror}"
         raise ProblemError(what, where=_place(path, 3), remedy="make it readable") from None
     except SyntaxError as fault:
-        raise ProblemError(f"no Python: {fault}", where=_place(path, 3), remedy="repair it") from None
+        place = f"{_place(path, 3)}:{fault.lineno}" if fault.lineno else _place(path, 3)
+        raise ProblemError(f"no Python: {fault.msg}", where=place, remedy="repair it") from None
     name, _, text = head.partition("\n")
     return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"), language)
 

@@ -9,6 +9,7 @@ interpreter does.
 from __future__ import annotations
 
 import os
+import re
 from contextlib import suppress
 from decimal import Decimal
 from pathlib import Path
@@ -22,6 +23,9 @@ from judge.kept import KeptFile
 if TYPE_CHECKING:
     import tomllib
 
+_MOST_PARTS = 100  # of a dotted key, each of which the parser copies
+_PART = r"""(?:(?<![\w-])[\w-]++|"(?:[^"\\\n]|\\.){0,100}+"|'[^'\n]*+')[ \t]*+\.[ \t]*+"""
+_ENDLESS = f"(?:{_PART}){{{_MOST_PARTS}}}"
 _EXACT = ""  # the only key of a table that stands for an exact number
 
 
@@ -81,6 +85,10 @@ def toml_of(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
     """As `read_toml`, of a text that is in no file."""
     import tomllib  # seldom
 
+    if endless := re.search(_ENDLESS, text):
+        line = text.count("\n", 0, endless.start()) + 1
+        what = f"no TOML: a key of more than {_MOST_PARTS} parts"
+        raise ProblemError(what, where=f"{name}:{line}", remedy="repair this line")
     try:
         return tomllib.loads(text, parse_float=Decimal if exact else float)
     except tomllib.TOMLDecodeError as error:

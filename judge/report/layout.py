@@ -141,23 +141,23 @@ def _fitting(chunks: Iterable[str], width: int) -> Iterator[str]:
 
 def _cut(word: str, width: int) -> Iterator[str]:
     """Pieces of a word that is wider than a line; a name or path is cut after a `-`, `_` or `/` if it can."""
-    while word and cells(word) > width:
-        end = _fits(word, width)
-        seam = max((found.end() for found in _SEAM.finditer(word, 0, end)), default=0)
-        end = seam if seam > end // 3 else end
-        yield word[:end]
-        word = word[end:]
-    if word:
-        yield word
+    start = 0
+    while (end := _fits(word, start, width)) < len(word):
+        seam = max((found.end() for found in _SEAM.finditer(word, start, end)), default=0)
+        end = seam if seam - start > (end - start) // 3 else end
+        yield word[start:end]
+        start = end
+    if start < end:
+        yield word[start:]
 
 
-def _fits(word: str, width: int) -> int:
-    """How many characters of `word` fit into `width` columns, at least one."""
+def _fits(word: str, start: int, width: int) -> int:
+    """Where what fits into `width` columns ends, from `start` on; at least one character does."""
     used = 0
-    for index, character in enumerate(word):
-        used += _columns(character)
+    for index in range(start, len(word)):
+        used += _columns(word[index])
         if used > width:
-            return max(index, 1)
+            return max(index, start + 1)
     return len(word)
 
 

@@ -29,6 +29,7 @@ _CHOKED = re.compile(  # an exception's first words where a line of input is not
     r"|EOFError|(decimal\.)?InvalidOperation.*ConversionSyntax"
     r"|IndexError: .*index out of range.*after 0 lines"
 )
+_FUNCTION = re.compile(rb"def ([^\s(]++)\(")
 _OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
 
@@ -183,7 +184,8 @@ def missing_entry(entry: str, names: Sequence[tuple[str, int]], source: bytes) -
     nested = f"def {entry}(".encode() in source
     reads = any(word in source for word in _READS)
     # In what reads its input a variable of a name like the entry's means nothing.
-    close = nearest(entry, (name for name, _ in names if not reads or f"def {name}(".encode() in source))
+    functions = set(_FUNCTION.findall(source)) if reads else set()
+    close = nearest(entry, (name for name, _ in names if not reads or name.encode() in functions))
     if close is None and not nested and reads:
         return None
     return MissingEntry(nested, close or "", dict(names).get(close or "", 0))

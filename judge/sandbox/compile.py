@@ -31,6 +31,7 @@ PROCESSES = 256  # of all that the compiler starts, where they have a user of th
 DESCRIPTORS = 512
 _SAID = 1 << 15  # bytes of what a compiler says that are looked at
 _SHOWN = 300
+_LONGEST = 500  # characters of a line of it
 _NAME = re.compile(r"[\w$+-][\w$.+-]*(/[\w$+-][\w$.+-]*)*")
 _PATH = re.compile(r"(?<![\w.])/[\w.+-]+(?:/[\w.+-]+)+/")
 _PLACED = re.compile(
@@ -49,7 +50,16 @@ _ERROR = re.compile(r"^.*?(?:(?:\w*Error|error|panic):.*)$", re.MULTILINE)
 _CARET = re.compile(r"^([ \t]*)\^+[ \t]*$", re.MULTILINE)
 _NO_TEXT = "stream did not contain valid UTF-8"  # of what a driver includes
 _SYMBOL = re.compile(r"^ *symbol: +(.+)$", re.MULTILINE)  # the name that javac does not find
-_UNLINKED = re.compile(r"undefined (?:reference|symbol)s?\b.*")
+_ASSEMBLED = re.compile(r"^cc\w{6}\.s:\d+: ", re.MULTILINE)  # a file of the compiler's own
+_UNLINKED = (  # what a linker says, and what that means where it is not plain
+    (re.compile(r"undefined (?:reference|symbol)s?\b.*"), ""),
+    (re.compile(r"multiple definition of [^;\n]*"), ""),
+    (re.compile("relocation truncated to fit"), "its arrays take more than the 2 GB that can be linked"),
+    (
+        re.compile("ld returned|linking with"),
+        "it cannot be linked: is something declared and nowhere defined?",
+    ),
+)
 _TOO_LARGE = f"it compiles to more than {LIMITS.output_bytes >> 20} MB"
 _BUSY = "judge it again, with a smaller -j if the machine is busy"
 
@@ -174,14 +184,14 @@ def _fault(
     for place in places:
         said = said.replace(place, "")
     status = os.waitstatus_to_exitcode(done.status)
-    return _told(wire_lines(_PATH.sub("", said)), sources, complaint, status)
+    lines = wire_lines(_PATH.sub("", said))
+    return _told(_ASSEMBLED.sub("", lines), sources, complaint, status)
 
 
 def wire_lines(text: str) -> str:
-    """Foreign text as lines that cannot move a terminal's cursor, indented as they were."""
-    return "\n".join(
-        " " * (len(line) - len(line.lstrip())) + wire.printable(line) for line in text.splitlines()
-    )
+    """Foreign text as lines that cannot move a terminal's cursor, indented as they were, none too long."""
+    lines = (line[:_LONGEST] for line in text.splitlines())
+    return "\n".join(" " * (len(line) - len(line.lstrip())) + wire.printable(line) for line in lines)
 
 
 def _told(said: str, sources: Sources, complaint: str, status: int) -> SourceFault:
@@ -192,12 +202,9 @@ def _told(said: str, sources: Sources, complaint: str, status: int) -> SourceFau
     error = next((each[0].strip() for each in _ERROR.finditer(said)), "")
     if found is None:
         lines = [line for line in said.splitlines() if line.strip()]
-        unlinked = _UNLINKED.search(said)
-        text = (
-            unlinked[0]
-            if unlinked
-            else error or (lines[-1].strip() if lines else f"the compiler ended with status {status}")
-        )
+        unlinked = (meant or met[0] for pattern, meant in _UNLINKED if (met := pattern.search(said)))
+        text = next(unlinked, "") or error
+        text = text or (lines[-1].strip() if lines else f"the compiler ended with status {status}")
         return SourceFault(text[:_SHOWN])
     groups = found.groupdict()
     message = (groups.get("message") or "").strip()

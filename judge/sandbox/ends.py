@@ -44,7 +44,7 @@ def end_of(
     if done.reason == wire.FOR_WAITING:
         return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s"
     if done.reason:
-        return Stop.EXITED, "it stopped itself"
+        return Stop.EXITED, "stopped itself"
     said = stderr.decode(errors="replace")
     if done.status and recipe.out_of_memory and recipe.out_of_memory in said:
         return Stop.MEMORY, f"asked for more memory than {allowed} allow"

@@ -91,7 +91,7 @@ def overrun(
     if done.reason == wire.FOR_WAITING:
         return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s{place}"
     if done.reason == wire.FOR_STOPPING:
-        return Stop.EXITED, "it stopped itself"
+        return Stop.EXITED, "stopped itself"
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
     too_much = printed > limits.output_bytes or done.reason == wire.FOR_OUTPUT

@@ -24,6 +24,7 @@ from judge.values.outcome import NO_WORDS, Words
 from judge.values.tuples import TupleType, vector
 from judge.values.type import Type
 
+_MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
 _PACKAGE = Path(__file__).parent
 _TOPICS = _PACKAGE.parent / "topics"
@@ -73,8 +74,9 @@ class TypeFault(ValueError):  # noqa: N818 - a fault of the text
 
 def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Type:
     """The type that a text stands for; `folder` holds a pack's own types. Raises TypeFault."""
-    parser = _Parser(text, folder)
-    found = parser.whole()
+    if len(text) > _MOST_TEXT:
+        raise TypeFault(f"a text of {len(text):,} characters is no type", "write a shorter one")
+    found = _Parser(text, folder).whole()
     found.text = text.strip()
     found.folder = folder
     return found.worded(words)
@@ -97,8 +99,8 @@ class _Parser:
         self._at = 0
 
     def _split(self) -> Iterator[str]:
-        at = 0
-        while at < len(self._text.rstrip()):
+        at, end = 0, len(self._text.rstrip())
+        while at < end:
             found = _TOKEN.match(self._text, at)
             if found is None:
                 raise self._fault(f"{self._text[at:].strip()[:1]!r} belongs in no type")
@@ -229,7 +231,7 @@ def _places(folder: Path | None) -> Iterator[Path]:
 
 def _found(name: str, folder: Path | None) -> Any:
     """What the module of that name has as its TYPE; None where there is no such module."""
-    if not re.fullmatch(r"[a-z][a-z0-9-]*", name):
+    if not re.fullmatch(r"[a-z][a-z0-9-]{0,99}", name):
         return None
     file = f"{name.replace('-', '_')}.py"
     path = next((place / file for place in _places(folder) if (place / file).is_file()), None)

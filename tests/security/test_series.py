@@ -45,7 +45,7 @@ def test_a_stop_that_ends_no_series_gives_no_time(level: str, before: str) -> No
 def test_a_program_that_stops_itself_is_not_waited_for(level: str) -> None:
     with open_box(b"import os\nos.kill(os.getpid(), 19)\n", "f.py", level=level) as box:
         result = box.run_program(b"", LIMITS)
-        assert (result.stop, result.detail) == (Stop.EXITED, "it stopped itself")
+        assert (result.stop, result.detail) == (Stop.EXITED, "stopped itself")
 
 
 @pytest.mark.parametrize("late", [r"[0,1],\n[0,2],\n", r"[0,2],\n[0,1],\n"])

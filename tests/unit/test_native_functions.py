@@ -232,8 +232,7 @@ def test_answers_are_in_the_form_that_python_sends():
 def test_a_declaration_is_met_by_what_the_language_looks_for(language):
     draft = draft_of(language, POINTS)
     head = driver_of(language).declared(draft)
-    pattern = language.defines.replace("{entry}", draft.entry)
-    assert re.search(pattern, f"{head} {{" if language.id != "pypy" else head)
+    assert re.search(language.head(draft.entry), f"{head} {{" if language.id != "pypy" else head)
 
 
 @pytest.mark.parametrize("name", daily(["c", "cpp", "rust"], ["c"]))

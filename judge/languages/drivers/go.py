@@ -7,10 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from judge.languages.draft import Draft, joined, listed, small
+from judge.languages.scan import changed, usual_tokens
 from judge.languages.shapes import Shape, atom
 
 _ATOMS = {"real": "float64", "int": "int", "big": "*big.Int", "word": "string"}
-_PACKAGE = re.compile(rb"\A((?:\xef\xbb\xbf)?(?:\s|//[^\n]*|/\*.*?\*/)*package\s+)\w+", re.DOTALL)
+_PACKAGE = r"\b(package\s++)\w++"
 _PUTS = {"real": "judgePutReal", "int": "judgePutInt", "word": "judgePutWord", "big": "judgePutWhole"}
 _READS = {"real": "judgeReal()", "int": "judgeInt()", "big": "judgeBig()", "word": "judgeToken()"}
 
@@ -68,13 +69,13 @@ def driver(draft: Draft) -> tuple[str, str]:
         "@imports@", 'judgeBigs "math/big"' if big else ""
     )
     text = text.replace("*big.Int", "*judgeBigs.Int")
-    main = "" if re.search(r"\bfunc\s+main\s*\(", draft.text) else "func main() {}"
+    main = "" if re.search(r"\bfunc\s++main\s*+\(", draft.text) else "func main() {}"
     return "judge_driver.go", text.replace("@main@", main)
 
 
 def adapted(source: bytes) -> bytes:
     """The submission's file beside the driver: of the same package, whatever it calls its own."""
-    return re.sub(_PACKAGE, rb"\1main", source, count=1)
+    return changed(source, _PACKAGE, lambda found: f"{found[1]}main", usual_tokens("//"))
 
 
 def _read(shape: Shape) -> str:
@@ -91,9 +92,9 @@ def _fields(draft: Draft, shape: Shape) -> tuple[str, ...]:
     usual = tuple(field.capitalize() for field in shape.fields)
     if shape.name not in draft.own:
         return usual
-    found = re.search(rf"\b{shape.name}\s+struct\s*\{{([^}}]*)\}}", draft.text)
+    found = re.search(rf"\b{shape.name}\s++struct\s*+\{{([^{{}}]*+)\}}", draft.text)
     lines = re.split("[;\n]", found[1]) if found else []
-    names = (re.match(r"\s*(\w+(?:\s*,\s*\w+)*)\s+\S", line) for line in lines)
+    names = (re.match(r"\s*+(\w++(?>(?:\s*+,\s*+\w++)*))\s++\S", line) for line in lines)
     own = tuple(name for each in names if each for name in re.split(r"\s*,\s*", each[1]))
     return own if len(own) == len(usual) else usual
 

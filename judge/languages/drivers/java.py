@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from judge.languages.draft import Draft, around, joined, listed
+from judge.languages.scan import PARAMETERS, met
 from judge.languages.shapes import Shape
 
 _ATOMS = {"real": "double", "int": "long", "big": "java.math.BigInteger", "word": "String"}
@@ -64,21 +65,28 @@ def driver(draft: Draft) -> tuple[str, str]:
 
 def _holder(draft: Draft) -> str:
     """The submission's class that has the function: of several so called one with as many parameters."""
-    head = re.compile(rf"[\w>\]]\s+{draft.entry}\s*\(([^;{{}}]*)\)[^;{{}}()]*\{{")
-    found = sorted(head.finditer(draft.text), key=lambda each: _count(each[1]) != len(draft.parameters))
+    head = re.compile(rf"[\w>\]]\s++{draft.entry}\s*+({PARAMETERS})[^;{{}}()]{{0,500}}+\{{")
+    found = sorted(met(head, draft.text), key=lambda each: _count(each[1]) != len(draft.parameters))
     return around(draft.text, found[0].start()) if found else ""
 
 
 def _count(parameters: str) -> int:
-    """How many parameters those are, as Java lists them."""
-    while "<" in parameters and (plain := re.sub(r"<[^<>]*>", "", parameters)) != parameters:
-        parameters = plain
-    return len(parameters.split(",")) if parameters.strip() else 0
+    """How many parameters those in brackets are, as Java lists them: a type's own stand between < and >."""
+    parameters = parameters[1:-1]
+    if not parameters.strip():
+        return 0
+    depth, count = 0, 1
+    for sign in re.findall("[<>,]", parameters):
+        if sign == ",":
+            count += not depth
+        else:
+            depth += 1 if sign == "<" else -1
+    return count
 
 
 def _where(draft: Draft, shape: Shape) -> str:
     """The type's name outside the submission's classes, in one of which it may be defined."""
-    found = re.search(rf"\b(?:record|class)\s+{shape.name}\b", draft.text)
+    found = re.search(rf"\b(?:record|class)\s++{shape.name}\b", draft.text)
     inside = found and around(draft.text, found.start())
     return f"{inside}.{shape.name}" if inside else shape.name
 
@@ -97,7 +105,7 @@ def _read(draft: Draft, shape: Shape) -> str:
 
 def _put(draft: Draft, shape: Shape) -> str:
     """How a tuple is written: the parts of a record are asked, those of a class are its fields."""
-    record = shape.name not in draft.own or re.search(rf"\brecord\s+{shape.name}\b", draft.text)
+    record = shape.name not in draft.own or re.search(rf"\brecord\s++{shape.name}\b", draft.text)
     parts = listed(f"v.{field}{'()' if record else ''}" for field in shape.fields)
     return (
         f"else if (value instanceof {_where(draft, shape)} v) put(java.util.Arrays.<Object>asList({parts}));"

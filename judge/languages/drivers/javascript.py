@@ -6,14 +6,13 @@ import json
 import re
 from typing import Any
 
-from judge.languages.draft import Draft, changed, listed
-from judge.languages.model import UNSAID
+from judge.languages.draft import Draft, listed
+from judge.languages.scan import changed, usual_tokens
 from judge.languages.shapes import Shape
 
-_NAMES = r"(?:\*\s*as\s+)?([\w$]+|\{[^}]*\})"
-_IMPORT = (
-    rf"""^(?:\xef\xbb\xbf)?[ \t]*import\s*(?:(?:([\w$]+)\s*,\s*)?{_NAMES}\s*from\s*)?("[^"\n]*"|'[^'\n]*')"""
-)
+_NAMES = r"(?>(?:\*\s*+as\s++)?)([\w$]++|\{[^{}]{0,1500}+\})"
+_FROM = rf"(?>(?:(?>(?:([\w$]++)\s*+,\s*+)?){_NAMES}\s*+from\s*+)?)"
+_IMPORT = rf"""^(?:\xef\xbb\xbf)?[ \t]*+import\s*+{_FROM}("[^"\n]*+"|'[^'\n]*+')"""
 
 
 def declared(draft: Draft) -> str:
@@ -36,16 +35,16 @@ def driver(draft: Draft) -> tuple[str, str]:
 
 def adapted(source: bytes) -> bytes:
     """The source as a script, which imports nothing, but requires it."""
-    return changed(source, _IMPORT, _required, UNSAID)
+    return changed(source, _IMPORT, _required, usual_tokens("//"))
 
 
-def _required(found: re.Match[bytes]) -> bytes:
+def _required(found: re.Match[str]) -> str:
     """An import's names as those of constants, on as many lines."""
-    of = b"require(%b)" % found[3]
-    names = (re.sub(rb"([\w$]+)\s+as\s", rb"\1: ", each) for each in (found[1], found[2]) if each)
-    constants = b", ".join(b"%b = %b" % (name, of) for name in names)
-    made = b"const %b;" % constants if constants else of + b";"
-    return made + b"\n" * (found[0].count(b"\n") - made.count(b"\n"))
+    of = f"require({found[3]})"
+    names = (re.sub(r"(?<![\w$])([\w$]++)\s++as\s", r"\1: ", each) for each in (found[1], found[2]) if each)
+    constants = ", ".join(f"{name} = {of}" for name in names)
+    made = f"const {constants};" if constants else f"{of};"
+    return made + "\n" * (found[0].count("\n") - made.count("\n"))
 
 
 def _plain(shape: Shape) -> Any:

@@ -14,7 +14,9 @@ from judge.languages.shapes import Shape, Unsupported, atom
 
 _ATOMS = {"real": "f64", "int": "i64", "word": "String", "big": "String"}
 _TAKEN = {**_ATOMS, "big": "_"}  # whatever the function takes
-_HEAD = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s|#!\[[^\]]*\]|//[^\n]*|/\*.*?\*/)*", re.DOTALL)
+_HEAD = re.compile(
+    rb"(?:\xef\xbb\xbf)?(?>(?:\s++|#!\[[^\]]*+\]|//[^\n]*+|/\*(?>(?:[^*]++|\*(?!/))*)\*/)*)", re.DOTALL
+)
 
 
 def name_of(shape: Shape, names: Mapping[str, str] = _ATOMS) -> str:
@@ -69,16 +71,16 @@ def adapted(source: bytes) -> bytes:
     """The submission's file as one that is included: without what only a whole crate may begin with."""
     head = _HEAD.match(source)
     assert head is not None
-    plain = re.sub(rb"#!\[([^\]]*)\]", rb"/*\1 */", head[0])
+    plain = re.sub(rb"#!\[([^]\[]*+)\]", rb"/*\1 */", head[0])
     return re.sub(rb"(//|/\*)!", rb"\1 ", plain) + source[head.end() :]
 
 
 def _fields(draft: Draft, shape: Shape) -> tuple[str, ...]:
     """What the fields of a tuple are called: a type of the submission's own has its own names, or only places."""
-    found = re.search(rf"\bstruct\s+{shape.name}\s*(?:\{{([^}}]*)|(\())", draft.text)
+    found = re.search(rf"\bstruct\s++{shape.name}\s*+(?:\{{([^{{}}]*+)|(\())", draft.text)
     if shape.name not in draft.own or found is None:
         return shape.fields
-    own = tuple(re.findall(r"(\w+)\s*:", found[1] or ""))
+    own = tuple(re.findall(r"\b(\w++)\s*+:", found[1] or ""))
     if found[2]:
         own = tuple(map(str, range(len(shape.parts))))
     return own if len(own) == len(shape.parts) else shape.fields

@@ -9,7 +9,7 @@ ENDINGS = (".zip", ".kpp")
 
 
 def is_package(word: str) -> bool:
-    """Whether there is a package of that name: a look at two names, which opens nothing."""
-    if word.endswith(ENDINGS) and os.path.isfile(word):  # noqa: PTH113 - of any name
+    """Whether there is a package of that name, sound or not: a look at two names, which opens nothing."""
+    if word.endswith(ENDINGS) and os.path.exists(word) and not os.path.isdir(word):  # noqa: PTH110, PTH112 - of any name
         return True
-    return os.path.isfile(os.path.join(word, DESCRIPTION))  # noqa: PTH113, PTH118
+    return os.path.exists(os.path.join(word, DESCRIPTION))  # noqa: PTH110, PTH118

@@ -29,6 +29,8 @@ _ARCHIVE = 512 << 20
 _DIRECTORY = 8 << 20  # of the archive's list of files
 _AT_ONCE = 1 << 20
 _METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+_DAMAGES = (zipfile.BadZipFile, zlib.error, struct.error, EOFError)
+_ENCRYPTED = 1  # of an entry's flags
 _END, _END_AT, _ZIP64 = b"PK\x05\x06", 22, b"PK\x06\x07"
 
 
@@ -42,6 +44,7 @@ class Opened:
 
     def __init__(self, word: str) -> None:
         self.word = word
+        self.described = 0  # bytes of YAML that were read
         self._folder: TemporaryFolder | None = None
         place = Path(word)
         if not word.endswith(ENDINGS) or place.is_dir():
@@ -150,33 +153,43 @@ def _unpacked(word: str, folder: Path) -> Path:
     """The package's own folder, in that new one."""
     folder.mkdir()
     try:
-        with open(word, "rb") as file:  # noqa: PTH123 - a name of any kind
+        with open(word, "rb", opener=_unwaiting) as file:
             found = os.fstat(file.fileno())
-            if not stat.S_ISREG(found.st_mode) or found.st_size > _ARCHIVE:
-                raise ProblemError(f"it is no file of at most {_ARCHIVE >> 20} MB", where=word)
+            if not stat.S_ISREG(found.st_mode):
+                remedy = f"name a zip file, or a folder with a {DESCRIPTION}"
+                raise UsageError("this is no ordinary file", where=word, remedy=remedy)
+            if found.st_size > _ARCHIVE:
+                raise ProblemError(f"it is larger than {_ARCHIVE >> 20} MB", where=word)
             _check_directory(file, found.st_size, word)
             with zipfile.ZipFile(file) as archive:
                 _write_all(archive, folder, word)
-    except (
-        zipfile.BadZipFile,
-        zlib.error,
-        struct.error,
-        EOFError,
-        NotImplementedError,
-        RuntimeError,
-        ValueError,  # a name that is said to be UTF-8, and is not
-    ) as fault:
-        raise ProblemError(f"this is no zip file that can be read: {fault}", where=word) from None
+    except _DAMAGES:
+        raise _unreadable("it is damaged", word) from None
+    except RuntimeError:
+        raise _unreadable("it is packed in an unusual way", word) from None
+    except ValueError:
+        raise _unreadable("a name in it is no text", word) from None
     except OSError as fault:
-        raise UsageError(
-            f"it cannot be unpacked ({(fault.strerror or str(fault)).lower()})", where=word
-        ) from None
+        if fault.errno == errno.EINVAL:  # it says that something lies before its beginning
+            raise _unreadable("it is damaged", word) from None
+        what = f"it cannot be unpacked ({(fault.strerror or str(fault)).lower()})"
+        raise UsageError(what, where=word) from None
     homes = [path.parent for path in (folder / DESCRIPTION, *sorted(folder.glob(f"*/{DESCRIPTION}")))]
     homes = [home for home in homes if (home / DESCRIPTION).is_file()]
     if len(homes) != 1:
         what = f"there is no {DESCRIPTION} in it" if not homes else "there are several packages in it"
         raise ProblemError(what, where=word)
     return homes[0].resolve()
+
+
+def _unwaiting(path: str, flags: int) -> int:
+    """Opened without waiting for who may never write into it."""
+    return os.open(path, flags | os.O_NONBLOCK | os.O_NOCTTY)
+
+
+def _unreadable(why: str, word: str) -> ProblemError:
+    remedy = "pack it anew, as zip does without options"
+    return ProblemError(f"this is no zip file that can be read: {why}", where=word, remedy=remedy)
 
 
 def _check_directory(file: IO[bytes], size: int, word: str) -> None:
@@ -201,6 +214,10 @@ def _write_all(archive: zipfile.ZipFile, folder: Path, word: str) -> None:
         if member.compress_type not in _METHODS:  # which few tools write, and whose readers are less proven
             remedy = "pack it anew, as zip does without options"
             raise ProblemError(f"{_shown(member)} is packed in an unusual way", where=word, remedy=remedy)
+        if member.flag_bits & _ENCRYPTED:
+            raise ProblemError(
+                f"{_shown(member)} is encrypted", where=word, remedy="pack it without a password"
+            )
         if member.is_dir():
             path.mkdir(parents=True, exist_ok=True)
             continue

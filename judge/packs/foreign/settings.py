@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,9 @@ from judge.errors import ProblemError, UsageError
 from judge.packs.foreign.opening import Opened
 
 _LARGEST = 64 << 10  # bytes; the parser is slow
+_MOST_BYTES = 1 << 20  # of all such files of a package
 _MOST_ALIASES = 20  # a name stands for what it names, so that twenty of them cannot make much of little
+_MOST_MERGES = 2  # of such names into other keys, each of which copies
 _DEEPEST = 50  # things within things
 _MOST_DIGITS = 400  # of a number: one with more is no float, and takes long to read
 _INSTALL = "pip install 'circle-line-judge[kattis]', or pip install pyyaml"
@@ -32,6 +35,10 @@ def read_settings(package: Opened, path: Path) -> Settings:
         what = "packages of other judges are described in YAML, for which PyYAML is needed"
         raise UsageError(what, where=where, remedy=_INSTALL) from None
     content = package.read(path, _LARGEST)
+    package.described += len(content)
+    if package.described > _MOST_BYTES:
+        what = f"the package's YAML files come to more than {_MOST_BYTES >> 20} MB with this one"
+        raise ProblemError(what, where=where)
     loader = yaml.SafeLoader  # the one in C has no bound on how deeply things are nested
     try:
         too_much = _too_much(yaml.scan(content, Loader=loader))
@@ -41,10 +48,12 @@ def read_settings(package: Opened, path: Path) -> Settings:
     except yaml.MarkedYAMLError as fault:
         place = fault.problem_mark
         line = f":{place.line + 1}" if place else ""
-        raise ProblemError(f"this is no YAML: {fault.problem}", where=f"{where}{line}") from None
+        raise ProblemError(f"this is no YAML: {_said(fault)}", where=f"{where}{line}") from None
     except (LookupError, AttributeError) as fault:  # how PyYAML fails on `!!int ""`, `!!bool x`
         raise ProblemError("this is no YAML: a value is none of what its tag says", where=where) from fault
-    except (yaml.YAMLError, ValueError, OverflowError, TypeError, RecursionError) as fault:
+    except (ValueError, OverflowError, TypeError):
+        raise ProblemError("this is no YAML: a number or a date in it is none", where=where) from None
+    except (yaml.YAMLError, RecursionError) as fault:
         deep = isinstance(fault, RecursionError)
         what = "it is nested too deeply" if deep else str(fault).partition("\n")[0]
         raise ProblemError(f"this is no YAML: {what[:200]}", where=where) from None
@@ -55,17 +64,27 @@ def read_settings(package: Opened, path: Path) -> Settings:
     return {str(key): value for key, value in found.items() if isinstance(key, str | int | float)}
 
 
+def _said(fault: Any) -> str:
+    """PyYAML's words, without signs of its own; some of its sentences begin in another place."""
+    problem = fault.problem or "it is not well formed"
+    whole = f"{fault.context}, {problem}" if problem.startswith("but ") and fault.context else problem
+    return re.sub(r"'?<([a-z ]{1,30}+)>'?", r"the \1", whole)[:200]
+
+
 def _too_much(tokens: Iterator[Any]) -> str:
     """What a file has too much of for its parser, found without reading to the end; empty for a sound one."""
-    aliases = depth = 0
+    aliases = merges = depth = 0
     for token in tokens:
         kind = type(token).__name__
         depth += kind.endswith("StartToken") - kind.endswith("EndToken")
         aliases += kind == "AliasToken"
+        merges += kind == "ScalarToken" and token.value == "<<"
         if depth > _DEEPEST:
             return "it is nested too deeply"
         if aliases > _MOST_ALIASES:
             return f"it holds more than {_MOST_ALIASES} aliases"
+        if merges > _MOST_MERGES:
+            return f"it merges keys with << more than {_MOST_MERGES} times"
         if kind == "ScalarToken" and _is_endless(token.value):
             return f"a number of more than {_MOST_DIGITS} digits"
     return ""

@@ -1,0 +1,525 @@
+"""Texts that grow: whatever reads a text from outside in the judge's own process takes time as it grows.
+
+A text is a token again and again, perhaps after another one that opens something. Each reader is given texts
+of a thousand characters, of four thousand and so on, until one takes some time: that may be at most so many
+times what a quarter of it takes. What takes the square takes sixteen times as long.
+
+    python tests/fuzz/lengths.py [READER…] [--count N] [--seed N]    N pairs of tokens of each reader
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import random
+import signal
+import sys
+import tempfile
+import time
+import warnings
+import zipfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cache, partial
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from msgspec.structs import replace
+
+from judge.batch.normal import normal_form
+from judge.batch.roster import read_students
+from judge.data.given import read_case
+from judge.diagnose import regression, replay
+from judge.errors import JudgeError
+from judge.kata.quiz import typed
+from judge.kata.quiz.question import MistypedError
+from judge.languages import scan
+from judge.languages.model import language_of_file, languages
+from judge.languages.signature import Signature
+from judge.languages.sources import sources_of
+from judge.mistakes.features import features
+from judge.packs.foreign import expected, opening, programs, settings, tokens
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.fit import fitting_problems, meant_problem, signs
+from judge.problem.lines import key_lines
+from judge.problem.toml import toml_of
+from judge.report import editor, github, junit, layout, places
+from judge.report.cohort import gradebook
+from judge.run import hurdle, printed, program
+from judge.run.execute import judge_fault
+from judge.sandbox import calls, ends
+from judge.sandbox import compile as compiling
+from judge.sandbox.recipe import Sources
+from judge.values.grammar import TypeFault, parse
+from judge.values.reread import reread
+
+SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
+ENOUGH = 0.015  # CPU seconds from which on a time tells how it grows
+FLAT, MOST = 6.0, 10.0  # times what a quarter of the text takes: certainly linear, and certainly not
+ENDLESS = 30.0  # CPU seconds after which a reader is said not to end
+
+_ENTRY = Signature("line_count", (("r", parse("real")), ("A", parse("point"))), parse("[vec2; 0..2]"))
+_FILES = {
+    "c": "a.c", "cpp": "a.cpp", "go": "a.go", "java": "A.java", "javascript": "a.js", "rust": "a.rs",
+    "pypy": "a.pypy", "python": "a.py",
+}  # fmt: skip
+_SIGNS = (
+    *("\"'`\\()[]{}<>,;.:=+-*/%#@!&|$ \t\n\r\0é"),
+    *("1", "a", "_", '"""', "'''", "//", "/*", "*/", "/**/", "#!", "#![", "->", "=[", "=/[", "= /", "\\\\"),
+    *(
+        "\u0301\u0316",
+        "\\\n",
+        "\n ",
+        "\r\n",
+        "\n#",
+        "\n//",
+        ") ",
+        "()",
+        "[]",
+        "{}",
+        "( ",
+        "a(",
+        "a b",
+        "a,",
+        "a: ",
+        "a=1\n",
+    ),
+)
+_HEADS = (
+    *(
+        "x line_count(",
+        "x line_count()",
+        "auto line_count()->",
+        "line_count ",
+        "> lineCount(a<",
+        "int lineCount(",
+    ),
+    *(
+        ") throws a",
+        ") noexcept",
+        "fn line_count(",
+        "func lineCount(",
+        "function lineCount",
+        "const lineCount",
+    ),
+    *(
+        "def line_count(",
+        "\ndef a(",
+        "\n def a(",
+        "\nline_count:",
+        "async def ",
+        "lambda:",
+        "class ",
+        "main ",
+        "a if b else ",
+    ),
+    *(
+        "public ",
+        "final ",
+        "abstract ",
+        "record Pt",
+        "struct Pt {",
+        "Pt struct{",
+        "\nPt ",
+        "typedef ",
+        "} Pt",
+    ),
+    *(
+        "\nimport {",
+        "import a,",
+        "import * as ",
+        "\nexport {",
+        "\npackage a",
+        "package ",
+        "private",
+        "a as ",
+        'R"(',
+    ),
+    *('r#"', 'R"a', "throws ", "f'{a}'", "not ", "1+", "a.", "():", "if a:\n ", "from "),
+)
+
+
+def repeated(token: str, before: str = "", after: str = "") -> Callable[[int], str]:
+    """Texts of so many characters."""
+    return lambda size: before + token * (max(0, size - len(before) - len(after)) // len(token)) + after
+
+
+def halved(one: str, other: str, before: str = "", after: str = "") -> Callable[[int], str]:
+    """Texts of so many characters, the second half of them of the other token."""
+    return lambda size: repeated(one, before)(size // 2) + repeated(other, "", after)(size // 2)
+
+
+def counted(token: str, before: str = "") -> Callable[[int], str]:
+    """Texts of the token with another number in it each time, for names that are all different."""
+
+    def text(size: int) -> str:
+        parts, length = [before], len(before)
+        for number in count():
+            parts.append(token.replace("N", str(number)))
+            length += len(parts[-1])
+            if length > size:
+                break
+        return "".join(parts)
+
+    return text
+
+
+@dataclass(frozen=True)
+class Case:
+    """A reader with a text that grows."""
+
+    reader: str
+    what: str
+    text: Callable[[int], str]
+
+
+@dataclass(frozen=True)
+class Growth:
+    """How long a reader took for texts of these sizes, in CPU seconds."""
+
+    case: Case
+    size: int
+    before: float  # of a quarter of it
+    seconds: float
+
+    @property
+    def steep(self) -> bool:
+        """Whether it grows more than a text does."""
+        return self.seconds > MOST * self.before
+
+    def __str__(self) -> str:
+        told = f"{self.seconds / self.before:.1f} times" if self.before else "no end"
+        return (
+            f"{self.case.reader}: {self.case.what}: {told} up to {self.size:,} characters, "
+            f"{self.before:.3f} s and {self.seconds:.3f} s"
+        )
+
+
+# -- readers -----------------------------------------------------------------------------------------------
+
+
+@cache
+def _place() -> Path:
+    """A folder for readers of files; it goes with the process."""
+    folder = tempfile.TemporaryDirectory(prefix="judge-tests-")
+    _kept.append(folder)
+    return Path(folder.name)
+
+
+_kept: list[Any] = []
+
+
+def _problem(name: str, text: str) -> None:
+    found = signs(text.encode(), name)
+    fitting_problems(found)
+    meant_problem(found)
+
+
+def _sources(name: str, text: str) -> None:
+    language = language_of_file(name)
+    assert language is not None
+    for source in (text, f"{text}\n{_FUNCTIONS[name]}", f"{_FUNCTIONS[name]}\n{text}"):
+        sources_of(language, source.encode(), _ENTRY)
+
+
+_FUNCTIONS = {
+    "a.c": "int line_count(double r, Pt A, Pt out[2]) {",
+    "a.cpp": "std::vector<Pt> line_count(double r, Pt A) {",
+    "a.go": "func lineCount(r float64, A Pt) []Pt {",
+    "A.java": "static List<Pt> lineCount(double r, Pt A) {",
+    "a.js": "function lineCount(r, A) {",
+    "a.rs": "fn line_count(r: f64, a: Pt) -> Vec<Pt> {",
+    "a.pypy": "\ndef line_count(r, A):",
+}
+
+
+def _looked_at(name: str, text: str) -> None:
+    features(text.encode(), language_of_file(name))
+
+
+def _normal(name: str, text: str) -> None:
+    normal_form(text.encode(), name, "line_count")
+
+
+def _failed(text: str) -> None:
+    """An exception's message, wherever it is looked at."""
+    result = judge_fault("count", "a.py", text)
+    for verdict in (Verdict.CE, Verdict.RTE):
+        places.fault_place(replace(result, verdict=verdict))
+    program._CHOKED.match(text)
+    hurdle._failed_import(text, called=True)
+    github.annotation(result, b"", "line_count", {})
+    list(editor.editor_lines(result, b"", "line_count"))
+    junit.junit([result])
+
+
+def _annotated(text: str) -> None:
+    places.annotated_place(judge_fault("count", "a.py", ""), text.encode(), "line_count")
+    names = [(word, 1) for word in dict.fromkeys(text.split())][:10_000]
+    program.missing_entry("line_count", names, f"{text} stdin".encode())
+
+
+def _complaint(text: str) -> None:
+    for complaint in ("", *(each.compiling.complaint for each in languages())):
+        for before in ("", "a.c:1:"):
+            said = compiling.wire_lines(before + text)
+            compiling._told(said, Sources((("a.c", b""),), "a.c"), complaint, 1)
+
+
+def _printed(text: str) -> None:
+    ends.last_words(text.encode())
+    printed.text_of(text.encode())
+    calls.replies(text.encode(), 100)
+
+
+def _answers(text: str) -> None:
+    for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?", "enclosure"):
+        type_ = parse(form)
+        type_.read_line(text)
+        reread(type_, text[:5000])
+
+
+def _yaml(text: str) -> None:
+    (_place() / "a.yaml").write_text(text, encoding="utf-8")
+    settings.read_settings(opening.Opened(str(_place())), _place() / "a.yaml")
+
+
+def _compared(text: str) -> None:
+    near = tokens.rules_of(["float_tolerance", "1e-6"])
+    for rules in (near, tokens.rules_of(["space_change_sensitive"])):
+        tokens.difference(text.encode(), text.encode() + b" ", rules)
+        tokens.difference(b"1 2 3", text.encode(), rules)
+    for token in (text, f"0x{text}", f"0.{text}", f"1e{text}"):
+        tokens.as_number(token.encode())
+
+
+def _packaged(text: str) -> None:
+    own = expected.Own(Path("a"), "a", "accepted", ())
+    expected.tagged(own, [("a", text.encode()), ("b", b"@EXPECTED_RESULTS@" + text.encode())])
+    programs.is_one_program([("a.c", text.encode()), ("b.c", b"")])
+    with suppress(programs.NotRunError):
+        programs.program_of("a", [(f"{text[:200]}.py", text.encode())])
+    expected._matches(text, Path("accepted/a.py"))
+
+
+def _zipped(text: str) -> None:
+    path = _place() / "a.zip"
+    with warnings.catch_warnings(), zipfile.ZipFile(path, "w") as archive:
+        warnings.simplefilter("ignore")
+        for number, name in enumerate(text[at : at + 100] for at in range(0, len(text), 100)):
+            archive.writestr(f"{number}{name}", "")
+    with opening.Opened(str(path)):
+        pass
+
+
+def _case(text: str) -> None:
+    problem = find_problem("count")
+    read_case(problem, text[:20_000])
+
+
+def _replayed(text: str) -> None:
+    for id_ in (text, f"count:all:v{text}:000000", f"{text}:a:v0:000000"):
+        replay.problem_name(id_[:16_000])
+
+
+def _typed(text: str) -> None:
+    for read in (typed.number, typed.count, partial(typed.sequence, words={"a": "b"})):
+        with suppress(MistypedError):
+            read(text)
+
+
+def _type(text: str) -> None:
+    with suppress(TypeFault):
+        parse(text)
+
+
+def _students(text: str) -> None:
+    path = _place() / "students.csv"
+    path.write_text(f"id;name\n{text}", encoding="utf-8", newline="")
+    read_students(path)
+
+
+def _regression(text: str) -> None:
+    path = _place() / "test_kept.py"
+    path.write_text(f"{regression._MARK}\n{text}", encoding="utf-8")
+    regression.is_ours(path)
+
+    class Found:
+        replay = "count:all:v0:000000"
+
+    regression._free_name("a.py", Found(), path.read_text())  # type: ignore[arg-type]
+
+
+def _readers() -> dict[str, Callable[[str], None]]:
+    found: dict[str, Callable[[str], None]] = {}
+    for language, name in _FILES.items():
+        found[f"{language} problem"] = partial(_problem, name)
+        found[f"{language} features"] = partial(_looked_at, name)
+        found[f"{language} normal"] = partial(_normal, name)
+        if language != "python":
+            found[f"{language} sources"] = partial(_sources, name)
+    return {
+        **found,
+        "message": _failed,
+        "annotation": _annotated,
+        "complaint": _complaint,
+        "printed": _printed,
+        "answers": _answers,
+        "yaml": _yaml,
+        "compared": _compared,
+        "package": _packaged,
+        "zip": _zipped,
+        "case": _case,
+        "replay": _replayed,
+        "typed": _typed,
+        "students": _students,
+        "gradebook": gradebook.cell,
+        "wrapped": partial(layout.wrap, width=80),
+        "type": _type,
+        "regression": _regression,
+        "toml lines": key_lines,
+        "toml": partial(toml_of, name="cards.toml"),
+    }
+
+
+READERS = _readers()
+_TOML = ("[a", "[[a", ".a", "'a'", '"a"', "a.", "a .", "a=", "\na = 1", '\\"', '"\\"".')
+_OWN_SIGNS = {
+    "yaml": (
+        *("a: &a ", "*a ", "<<: *a\n", "- ", "? ", "\n- a", "\n a: ", "!!int ", "!a ", "---\n", "0:", "0x"),
+        *("| \n", "> ", "'a\n\n", "&a a: *a\n"),
+    ),
+    "complaint": (
+        *("a.c:1: ", "a.c:1:1: error: ", ":1", ": warning", "required from here\n", "/a", "symbol: ", "^"),
+        *('File "a', "undefined reference "),
+    ),
+    "message": (
+        *("(line 1)", "index out of range", "after 0 lines", "IndexError: ", "InvalidOperation"),
+        *("ConversionSyntax", "ModuleNotFoundError: No module named 'a"),
+    ),
+    "package": ("@EXPECTED_RESULTS@", "{a,b}", "*a", "?", "[a", "main ", "#!python2"),
+    "toml lines": _TOML,
+    "toml": _TOML,
+    "regression": ("\ndef test_a():", "def test_a_count_all_000000()\n"),
+    "compared": ("1.", "0x", "e1", "1e", "p1", "9"),
+}
+_FILLING = (" ", "a", "1", "\n", ",", ") ", "'a", "{")  # what goes on and on after something is opened
+_DIFFERENT = (
+    "def nN(a): pass\n", "nN = 1\n", "int nN(int a) { return 1; }\n", "nN(", "line_countN ", "nN,", "nN: N\n",
+    "def test_a_count_all_000000_N():\n", "[nN]\n", "struct nN { nN a; };\n",
+)  # fmt: skip
+
+
+def cases(reader: str, pairs: int, seed: int = 0) -> Iterator[Case]:
+    """Each token alone, numbered ones, and so many pairs: both again and again, or one before the other."""
+    signs_of = (*_SIGNS, *_HEADS, *_OWN_SIGNS.get(reader, ()))
+    chance = random.Random(f"{reader}:{seed}")
+    for token in signs_of:
+        yield Case(reader, repr(token), repeated(token))
+    for token in _DIFFERENT:
+        yield Case(reader, repr(token), counted(token))
+    for _ in range(pairs):
+        one, other = chance.choice(signs_of), chance.choice((*signs_of, *_FILLING * 9))
+        if other not in _FILLING or chance.random() < 0.3:
+            yield Case(reader, repr(one + other), repeated(one + other))
+        else:
+            yield Case(reader, f"{one!r} before {other!r}", repeated(other, one))
+
+
+# -- measuring ---------------------------------------------------------------------------------------------
+
+
+class _NoEndError(Exception):
+    pass
+
+
+@contextmanager
+def _bounded() -> Iterator[None]:
+    """A reader that does not end is ended; in the main thread, which alone hears signals."""
+
+    def end(*_: object) -> None:
+        raise _NoEndError
+
+    before = signal.signal(signal.SIGPROF, end)
+    signal.setitimer(signal.ITIMER_PROF, ENDLESS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def _seconds(read: Callable[[str], None], text: str, tries: int = 1) -> float:
+    """The least CPU seconds of some tries."""
+    least = float("inf")
+    for _ in range(tries):
+        gc.collect(0)
+        began = time.thread_time()
+        with suppress(JudgeError):
+            read(text)
+        least = min(least, time.thread_time() - began)
+    return least
+
+
+def growth(case: Case) -> Growth | None:
+    """How the time of a case grows, where it takes enough to be told.
+
+    What seems steep is asked of a longer text too, for a reader may look ahead so far and no further.
+    """
+    read, found, size = READERS[case.reader], None, 100
+    gc.disable()
+    limit, scan.SECONDS = scan.SECONDS, float("inf")  # which would end what is to be measured
+    try:
+        with _bounded():
+            _seconds(read, case.text(size))  # what it needs is there then
+            for size in SIZES:
+                text = case.text(size)
+                if _seconds(read, text) < ENOUGH:
+                    continue
+                steep = found is not None and found.steep
+                found = Growth(case, size, _seconds(read, case.text(size // 4), 3), _seconds(read, text, 3))
+                if found.seconds <= FLAT * found.before or (steep and found.steep):
+                    break
+    except _NoEndError:
+        return Growth(case, size, 0.0, float("inf"))
+    finally:
+        gc.enable()
+        scan.SECONDS = limit
+    return found
+
+
+def steep(reader: str, pairs: int, seed: int = 0) -> Iterator[Growth]:
+    """The cases of a reader whose time grows more than the text."""
+    for case in cases(reader, pairs, seed):
+        found = growth(case)
+        if found is not None and found.steep:
+            found = growth(case)  # the machine may have been busy
+            if found is not None and found.steep:
+                yield found
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns its exit status."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument(
+        "readers", nargs="*", metavar="READER", choices=[[], *READERS], help=", ".join(READERS)
+    )
+    parser.add_argument("--count", type=int, default=100, metavar="N", help="pairs of tokens of each reader")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="what the pairs are drawn from")
+    options = parser.parse_args(arguments)
+    total = 0
+    for reader in options.readers or READERS:
+        began, most = time.process_time(), 0
+        for found in steep(reader, options.count, options.seed):
+            most += 1
+            print(found, flush=True)
+        print(f"{reader}: {most} steep, {time.process_time() - began:.1f} s", flush=True)
+        total += most
+    return 1 if total else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
