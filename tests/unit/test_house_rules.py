@@ -47,6 +47,7 @@ SUFFIXED = {
     "packs/foreign/programs.py": {"main.py", ".py2", ".py3"},
     "problem/solutions.py": {"mistakes.py"},
     "report/verified.py": {" of mistakes.py judged"},
+    "sandbox/attacking.py": {".py"},
     "sandbox/bundle.py": {".py"},
     "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
     "sandbox/probe.py": {"look.py"},
