@@ -249,6 +249,8 @@ def test_there_is_no_other_way():
         "judge/sandbox/recipe.py",  # for a compiler that starts when all is there
         "judge/sandbox/temporary.py",  # where that is; it goes with the judge
         "judge/sandbox/tool.py",  # for a package's validator that starts when all is there
+        "judge/sandbox/attacking.py",  # what an attack looks for, in a folder of its own that goes
+        "judge/kata/repair.py",  # a copy that must not be there yet, and the history behind a lock
         "judge/packs/foreign/opening.py",  # a package's archive, taken apart for one run
         "judge/packs/export/place.py",  # a package is renamed to its place when it is whole
         "judge/packs/export/tools.py",  # what a tool may remember of one run

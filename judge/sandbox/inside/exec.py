@@ -126,8 +126,12 @@ class ExecServer(server.Server):
 
 
 def _files(folder: str) -> Iterator[str]:
-    """The ordinary files below a folder, no link followed."""
-    for base, folders, names in os.walk(folder):
+    """The ordinary files below a folder, no link followed. Raises OSError for a folder that is closed."""
+
+    def closed(fault: OSError) -> None:
+        raise fault
+
+    for base, folders, names in os.walk(folder, onerror=closed):
         folders.sort()
         for name in sorted(names):
             path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
