@@ -47,7 +47,7 @@ from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.lines import key_lines
 from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
-from judge.report.cohort import gradebook
+from judge.report.sheet import cell
 from judge.run import hurdle, printed, program
 from judge.run.execute import judge_fault
 from judge.sandbox import calls, ends
@@ -376,7 +376,7 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "replay": _replayed,
         "typed": _typed,
         "students": _students,
-        "gradebook": gradebook.cell,
+        "sheet": cell,
         "wrapped": partial(layout.wrap, width=80),
         "type": _type,
         "regression": _regression,
