@@ -54,6 +54,7 @@ def verdicts(outcome):
 
 
 @pytest.mark.timeout(300)
+@pytest.mark.nightly
 def test_a_class_with_such_files_ends_and_all_others_are_judged(judge, submit, handed_in, slow_language):
     if find.why_not(language_called("c")):
         pytest.skip("no C here")
