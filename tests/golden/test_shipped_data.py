@@ -13,6 +13,8 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run import Settings, run_submission
 
+pytestmark = pytest.mark.slow
+
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 NAMES = sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml"))
 

@@ -30,6 +30,8 @@ from sampling import nightly
 
 from judge.values import AnyOf, Run
 
+pytestmark = pytest.mark.slow
+
 # -- moments of motions -------------------------------------------------------------------------------------
 
 

@@ -28,6 +28,8 @@ from sampling import daily
 
 from judge.exact import Surd
 
+pytestmark = pytest.mark.slow
+
 # -- of two circles, and of a circle and a point ------------------------------------------------------------
 
 
