@@ -1,6 +1,6 @@
 """The fixture katas of other topics, and the mistake that is looked at closely in each.
 
-What commands say of them is in the record's transcripts of `topics/`.
+What commands say of them is in the transcripts of `topics/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Exit codes that no transcript shows: 130 where it is interrupted, 141 where the reader has left.
 
-The others are in the record: 0 accepted, sound, shown; 1 not accepted; 2 usage; 3 the judge's own fault.
+The others are in the transcripts: 0 accepted, sound, shown; 1 not accepted; 2 usage; 3 the judge's own fault.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """`judge hack`: what its wrong programs are, what is kept of them, and a terminal that asks for cases.
 
-What it says is in the record's transcripts of `hack/`.
+What it says is in the transcripts of `hack/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """`judge help` and `--help`: the manual goes out as it is, and each command's examples can be typed.
 
-What they say is in the record's transcripts of `help/` and `screens/help`.
+What they say is in the transcripts of `help/` and `screens/help`.
 """
 
 from __future__ import annotations

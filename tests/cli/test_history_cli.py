@@ -1,6 +1,6 @@
 """`judge run` keeps its runs, whatever they are of; `judge history` brings their sources back.
 
-What `judge history` and `judge diff` show is in the record's transcripts of `history/`.
+What `judge history` and `judge diff` show is in the transcripts of `history/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Beginning a kata, the one in hand, hints, the next one, a solution: what is kept, and where files are.
 
-What these commands show is in the record's transcripts of `kata/`.
+What these commands show is in the transcripts of `kata/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Katas of other topics: their solutions, data, stubs, kept cases and pages, whatever their types.
 
-What commands say of them is in the record's transcripts of `topics/`.
+What commands say of them is in the transcripts of `topics/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """`judge practice`, `judge progress` and `judge due` after weeks of runs, which are kept here, not judged.
 
-What they show of a first kata is in the record's transcripts of `practice/`.
+What they show of a first kata is in the transcripts of `practice/`.
 """
 
 from __future__ import annotations

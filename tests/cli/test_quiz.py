@@ -1,6 +1,6 @@
 """`judge quiz`: what is kept however it ends, when cards come again, and the time of the mock interview.
 
-What it asks and says is in the record's transcripts of `quiz/`.
+What it asks and says is in the transcripts of `quiz/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What `judge run` shows on a real terminal and in a real pipe, and that a failure is cut to one screen.
 
-What it shows otherwise is in the record's transcripts of `run/` and `screens/`.
+What it shows otherwise is in the transcripts of `run/` and `screens/`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The published JSON Schemas: each is whole, and refuses what is not what its command writes.
 
-What commands write is held against them where the record's transcripts of `json/` are played; here are the
+What commands write is held against them where the transcripts of `json/` are played; here are the
 commands that measure, ask the machine or do not end.
 """
 
@@ -17,10 +17,9 @@ from typing import Any
 from unittest.mock import patch
 
 import pytest
+import transcripts
 from cli_support import FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
-from record import transcripts
-from record.parts import Item, now
 from sampling import daily
 
 from judge.cli.app import app
@@ -138,7 +137,7 @@ def test_a_schema_refuses_what_differs_from_the_record(name, tmp_path, built, mo
         return line
 
     with patch.object(transcripts, "_checked", kept):
-        now(Item("transcripts", name), tmp_path / "world")
+        transcripts.played(name, tmp_path / "world" / "own")
     assert found
     for command, value in found:
         Draft202012Validator(whole()).validate(value)

@@ -1,11 +1,13 @@
-"""What holds of every command in the record: how it refuses, how wide it is, that it keeps to its topic."""
+"""Transcripts are as they were; and what holds of all: refusals, widths, the words of a topic."""
 
 from __future__ import annotations
 
 import re
 from typing import NamedTuple
 
-from record import transcripts
+import pytest
+import transcripts
+from sampling import nightly
 
 from judge.cli.app import app
 from judge.cli.table import COMMANDS
@@ -53,6 +55,20 @@ CALLS = [call for name in NAMES for call in calls(name)]
 SAID_BEFORE = ("Writing ", "judge: not judged: ")  # what was done or seen before the refusal
 
 
+def of_the_day(name: str) -> bool:
+    return not name.startswith("screens/") or name.endswith("80x24")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name if of_the_day(name) else nightly(name) for name in NAMES])
+def test_a_transcript_is_as_it_was(name, built, shared, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
+    now = transcripts.played(name, shared / "world" / name.replace("/", "-"))
+    assert now == transcripts.path_of(name).read_text(encoding="utf-8"), (
+        f"read the difference, then: python -m tests.transcripts --only {name} --write"
+    )
+
+
 def test_a_wrong_use_is_told_in_one_line():
     refused = [call for call in CALLS if call.status == 2]
     assert len(refused) > 250
@@ -87,7 +103,7 @@ def test_every_command_refuses_an_option_it_does_not_have_and_has_a_page_of_help
         assert f"help/{name}" in NAMES
 
 
-def test_what_every_command_with_json_writes_is_in_the_record():
+def test_what_every_command_with_json_writes_has_a_transcript():
     with_json = {
         name
         for name in COMMANDS

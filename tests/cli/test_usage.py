@@ -1,6 +1,6 @@
 """Files that no transcript can hold: links, names that steer a terminal, what is too large or locked.
 
-What else a caller gets wrong is in the record's transcripts of `refused/`.
+What else a caller gets wrong is in the transcripts of `refused/`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Some pictures as they were when somebody last looked at them, and what holds of all of them.
-
-Digests of every kata's pictures are in the record.
-"""
+"""Some pictures as they were when somebody last looked at them, and what holds of all of them."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Whose file is for which problem: a class's folder in both layouts, odd files, and the list of students.
 
-Lists that are refused are in the record: transcripts/refused/class-list.txt.
+Lists that are refused are in golden/transcripts: refused/class-list.txt.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What `--on` names, and what is started there: addresses, machines that ssh reaches, Slurm, keys.
 
-What is refused in a line is in the record: transcripts/refused/class-on.txt.
+What is refused in a line is in golden/transcripts: refused/class-on.txt.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Groups worth no points: a run that fails only such ones has all points, and must not look passed.
 
-The tables, the history and a practice set are in the record: transcripts/run/extra-groups.txt.
+The tables, the history and a practice set are in golden/transcripts: run/extra-groups.txt.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Finding problems: the order of the places, and what is said of a folder or a pack that is broken.
 
-Names that nobody knows are in the record: transcripts/refused/show.txt.
+Names that nobody knows are in golden/transcripts: refused/show.txt.
 """
 
 from __future__ import annotations

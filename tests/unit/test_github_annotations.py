@@ -1,6 +1,6 @@
 """Results at their places, as GitHub and editors read them: nothing of a submission begins a line of its own.
 
-What they show of each verdict is in the record: transcripts/run/formats.txt.
+What they show of each verdict is in golden/transcripts: run/formats.txt.
 """
 
 from __future__ import annotations

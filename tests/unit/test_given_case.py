@@ -1,6 +1,6 @@
 """A case that a person wrote is read as it was shown, and the strangest texts are told in one line.
 
-The forms of a case and what is none are in the record: transcripts/try/cases.txt.
+The forms of a case and what is none are in golden/transcripts: try/cases.txt.
 """
 
 from __future__ import annotations

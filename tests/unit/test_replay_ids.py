@@ -38,7 +38,7 @@ def test_every_group_comes_back_from_values_and_from_choices(problem):
 
 
 def test_a_bad_id_is_a_short_line_however_long_it_is():
-    """The others are in the record: transcripts/refused/replay-ids.txt."""
+    """The others are in golden/transcripts: refused/replay-ids.txt."""
     problem = find_problem("count")
     with pytest.raises(UsageError, match="no replay id") as caught:
         decode("count:grid:v" + "9" * 20_000 + ":123456", problem, load_module(problem))

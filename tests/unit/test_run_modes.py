@@ -189,7 +189,7 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
 
 
 def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form():
-    """Other hurdles are in the record: transcripts/json/hurdles.txt."""
+    """Other hurdles are in golden/transcripts: json/hurdles.txt."""
     result = judged("for _ in range(int(input())):\n    n, x = input().split()\n    print(1)\n")
     assert result.verdict is Verdict.RTE
     assert result.failure.message.startswith("ValueError: too many values to unpack")

@@ -57,7 +57,7 @@ def ids(chosen):
 
 
 def test_the_shipped_sets_are_the_tiers_one_after_the_other():
-    """What each holds, in which order, is in the record."""
+    """What each holds, in which order, is in the transcripts."""
     assert set_names() == ["first-steps", "junior", "middle", "senior", "professional", "path"]
     *tiers, path = (find_set(name) for name in set_names())
     assert [*dict.fromkeys(name for tier in tiers for name in ids(tier))] == ids(path)

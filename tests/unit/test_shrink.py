@@ -1,7 +1,4 @@
-"""The smallest case of a wrong program: it fails, keeps the promise, and is simpler than what failed first.
-
-The record keeps the smallest case of every program of every kata, exactly.
-"""
+"""The smallest case of a wrong program fails, keeps the promise and is simpler than what failed first."""
 
 from __future__ import annotations
 
@@ -13,20 +10,17 @@ import subprocess
 import sys
 from contextlib import ExitStack
 from pathlib import Path
-from statistics import median
 
 import pytest
 from mistaken import mistaken
 from msgspec.structs import replace
-from record.parts import Item, kept, keys
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.module import load_module
-from judge.data.validate import Validator
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
-from judge.diagnose.simplicity import digits, measure, numbers_of
+from judge.diagnose.simplicity import measure, numbers_of
 from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -65,58 +59,6 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
             budget=budget or SearchBudget(guard=Guard(cpu=600.0, wall=600.0)),  # of a busy machine
         )
     return problem, result, found
-
-
-def as_case(arguments):
-    """A case from its JSON."""
-    return tuple(as_case(each) if isinstance(each, list) else each for each in arguments)
-
-
-# -- what the record keeps -----------------------------------------------------------------------------------
-
-
-def recorded(kata):
-    """The programs of a kata that have a smallest case: each with it, and the one that failed first."""
-    for key, told in kept(Item("programs", kata)).items():
-        if told["verdict"] not in ("AC", "TLE"):
-            yield key, told["smallest"], *(_case(told[each]["input"]) for each in ("smallest", "failure"))
-
-
-def _case(given):
-    """A case from its JSON; None where it was too long to be kept."""
-    cut = isinstance(given, str) or any(isinstance(each, str) and "…" in each for each in given.values())
-    return None if cut else as_case(given.values())
-
-
-@pytest.mark.parametrize("kata", keys("programs"))
-def test_every_recorded_smallest_case_keeps_the_promise_and_is_no_larger_than_the_first(kata):
-    problem = find_problem(kata)
-    module = load_module(problem)
-    validator = Validator(problem, module.solve)
-    special = module.topic.special or (lambda _: 0)
-    sizes = []  # digits of the longest number of each
-    for key, told, case, first in recorded(kata):
-        if case is None or first is None:
-            continue
-        if "called alone" in told["message"]:
-            assert case == first, key
-            continue
-        assert validator.proof(case).fault is None, key
-        assert told["expected"] != told["got"], key
-        assert measure(case, special(case)) <= measure(first, special(first)), key
-        sizes.append(max(map(digits, numbers_of(case)), default=0))
-    assert median(sizes or [0]) <= (8 if kata == "adaptive" else 4)
-
-
-def test_of_what_is_wrong_close_to_a_border_one_number_alone_is_long():
-    programs = [each for kata in ("count", "exact-count") for each in recorded(kata) if "/narrow/" in each[0]]
-    assert len(programs) == len([*NARROW.glob("*/*.py")])
-    for key, _, case, _ in programs:
-        assert measure(case)[0] <= (13 if key.startswith("count/") else 40), key
-        assert sum(digits(number) > 3 for number in numbers_of(case)) <= 1, key
-
-
-# -- what is found now ---------------------------------------------------------------------------------------
 
 
 def test_the_smallest_case_fails_by_itself_and_always_is_the_same():

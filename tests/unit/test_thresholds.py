@@ -1,6 +1,6 @@
 """Measured thresholds: where a submission's answers turn, what that follows, and the mistake it is.
 
-Functions of this very process stand in for contained submissions; the record has those of whole programs.
+Functions of this very process stand in for contained submissions.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The setter's gate: what it checks, and what it says about each broken promise.
 
-What it says of solutions is in the record: transcripts/faults/solutions.txt.
+What it says of solutions is in golden/transcripts: faults/solutions.txt.
 """
 
 from __future__ import annotations

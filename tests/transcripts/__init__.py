@@ -1,9 +1,9 @@
-"""Commands with what they show, as texts that are run again: the record of the command line.
+"""Transcripts: commands with what they show, as texts that are run again.
 
     # terminal 80x24               a terminal of that size reads; without it, a pipe
     # needs tests/fixtures/pack    this folder of the repository is copied beside the files
     # needs broken                 ../broken holds every broken problem of tests/broken_problems.py
-    + one.py                       a file is written, into a copy of tests/golden/record/files,
+    + one.py                       a file is written, into a copy of tests/golden/files,
     | def middle(a, b): return 1   with these lines
     $ judge run middle one.py      a command, in that copy
     < n                            a line that is typed
@@ -13,7 +13,7 @@
     $ cat out.xml                  a file that was written
 
 What differs from machine to machine is masked. To add a call, write its line and run
-`python -m tests.record transcripts --only NAME --write`.
+`python -m tests.transcripts --only NAME --write`.
 """
 
 from __future__ import annotations
@@ -43,9 +43,11 @@ from judge.judging.isolation import keep_level
 from judge.problem.find import find_problem
 from judge.sandbox import levels
 from judge.schema import schema_of
+from transcripts.steady import steadied
 
 ROOT = Path(__file__).parents[2]
-RECORD = ROOT / "tests" / "golden" / "record"
+FOLDER = ROOT / "tests" / "golden" / "transcripts"
+_FILES = ROOT / "tests" / "golden" / "files"
 _PACK = ROOT / "tests" / "fixtures" / "pack"
 _SETTINGS = (
     "NO_COLOR",
@@ -112,13 +114,12 @@ class Transcript(NamedTuple):
 
 def names() -> list[str]:
     """The transcripts, as names of their files: run/refused."""
-    folder = RECORD / "transcripts"
-    return sorted(str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.txt"))
+    return sorted(str(path.relative_to(FOLDER).with_suffix("")) for path in FOLDER.rglob("*.txt"))
 
 
 def path_of(name: str) -> Path:
     """The file of a transcript."""
-    return RECORD / "transcripts" / f"{name}.txt"
+    return FOLDER / f"{name}.txt"
 
 
 def played(name: str, world: Path) -> str:
@@ -128,7 +129,8 @@ def played(name: str, world: Path) -> str:
     """
     script = Transcript.read(path_of(name).read_text(encoding="utf-8"))
     parts = [script.head] if script.head else []
-    with _place(script, world):
+    world.mkdir(parents=True, exist_ok=True)
+    with steadied(world.parent), _place(script, world):
         for step in script.steps:
             parts.append(_shown(step, script.terminal))
     return "\n".join(parts) + "\n"
@@ -139,7 +141,7 @@ def _place(script: Transcript, world: Path) -> Iterator[None]:
     """A folder of the transcript's own, and nothing of this machine's settings."""
     here = world / "here"
     shutil.rmtree(here, ignore_errors=True)
-    shutil.copytree(RECORD / "files", here)
+    shutil.copytree(_FILES, here)
     for need in script.needs:
         if need == "broken":
             _broken(world / "broken")

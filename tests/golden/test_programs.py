@@ -1,0 +1,81 @@
+"""Programs by other people, in fixtures/programs: the level they pass, and the name of their mistake.
+
+textbook    passes the interview level of its kata, and only that
+everyday    makes the mistake that its file is called after, or is called right
+changed     is a right program with one edit, called after the mistake
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from sampling import daily
+
+from judge.data.module import load_module
+from judge.data.validate import Validator
+from judge.diagnose.simplicity import measure
+from judge.judging import Session, Terms
+from judge.problem import Verdict
+from judge.problem.find import all_problems, find_problem
+from judge.problem.level import KataLevel
+
+pytestmark = pytest.mark.slow
+
+PROGRAMS = Path(__file__).parents[1] / "fixtures" / "programs"
+TEXTBOOK = sorted(path.parent.name for path in PROGRAMS.glob("textbook/*/*.py"))
+NAMED = [
+    str(path.relative_to(PROGRAMS))
+    for kind in ("changed", "everyday")
+    for path in sorted(PROGRAMS.glob(f"{kind}/*/*.py"))
+]
+
+
+def judged(path, **terms):
+    problem = find_problem(path.parent.name)
+    with Session(problem, Terms(timed=False, **terms)) as session:
+        return problem, session.judge(path.read_bytes(), path.name)
+
+
+@pytest.fixture(autouse=True)
+def _cache(built, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
+
+
+def test_every_kata_of_two_levels_has_a_textbooks_program():
+    levelled = {problem.id for problem in all_problems() if any(group.level for group in problem.groups)}
+    assert levelled == set(TEXTBOOK)
+
+
+@pytest.mark.parametrize("kata", daily(sorted(set(TEXTBOOK)), ["count", "reflect"]))
+def test_a_textbooks_program_passes_the_interview_level_only(kata):
+    for path in (PROGRAMS / "textbook" / kata).glob("*.py"):
+        problem, result = judged(path, diagnosed=False, named=False)
+        assert [level.level for level in result.levels if level.passed] == [KataLevel.INTERVIEW]
+        failing = [group.name for group in result.groups if group.verdict is not Verdict.AC]
+        assert len(failing) >= (5 if len(problem.groups) > 16 else 2)
+        assert {problem.group(name).level for name in failing} == {KataLevel.PRODUCTION}
+
+
+@pytest.mark.parametrize("name", daily(NAMED, NAMED[::16]))
+def test_a_mistake_is_named_and_its_smallest_case_is_a_valid_and_simpler_one(name):
+    stem = re.sub(r"-\d$", "", Path(name).stem)
+    problem, result = judged(PROGRAMS / name)
+    if stem == "right":
+        assert result.verdict is Verdict.AC
+        return
+    said = result.pitfall.name.split(" + ") if result.pitfall else ["silent"]
+    assert sorted(said) == sorted(stem.split("-and-"))
+    module = load_module(problem)
+    case, first = (
+        tuple(as_case(each) for each in found["input"].values())
+        for found in (result.counterexample, result.failure.as_json())
+    )
+    assert Validator(problem, module.solve).proof(case).fault is None
+    assert measure(case) <= measure(first)
+
+
+def as_case(value):
+    """A case's value from its JSON."""
+    return tuple(map(as_case, value)) if isinstance(value, list) else value
