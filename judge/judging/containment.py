@@ -70,10 +70,9 @@ class Containment:
         """
         left, self.jobs, self.short = room_for(jobs)
         self._level = level
-        self._kept = None if level else kept_level()
-        hidden = hidden_folders(problem)
-        self._boxes = Boxes(level, hidden, least=self._kept, had=had, share=left.share(self.jobs))
-        self.open_box: BoxFactory = AnyBoxes(self._boxes, None if program else signature_of(problem))
+        least = None if level else kept_level()
+        boxes = Boxes(level, hidden_folders(problem), least=least, had=had, share=left.share(self.jobs))
+        self.open_box: BoxFactory = AnyBoxes(boxes, None if program else signature_of(problem))
         self.reference = Reference(problem, self.open_box)
         self._ahead: dict[tuple[bytes, str], Box] = {}
 
@@ -106,16 +105,5 @@ class Containment:
         return self._ahead.pop((source, name), None) or self.open_box(source, name)
 
     def notes(self, isolation: str) -> tuple[str, ...]:
-        """What is to be said of the level that a submission was held at: that it is weaker than it might be.
-
-        Nothing where the level was asked for.
-        """
-        if self._level is not None:
-            return ()
-        if isolation == "limits":
-            return (WEAK,)
-        reason = self._boxes.refused.get("full")
-        if isolation == "strong" and self._kept != "strong" and reason:
-            what = f"isolation is 'strong', not 'full': {reason}"
-            return (f"{what}; 'judge doctor' says more and settles for it",)
-        return ()
+        """A warning where a submission was held by limits only and nobody asked for that."""
+        return (WEAK,) if isolation == "limits" and self._level is None else ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from datetime import date
 
 from judge import __version__
 from judge.digest import digest_of
@@ -23,12 +24,22 @@ def kept_level() -> str | None:
     return level if level in LEVELS else None
 
 
-def _file() -> KeptFile:
+def first_today() -> bool:
+    """Whether this is asked for the first time today; where nothing can be kept, it is every time."""
+    file = _file("asked")
+    today = date.today().isoformat()
+    if file.read() == today:
+        return False
+    file.write(today)
+    return True
+
+
+def _file(what: str = "level") -> KeptFile:
     """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
     system = os.uname()
     place = _digest(system.nodename, str(os.geteuid()))[:8]
     key = _digest(__version__, system.sysname, system.release, system.version, system.machine)
-    return KeptFile(cache_folder, "isolation", f"level-{place}-", key, "levels of isolation")
+    return KeptFile(cache_folder, "isolation", f"{what}-{place}-", key, "levels of isolation")
 
 
 def _digest(*parts: str) -> str:

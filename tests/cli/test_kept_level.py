@@ -7,6 +7,7 @@ import os
 
 import pytest
 from cli_support import FLOOR, MEAN
+from terminals import on_a_terminal
 
 from judge.cli.kata import Kata
 from judge.judging.isolation import keep_level, kept_level
@@ -15,7 +16,7 @@ from judge.sandbox import levels, probe
 pytestmark = pytest.mark.slow
 
 BEST = next(level.name for level in levels() if level.available)
-NOTE = "judge: isolation is 'strong', not 'full': bubblewrap is not installed; 'judge doctor' "
+NOTE = "isolation is 'strong', not 'full'"
 
 
 @pytest.fixture
@@ -57,12 +58,19 @@ def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp
 
 
 @pytest.mark.usefixtures("own_cache")
-def test_a_lasting_refusal_is_said_once_where_nobody_asked_the_doctor(process, submit, tmp_path, bare):
+def test_a_lasting_refusal_leads_to_the_next_level_where_nobody_asked_the_doctor(process, submit, tmp_path, bare):
     files = [str(tmp_path / submit(source, name)) for source, name in ((MEAN, "a.py"), (FLOOR, "b.py"))]
     ended = process("run", "middle", *files, "--json", "-j", "2", PATH=bare)
     assert [json.loads(row)["isolation"] for row in ended.lines] == ["strong"] * 2
-    assert ended.err.startswith(NOTE)
-    assert ended.err.count("\n") == 1
+    assert ended.err == ""
+
+
+@pytest.mark.usefixtures("own_cache")
+def test_that_full_is_missing_is_said_once_a_day_on_a_terminal(submit, tmp_path, bare):
+    file = str(tmp_path / submit(MEAN))
+    for words, said in ((["-q"], 0), ([], 1), ([], 0)):
+        status, shown = on_a_terminal("run", "middle", file, *words, PATH=bare)
+        assert (status, shown.count(NOTE)) == (0, said)
 
 
 def test_the_doctor_keeps_what_it_found(judge, own_cache):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -176,6 +177,8 @@ def command(
         for drawing in all_judged(tasks, wish, show, silent=quiet and show.on_screen):
             show.result(drawing.result, several=total > 1, drawing=drawing)
             drawing.save(svg)
+            if drawing.result.isolation == "strong" and not (level or quiet) and form == TEXT:
+                _say_that_full_is_missing()
     except KeyboardInterrupt:
         show.close(interrupted=True)
         raise
@@ -183,6 +186,15 @@ def command(
         show.fail(name or "", files, fault)
         raise
     return show.close()
+
+
+def _say_that_full_is_missing() -> None:
+    """Once a day, to a person who has not been told so by `judge doctor`."""
+    from judge.judging.isolation import first_today, kept_level
+    from judge.report.screen import is_terminal, note
+
+    if is_terminal(sys.stderr) and kept_level() is None and first_today():
+        note("isolation is 'strong', not 'full'; 'judge doctor' says why and what to do")
 
 
 def _only(*options: Mapping[str, object]) -> None:
