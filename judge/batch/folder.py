@@ -43,6 +43,7 @@ _MOST = 100_000  # files
 _MOST_BYTES = 2**29  # of all programs together, which are in memory while they are judged
 _OTHERS = ("node_modules",)  # folders of programs that nobody has handed in
 _NOBODY = "it lies in no student's folder"
+_BACKSLASH = "its name holds a backslash where folders should be: unpack the archive again, with 'unzip'"
 _COPY = "copy it, or --follow-links takes it"
 _NO_PROBLEM = "no problem is called so, and it defines no problem's function"
 
@@ -148,7 +149,7 @@ class _Reader:
         if student and not problem and not why:
             problem, why = self._told(source, path)
         if not student:
-            why = why or _NOBODY
+            why = why or (_BACKSLASH if "\\" in path else _NOBODY)
         elif not problem:
             why = why or _NO_PROBLEM
         return Handin(student, problem, legible(path), b"" if why else source, why)

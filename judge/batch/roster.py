@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from judge.reading import read_ordinary
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
+_SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
 
 
@@ -88,7 +90,8 @@ def _text(path: Path) -> str:
 def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
     """The rows, each with the number of the line that it begins in. Raises UsageError."""
     head = text.lstrip("\r\n").partition("\n")[0]
-    sign = max(_SIGNS, key=head.count)
+    told = _SEPARATOR.fullmatch(head.strip())
+    sign = told[1] if told else max(_SIGNS, key=head.count)
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=sign, strict=True)
     while True:
         number = reader.line_num + 1
@@ -98,6 +101,8 @@ def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
             return
         except csv.Error as fault:
             raise _bad(path, number, f"this is no line of a CSV file ({fault})") from fault
+        if told and _SEPARATOR.fullmatch(sign.join(row)):
+            continue
         if any(cell.strip() for cell in row):
             yield number, row
 

@@ -36,6 +36,7 @@ from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
+_SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 _SMALLEST_STEPS = 2  # of the ladder: numbers of one digit
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
@@ -66,20 +67,29 @@ def shrink(
     """
     problem = data.problem
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
-    if verdict not in SHRUNK or group_data is None or failure.case is None or failure.input is None:
+    if verdict not in SHRUNK or group_data is None or group_data.group.size is not None:
+        return None
+    if failure.case is None and (verdict is not Verdict.WA or runner.calls):
         return None
     budget = budget or SearchBudget()
     coarse = _has_many_answers(problem, data)
     trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
-    case = group_data.cases[failure.case - 1]
-    first = trial.alone(case, group_data.group)
+    if failure.case is None:  # a program's lines are too few or too many: is there a case for which they are?
+        first = trial.simplest(group_data.cases[:_SOUGHT], group_data.group, fair=False)
+        if first is None:
+            return None
+        case = first.case
+    else:
+        case = group_data.cases[failure.case - 1]
+        first = trial.alone(case, group_data.group)
     steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
     if first is None or not steady:
         if verdict is not Verdict.WA:
             return None
         return _original(problem, group_data.group, case, failure, budget.calls)
     trial.look_for(first)
-    return _Search(problem, trial, group_data, first, failure.case - 1, choices or choices_of).run()
+    number = group_data.cases.index(case)
+    return _Search(problem, trial, group_data, first, number, choices or choices_of).run()
 
 
 def _has_many_answers(problem: Problem, data: ProblemData) -> bool:

@@ -45,7 +45,7 @@ def diagnosed(
     if found is None:
         return result
     if found.replay is not None:
-        told_of = runner.explained(Failure(found.message, input=found.input))
+        told_of = runner.explained(Failure(found.message, input=found.input), result.groups)
         found = replace(found, message=told_of.message)
     return replace(result, counterexample=found.as_json(), counterexample_given=found.given)
 

@@ -65,7 +65,6 @@ def recipe_of(found: Toolchain) -> Recipe:
         out_of_memory=running.out_of_memory,
         empty=(own_file(language, language.empty), language.empty.encode()),
         complaint=compiling.complaint,
-        itself="".join(found.filled([compiling.itself])),
         help=found.files,
     )
 

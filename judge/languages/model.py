@@ -35,8 +35,7 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
 
     `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
     compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
-    forms are known, such as `file:line:column: error: message`. `itself` is a compiler that looks for its own
-    file in /proc, which containers do not have.
+    forms are known, such as `file:line:column: error: message`.
     """
 
     steps: tuple[_Words, ...]
@@ -45,7 +44,6 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     environment: dict[str, str] = {}
     keeps: bool = False
     complaint: str = ""
-    itself: str = ""
 
 
 class Running(Struct, frozen=True, forbid_unknown_fields=True):

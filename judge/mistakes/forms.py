@@ -15,6 +15,7 @@ from judge.data.model import ProblemData
 from judge.run.result import Pitfall, Result
 from judge.values import Outline
 from judge.values.likeness import only_digits
+from judge.values.type import UNREADABLE
 
 _MOST = 0.5  # of the wrong answers, from which on a fault of form is what is wrong
 _ALL = 0.9
@@ -40,10 +41,14 @@ _OF_TYPE: Mapping[str, tuple[str, str]] = {
 
 
 class Form(Struct, frozen=True):
-    """What the answers' form says: a pitfall of its own, or that most of them have no right form."""
+    """What the answers' form says: a pitfall of its own, or that most of them have no right form.
+
+    `unreadable` says that most are lines which hold no answer: they are no evidence of any mistake.
+    """
 
     pitfall: Pitfall | None = None
     faulty: bool = False
+    unreadable: bool = False
 
 
 def of_form(
@@ -56,6 +61,8 @@ def of_form(
     problem = data.problem
     given = [outline for group in result.groups for outline in group.wrong.values()]
     forms = Counter(outline[0] for outline in given)
+    if forms[UNREADABLE] >= _MOST * len(given):
+        return Form(unreadable=True)
     if _prints(result, forms, has, rights):
         advice = "The function prints its answer and returns None. Return it; printing is for programs."
         return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
@@ -136,4 +143,4 @@ def _kind(form: str) -> str:
 
 
 def _is_odd(form: str) -> bool:
-    return form.startswith(("type ", "shape ", "text", "word")) or form in _CRASHES
+    return form.startswith(("type ", "shape ", UNREADABLE, "word")) or form in _CRASHES

@@ -94,6 +94,8 @@ class Namer:
         found = of_form(result, self._data, has, self._rights)
         if found.pitfall is not None:
             return replace(result, pitfall=found.pitfall)
+        if found.unreadable:
+            return result
         ready, does = self._ready(), behaviour(result)
         vetoes = Vetoes(ready.read.problem, result, has, form=found.faulty, alone=alone)
         kept = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import threading
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import ExitStack
@@ -130,13 +131,14 @@ def _result(
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
     failing = failing or next(iter(rejected), None)
     groups = tuple(run.result() for run in runs)
+    failure = failing.failure and runner.explained(failing.failure, groups) if failing else None
     return Result(
         problem.id,
         name,
         runner.mode,
         failing.verdict if failing else Verdict.AC,
         groups,
-        runner.explained(failing.failure) if failing and failing.failure else None,
+        failure,
         Timing(
             usage.cpu_seconds,
             usage.wall_seconds,
@@ -256,6 +258,10 @@ class _Judging:
 
 def _fault_text(fault: SourceFault, source: bytes) -> str:
     """Why a source does not compile, in one line."""
+    if source.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) or (
+        len(source) > 15 and not any(source[1:16:2])
+    ):
+        return "the file is UTF-16; save it as UTF-8"
     if "unicode error" in fault.message:
         try:
             source.decode()

@@ -106,6 +106,12 @@ class GroupRun:
                 got,
             )
 
+    def failed_whole(self, verdict: Verdict, message: str) -> None:
+        """Record a run that fails as a whole: none of its answers belongs to a case."""
+        if self.failure is None:
+            self.verdict = verdict
+            self.failure = Failure(message, self.group.name)
+
     def _shown_input(self, index: int) -> dict[str, Any] | None:
         """A case's arguments by name; None for a big case, which nobody could read."""
         return named_input(self.problem, self.cases[index]) if self.group.size is None else None
@@ -130,8 +136,7 @@ class GroupRun:
 
     def too_slow(self, message: str) -> None:
         """Record that the submission as a whole takes too long, though its answers are right."""
-        self.verdict = Verdict.TLE
-        self.failure = Failure(message, self.group.name)
+        self.failed_whole(Verdict.TLE, message)
 
     def explain(self, why: str) -> None:
         """Add to the reason of a failure."""

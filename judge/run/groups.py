@@ -91,7 +91,7 @@ class _Progress:
     def _broken_down(self, breakdown: Breakdown, replies: Replies) -> None:
         group = self.group
         if breakdown.verdict is Verdict.WA:
-            group.failed(breakdown.case, breakdown.verdict, breakdown.detail, breakdown.got)
+            group.failed_whole(breakdown.verdict, breakdown.detail)
         if group.failure is not None:  # a wrong line says more than what came of the run afterwards
             return
         culprit = self._culprit(replies)

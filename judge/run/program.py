@@ -17,10 +17,11 @@ from judge.errors import nearest
 from judge.problem import Case, Problem, TimeRule, Verdict
 from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
-from judge.run.result import Failure, Mode
+from judge.run.result import Failure, GroupResult, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
 from judge.values import ExactOf, Outcome, Outline, Raw, Target
 from judge.values.tuples import is_pair
+from judge.values.type import UNREADABLE
 
 SHOWN = 80  # characters of a line that is quoted
 _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
@@ -29,6 +30,7 @@ _CHOKED = re.compile(  # an exception's first words where a line of input is not
     r"|EOFError|(decimal\.)?InvalidOperation.*ConversionSyntax"
     r"|IndexError: .*index out of range.*after 0 lines"
 )
+_PROMPT = re.compile(rb"""\binput\([rRfFbB]?("[ -!#-~]{1,40}"|'[ -&(-~]{1,40}')""")
 _FUNCTION = re.compile(rb"def ([^\s(]++)\(")
 _OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
@@ -88,12 +90,16 @@ class ProgramRunner(Struct, frozen=True):
         """The accepted program, if there is one."""
         return rule.program
 
-    def explained(self, failure: Failure) -> Failure:
-        """The failure, told what it could not read, or that the entry is missing and so made it a program."""
+    def explained(self, failure: Failure, groups: Sequence[GroupResult] = ()) -> Failure:
+        """The failure, told what it could not read, or that the entry is missing and so made it a program.
+
+        `groups` are all that came of the submission: they tell whether any answer could be read.
+        """
         meant = self.language or self.asked
         notes = [] if meant else [_why_a_program(self.problem.entry, self.names, self.source)]
         if failure.input is not None and _CHOKED.match(failure.message):
             notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
+        notes.append(wrong_form(groups, self.source))
         return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))
 
     def _read(self, case: Case) -> str:
@@ -102,6 +108,18 @@ class ProgramRunner(Struct, frozen=True):
         shown = row if len(row) <= SHOWN else f"{row[:SHOWN]}…"
         form = " ".join(_words(parameter) for parameter in self.problem.parameters)
         return f"its input is a line with the number of cases, then one line each: {form}, here {shown}"
+
+
+def wrong_form(groups: Sequence[GroupResult], source: bytes) -> str:
+    """What to say of a program whose wrong answers cannot be read, none of them; nothing for any other."""
+    wrong = [form for group in groups for form, _ in group.wrong.values()]
+    passed = sum(group.passed for group in groups)
+    if len(wrong) < max(2, passed) or any(form != UNREADABLE for form in wrong):
+        return ""
+    every = "every answer has" if passed == 0 else f"{len(wrong):,} of {len(wrong) + passed:,} answers have"
+    prompt = _PROMPT.search(source)
+    why = f": the prompt of {prompt[0].decode()}) is printed too, so leave it out" if prompt else ""
+    return f"{every} the wrong form{why}"
 
 
 def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
@@ -140,14 +158,14 @@ def _replies(result: ProgramResult, count: int) -> Replies:
     """A reply for each line that belongs to a case, and what is wrong with the run as a whole."""
     complete = result.stop is Stop.ANSWERED
     lines = answer_lines(result.stdout, complete=complete)
-    surplus = len(lines) > count
-    compared = lines[: count - surplus]  # a surplus line may be the one before it as well
+    breakdown = _breakdown(result, lines, count)
+    told_apart = breakdown is None or breakdown.verdict is not Verdict.WA  # which line is which case's answer
     return Replies(
-        [Reply(Stop.ANSWERED, line) for line in compared],
+        [Reply(Stop.ANSWERED, line) for line in lines] if told_apart else [],
         result.usage,
         result.stop,
         result.stop not in _OWN_ENDS,
-        _breakdown(result, lines, count),
+        breakdown,
     )
 
 
@@ -157,10 +175,11 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
     if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
         return Breakdown(VERDICTS[result.stop], result.detail, 0)
     if len(lines) > count or (complete and len(lines) < count):
-        what = f"{_counted(len(lines), 'line')} printed, {count} wanted: one for each case"
-        if len(lines) < count:
-            return Breakdown(Verdict.WA, what, len(lines), "no line")
-        return Breakdown(Verdict.WA, what, count - 1, f"more lines: {lines[count][:SHOWN]!r}")
+        what = f"{_counted(len(lines), 'line')} printed, {count} expected: one for each case"
+        if not all(line.strip(" \t") for line in lines):
+            what += ", and no blank lines between"
+        got = f"more lines: {lines[count][:SHOWN]!r}" if len(lines) > count else "no line"
+        return Breakdown(Verdict.WA, what, 0, got)
     if complete:
         return None
     so_far = f", after {_counted(len(lines), 'line')} of {count}"

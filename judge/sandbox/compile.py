@@ -81,7 +81,6 @@ def place_of(recipe: Recipe, folder: Path) -> Workplace:
         runnable=tuple(map(os.path.realpath, recipe.compile_runs)),
         descriptors=DESCRIPTORS,
         random=False,  # an endless file
-        itself=recipe.itself,
     )
 
 

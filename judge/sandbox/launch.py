@@ -34,7 +34,12 @@ SCRATCH = "/scratch"
 RESULT = "out"  # the folder in it that a compiler's result goes to
 SCRATCH_BYTES = 256 << 20
 _RANDOM = "/dev/urandom"
-_ITSELF = "/proc/self/exe"
+_STREAMS = {  # as every Linux has them
+    "/dev/fd": "/proc/self/fd",
+    "/dev/stdin": "/proc/self/fd/0",
+    "/dev/stdout": "/proc/self/fd/1",
+    "/dev/stderr": "/proc/self/fd/2",
+}
 _UIDS = 0x7000_0000  # where no real user lives
 _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
 
@@ -53,7 +58,6 @@ class Workplace(NamedTuple):
     runnable: tuple[str, ...] = ()
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
-    itself: str = ""  # what /proc/self/exe leads to at `full`, where there is no /proc
     feedback: tuple[int, int] | None = None  # how many files and bytes a program may leave in `scratch`
 
     def where(self, name: str, level: str) -> str:
@@ -169,8 +173,9 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     arguments += _parents("/dev/null", made)
     for device in ("/dev/null", _RANDOM) if place is None or place.random else ("/dev/null",):
         arguments += ["--dev-bind", device, device]
-    if place and place.itself:
-        arguments += [*_parents(_ITSELF, made), "--symlink", place.itself, _ITSELF]
+    arguments += ["--proc", "/proc"]  # of the box's own processes; landlock lets nobody list or read it
+    for name, target in _STREAMS.items():
+        arguments += ["--symlink", target, name]
     for name, folder in place.shown if place else ():
         arguments += ["--ro-bind", folder, name]
     if place and place.scratch:

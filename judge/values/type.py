@@ -50,6 +50,7 @@ Check = Callable[[Raw, Target, ExactOf], Outcome]
 Quick = Callable[[Raw, Target], float | None]
 
 NOTHING_MEASURED = -1.0
+UNREADABLE = "text"  # the form of a line that holds no answer
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
 MANY_LENGTHS = 1000  # of a list without a bound, and of an array
 _ANSWERS = 3  # of several that are right, which are shown
@@ -362,7 +363,7 @@ class Type(ParameterValues):
     def line_outline(self, line: str) -> Outline:
         """The outline of one line of a program's output."""
         answer = self.read_line(line)
-        return ("text", ()) if isinstance(answer, str) else self.outline(answer[0])
+        return (UNREADABLE, ()) if isinstance(answer, str) else self.outline(answer[0])
 
     def right(self, target: Target) -> Outline:
         """The outline of the right answer; of several the first."""

@@ -58,7 +58,7 @@ def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp
 
 
 @pytest.mark.usefixtures("own_cache")
-def test_a_lasting_refusal_leads_to_the_next_level_where_nobody_asked_the_doctor(process, submit, tmp_path, bare):
+def test_a_lasting_refusal_leads_to_the_next_level(process, submit, tmp_path, bare):
     files = [str(tmp_path / submit(source, name)) for source, name in ((MEAN, "a.py"), (FLOOR, "b.py"))]
     ended = process("run", "middle", *files, "--json", "-j", "2", PATH=bare)
     assert [json.loads(row)["isolation"] for row in ended.lines] == ["strong"] * 2

@@ -17,10 +17,10 @@ from typing import Any
 from unittest.mock import patch
 
 import pytest
-import transcripts
 from cli_support import FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 from sampling import daily
+from transcripts import play as transcripts
 
 from judge.cli.app import app
 from judge.cli.table import COMMANDS

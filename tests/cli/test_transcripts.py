@@ -6,8 +6,8 @@ import re
 from typing import NamedTuple
 
 import pytest
-import transcripts
 from sampling import nightly
+from transcripts import play as transcripts
 
 from judge.cli.app import app
 from judge.cli.table import COMMANDS

@@ -94,7 +94,7 @@ EXISTENCE = {  # which landlock does not govern, and imports need: here nothing 
 OWN = {
     "read_own_environment": "if 'JUDGE_TEST_SECRET' not in os.environ: raise OSError('nothing is there')",
     "inherited_descriptors": """
-        for number in range(3, 1024):
+        for number in [3, *range(5, 1024)]:  # 4 is its own source
             try:
                 fcntl.fcntl(number, fcntl.F_GETFD)
                 return
@@ -102,6 +102,9 @@ OWN = {
                 continue
         raise OSError("none is open")
         """,
+    "change_own_source": "os.pwrite(4, b'#', 0)",
+    "grow_own_source": "os.ftruncate(4, 1 << 20)",
+    "change_own_source_by_name": "open(__file__, 'r+b', buffering=0).write(b'#')",
     "search_memory": """
         pattern = re.compile("EXPECTED" + "-[0-9a-f]{8}")
         seen, waiting, frame = set(), gc.get_objects(), sys._getframe()

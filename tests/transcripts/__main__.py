@@ -13,7 +13,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from transcripts import names, path_of, played
+from transcripts.play import names, path_of, played
 
 
 def main() -> int:

@@ -78,13 +78,15 @@ def test_what_nobody_has_handed_in_is_left_out(place):
 
 
 def test_what_is_not_judged_is_named_with_the_reason(place):
-    write(place, "middle.py", "ada/notes.txt", "README.md")
+    write(place, "middle.py", "ada\\middle.py", "ada/notes.txt", "README.md")
     write(place, "ada/nothing.py", text="x = 1\n")
     (place / "ada" / "pipe.py").mkdir()
     read = found(place)
     assert read.handins == ()
     assert {each.file: each.why for each in read.unplaced} == {
         "middle.py": "it lies in no student's folder",
+        "ada\\middle.py": "its name holds a backslash where folders should be: "
+        "unpack the archive again, with 'unzip'",
         "ada/nothing.py": "no problem is called so, and it defines no problem's function",
         "ada/pipe.py": "it is a folder",
     }
@@ -192,6 +194,8 @@ def students(tmp_path, content):
         "id,name,group\nada,Ada L,a\nbob,Bob,\n",
         "\ufeffid;name;group\r\nada;Ada L;a\r\n\r\nbob;Bob;\r\n",
         "Name\tID\tgroup\nAda L\tada\ta\nBob\tbob\n",
+        "sep=;\r\nid;name;group\r\nada;Ada L;a\r\nbob;Bob;\r\n",
+        '"sep=\t"\nid\tname\tgroup\nada\tAda L\ta\nbob\tBob\t\n',
         '\n"id","Name","Group"\n"ada","Ada L","a"\nbob,Bob\n,,\n',
     ],
 )

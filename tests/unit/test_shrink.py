@@ -177,7 +177,7 @@ def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
     """Its lines were once put together for a single case, and the program was said to answer at random."""
     source = "for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
     _, _, found = shrunk("middle", source)
-    assert found.message == "2 lines printed, 1 wanted: one for each case"
+    assert found.message == "2 lines printed, 1 expected: one for each case"
     assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
 
 

@@ -30,16 +30,17 @@ if TYPE_CHECKING:
 
 DETAIL_LENGTH = 500
 TALLY = 3  # the descriptor the baseline goes to
+OWN_FILE = "/dev/fd/4"  # on Linux: its source, which can be read at every level
 
 ANSWERED, RAISED = 0, 1  # first item of a reply
 
 
-def take_descriptors(stdio: list[int], tally: int) -> None:
-    """Take on stdin, stdout, stderr and the baseline's pipe, and close everything else."""
-    kept = [os.dup(number) if number < wire.CHILD_DESCRIPTORS else number for number in (*stdio, tally)]
+def take_descriptors(*kept: int) -> None:
+    """Take on stdin, stdout, stderr, the baseline's pipe and perhaps the source, and close all else."""
+    kept = tuple(os.dup(number) if number < len(kept) else number for number in kept)
     for place, number in enumerate(kept):
         os.dup2(number, place, inheritable=True)
-    os.closerange(wire.CHILD_DESCRIPTORS, wire.MOST_DESCRIPTORS)
+    os.closerange(len(kept), wire.MOST_DESCRIPTORS)
 
 
 def start_the_clock() -> None:

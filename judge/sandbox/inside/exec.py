@@ -70,7 +70,7 @@ class ExecServer(server.Server):
             for number in _DEFAULTS:
                 signal.signal(number, signal.SIG_DFL)
             command, environment, folder, limits = marshal.loads(self._region.payload(job.payload))
-            child.take_descriptors(job.descriptors[:3], self._tally_end)
+            child.take_descriptors(*job.descriptors[:3], self._tally_end)
             os.chdir(folder)
             self._confinement.confine_program(limits)
             child.start_the_clock()

@@ -60,6 +60,7 @@ def start(
     try:
         sys.path[:] = config["path"]
         _fill_finders()
+        config["source"] = _sealed(source)
         confinement = Confinement(config)
         _look_around(region, line, config)
         builtins.exit = _sitebuiltins.Quitter("exit", "Ctrl-D")  # -S leaves them out
@@ -94,6 +95,20 @@ def _fill_finders() -> None:
                 entries.discard("judge")  # where it lies among the modules that may be imported
 
 
+def _sealed(source: bytes) -> list[int]:
+    """The descriptor of a nameless file that holds the source and that nobody can change; none elsewhere."""
+    if sys.platform != "linux":
+        return []
+    import fcntl
+
+    number = os.memfd_create("source", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+    with open(number, "wb", closefd=False) as file:
+        file.write(source)
+    seals = fcntl.F_SEAL_SEAL | fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_WRITE
+    fcntl.fcntl(number, fcntl.F_ADD_SEALS, seals)
+    return [number]
+
+
 class Server:
     """The state of one fork server: the compiled source and what an idle child costs."""
 
@@ -109,7 +124,8 @@ class Server:
         self._region = region
         self._confinement = confinement
         self._source = source
-        self._name: str = config["name"]
+        self._own_source: list[int] = config["source"]
+        self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
         self._code: CodeType | None = None
         self._idle_ns: dict[bytes, int] = {}
@@ -206,7 +222,7 @@ class Server:
             signal.set_wakeup_fd(-1)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
             signal.signal(signal.SIGINT, signal.default_int_handler)
-            child.take_descriptors(job.descriptors[:3], self._tally_end)
+            child.take_descriptors(*job.descriptors[:3], self._tally_end, *self._own_source)
             self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
             if job.kind == wire.INSPECT:
                 child.look_at(self._source, name, region, job.stop)

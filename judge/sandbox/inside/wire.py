@@ -51,7 +51,6 @@ INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
 EXECUTE, COLLECT, EMPTY = b"X", b"C", b"E"  # of what is no Python: see exec.py
 
 MOST_DESCRIPTORS = 64
-CHILD_DESCRIPTORS = 4  # 0 to 2, and 3 until its clock starts
 
 NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
 FOR_WAITING = 3  # it waited too long in all its series together
