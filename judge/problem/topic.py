@@ -7,7 +7,7 @@ images of its cases.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec import Struct
@@ -16,7 +16,6 @@ from judge.problem.model import Case, Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem.border import Border
 
 Image = tuple[Case, Any]  # a case and its target
 
@@ -101,7 +100,6 @@ class Topic(Struct, frozen=True):
         decisions: what the answers of a problem turn on, for the audit of its data.
         explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
             arguments by parameter name, or a usual case. None where there is no such page for the problem.
-        borders: where answers turn, and a submission's own threshold can be measured; the most usual first.
         puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`, which knows the
             answer; None for a form that it has no figures for.
     """
@@ -112,5 +110,4 @@ class Topic(Struct, frozen=True):
     picture: Callable[[Shown], Picture | None] | None = None
     decisions: Callable[[Problem], Iterable[Decision]] | None = None
     explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
-    borders: Callable[[Problem], Sequence[Border]] | None = None
     puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None

@@ -81,7 +81,6 @@ class Stressed(Struct, frozen=True):
             "failure": result.failure.as_json() if result.failure else None,
             "counterexample": result.counterexample,
             "pitfall": result.pitfall.as_json() if result.pitfall else None,
-            "thresholds": [each.as_json() for each in result.thresholds],
             "memory_bytes": result.memory_bytes,
             "isolation": result.isolation or None,
         }

@@ -252,21 +252,6 @@ def test_the_cases_are_what_their_groups_say(kata, seed):
                 assert WORDS[word](groups[name], *rest), (name, word, *rest)
 
 
-@pytest.mark.parametrize("kata", KATAS)
-def test_an_answer_turns_at_every_border(kata):
-    """The figures in which a submission's own threshold is measured."""
-    problem = load_problem(PROBLEMS / kata)
-    module = load_module(problem)
-    for border in module.topic.borders(problem) if module.topic.borders else ():
-        assert len(border.probes) == 9
-        for probe in border.probes:
-            gaps = (0, border.within / 2, 2 * border.beyond or 1e-9, probe.widest)
-            edge, near, far, _ = (Case(problem, module, probe.at(gap * probe.size)[0]) for gap in gaps)
-            if not border.mistaken:
-                assert edge.answer == near.answer
-                assert probe.step or far.answer != edge.answer, border.about
-
-
 @pytest.mark.slow
 def test_a_seed_gives_the_same_data_and_another_seed_other_data():
     problem = load_problem(PROBLEMS / "on-circle")

@@ -21,7 +21,6 @@ recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
 decisions.py   how far a case is from where its answer turns
-borders.py     figures in which a submission's own threshold can be measured
 plane.py       first steps, each of a kind
 frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
@@ -44,14 +43,11 @@ from typing import TYPE_CHECKING, Any
 
 from judge.problem.topic import Chance, Puzzle, Shown, Topic
 from judge.topics.circles.bands import Bands
-from judge.topics.circles.borders import borders
 from judge.topics.circles.crowd import Crowd, Hit
-from judge.topics.circles.crowd_borders import crowd_borders
 from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.outline import OUTLINE, CircleOutline
 from judge.topics.circles.pair import CirclePair, Lie
-from judge.topics.circles.pair_borders import pair_borders
 from judge.topics.circles.part import Part
 from judge.topics.circles.plane import Kind, plane
 from judge.topics.circles.signature import (
@@ -127,7 +123,6 @@ def topic_of(part: Part) -> Topic:
         picture=partial(_picture, part),
         decisions=partial(_decisions, part),
         explore=partial(_explored, part),
-        borders=partial(borders, part),
         puzzle=partial(_puzzle, part) if part in (Part.LINE, Part.RAY) else None,
     )
 
@@ -191,7 +186,6 @@ PAIR, COMMON = (
         special=special_pair,
         picture=partial(_picture, part),
         decisions=_pair_decisions,
-        borders=pair_borders,
     )
     for part in (Part.PAIR, Part.COMMON)
 )
@@ -202,7 +196,6 @@ HITS, SPANS, SHADOW = (
         special=special_crowd,
         picture=partial(_picture, part),
         decisions=None if part is Part.SHADOW else _crowd_decisions,
-        borders=None if part is Part.SHADOW else partial(crowd_borders, part),
         puzzle=_hits_puzzle if part is Part.HITS else None,
     )
     for part in (Part.HITS, Part.SPANS, Part.SHADOW)

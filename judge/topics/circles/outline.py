@@ -22,7 +22,6 @@ from judge.topics.circles.line import CircleLine, Number, Pair
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem.border import Border
 
 Spot = tuple[int, int, int | None]  # an edge, which common point of its line, the end that it is at
 
@@ -186,17 +185,10 @@ def _picture(shown: Shown) -> Picture | None:
     return draw_outline(shown)
 
 
-def _borders(problem: Problem) -> tuple[Border, ...]:
-    from judge.topics.circles.outline_borders import outline_borders  # late: only naming asks
-
-    return outline_borders(problem)
-
-
 OUTLINE = Topic(
     images=mirror_images,
     simpler=simpler_outlines,
     special=special_outline,
     picture=_picture,
     decisions=outline_decisions,
-    borders=_borders,
 )

@@ -19,9 +19,7 @@ from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.images import mirror_images
-from judge.topics.circles.motion.ball_borders import ball_borders
 from judge.topics.circles.motion.ball_simpler import simpler_balls, special_balls
-from judge.topics.circles.motion.wall_borders import wall_borders
 from judge.topics.circles.motion.wall_simpler import simpler_walls, special_walls
 
 if TYPE_CHECKING:
@@ -50,7 +48,6 @@ BALLS = Topic(
     special=special_balls,
     picture=_ball_picture,
     decisions=_ball_decisions,
-    borders=ball_borders,
 )
 
 
@@ -72,5 +69,4 @@ WALL = Topic(
     special=special_walls,
     picture=_wall_picture,
     decisions=_wall_decisions,
-    borders=wall_borders,
 )
