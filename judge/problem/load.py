@@ -101,7 +101,6 @@ class _Reader:
             place=table.place,
             skills=self._skills(table),
             growth=growing.growth(groups),
-            audit=self._audit(table),
             source=source_of(table.source, self.fault),
         )
         text, examples = read_statement(problem, _words(table))
@@ -301,12 +300,6 @@ class _Reader:
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
-
-    def _audit(self, table: schema.ProblemTable) -> MappingProxyType[str, str]:
-        for kind, reason in table.audit.items():
-            if not reason.strip():
-                self.fault(("audit", kind), f"it is not said why there is no case of {kind!r}", "say why")
-        return MappingProxyType(dict(table.audit))
 
     def _sets(self, names: list[str]) -> tuple[str, ...]:
         for at, name in enumerate(names):

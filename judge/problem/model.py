@@ -160,7 +160,6 @@ class Problem(Struct, frozen=True):
     place: int | None = None  # in its tier's order; without one it comes last
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
-    audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
     source: Source = Source()
 
     @property

@@ -137,7 +137,6 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     place: int | None = None
     skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
     growth: GrowthTable | None = None
-    audit: dict[str, str] = {}  # kinds of cases that there need not be, each with the reason
     source: SourceTable | None = None
 
 

@@ -45,28 +45,6 @@ class Shown(Struct, frozen=True):
     heading: str = ""
 
 
-class Decision(Struct, frozen=True):
-    """Something that answers turn on, and how far a case is from where they turn.
-
-    Attributes:
-        name: what it is called.
-        sides: where a case may be, such as inside and outside.
-        measure: on which side a case is and how far away, as a part of the case's own size, as often as it
-            comes to that decision; 0 is exactly there, on any side.
-        least, most: cases should be in every decade from `least` to `most`; without `least`, in none.
-        within, beyond: the problem's bands, where it has them: up to `within` a case counts as there, and
-            none lies between the two. There should be cases close to both, on every side.
-    """
-
-    name: str
-    sides: tuple[str, ...]
-    measure: Callable[[Case], Iterable[tuple[str, float]]]
-    least: float | None = None
-    most: float = 1.0
-    within: float | None = None
-    beyond: float | None = None
-
-
 class Puzzle(Struct, frozen=True):
     """A small figure, and the answer to a question about it.
 
@@ -97,7 +75,6 @@ class Topic(Struct, frozen=True):
         special: how many things in a case are special in themselves, such as a length of 0: of two failing
             cases the one without them is the simpler.
         picture: a case drawn, or None where it cannot be.
-        decisions: what the answers of a problem turn on, for the audit of its data.
         explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
             arguments by parameter name, or a usual case. None where there is no such page for the problem.
         puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`, which knows the
@@ -108,6 +85,5 @@ class Topic(Struct, frozen=True):
     simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
     special: Callable[[Case], int] | None = None
     picture: Callable[[Shown], Picture | None] | None = None
-    decisions: Callable[[Problem], Iterable[Decision]] | None = None
     explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
     puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None

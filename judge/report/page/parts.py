@@ -223,7 +223,6 @@ class KillTable(Struct, frozen=True):
 
     groups: tuple[str, ...]
     lines: tuple[KillLine, ...]
-    least: str
 
 
 class ProblemPart(Struct, frozen=True):

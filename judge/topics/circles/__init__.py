@@ -20,7 +20,6 @@ signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
 images.py      mirror images of a case
-decisions.py   how far a case is from where its answer turns
 plane.py       first steps, each of a kind
 frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
@@ -68,7 +67,6 @@ from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
 if TYPE_CHECKING:
     from judge.drawing import Picture
     from judge.problem import Problem
-    from judge.problem.topic import Decision
 
 __all__ = [
     "BOUNCE",
@@ -121,7 +119,6 @@ def topic_of(part: Part) -> Topic:
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
-        decisions=partial(_decisions, part),
         explore=partial(_explored, part),
         puzzle=partial(_puzzle, part) if part in (Part.LINE, Part.RAY) else None,
     )
@@ -151,24 +148,6 @@ def _explored(part: Part, problem: Problem, values: Mapping[str, Any] | None) ->
     return explored(part, problem, values)
 
 
-def _pair_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.pair_decisions import pair_decisions  # late as well
-
-    return pair_decisions(problem)
-
-
-def _crowd_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.crowd_decisions import crowd_decisions  # and so
-
-    return crowd_decisions(problem)
-
-
-def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.decisions import decisions  # late: only a setter asks
-
-    return decisions(part, problem)
-
-
 LINE = topic_of(Part.LINE)
 SEGMENT = topic_of(Part.SEGMENT)
 RAY = topic_of(Part.RAY)
@@ -185,7 +164,6 @@ PAIR, COMMON = (
         simpler=simpler_pairs,
         special=special_pair,
         picture=partial(_picture, part),
-        decisions=_pair_decisions,
     )
     for part in (Part.PAIR, Part.COMMON)
 )
@@ -195,7 +173,6 @@ HITS, SPANS, SHADOW = (
         simpler=simpler_crowds,
         special=special_crowd,
         picture=partial(_picture, part),
-        decisions=None if part is Part.SHADOW else _crowd_decisions,
         puzzle=_hits_puzzle if part is Part.HITS else None,
     )
     for part in (Part.HITS, Part.SPANS, Part.SHADOW)
