@@ -232,10 +232,6 @@ class _Reader:
             self.fault((*path, "points"), f"group {group.name!r} has negative points", "give 0 to 100")
         if len(set(group.kills)) < len(group.kills):
             self.fault((*path, "kills"), f"group {group.name!r} names a mistake twice", "remove one")
-        if group.bits is not None and group.bits <= 64:
-            self.fault(
-                (*path, "bits"), f"{group.bits} bits are no more than any language has", "leave it out"
-            )
         seed, count = self._seed_and_count(group, path)
         return Group(
             name=group.name,
@@ -254,7 +250,6 @@ class _Reader:
             kills=tuple(group.kills),
             neighbours=self._neighbours(group, path),
             level=group.level,
-            bits=group.bits,
         )
 
     def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:

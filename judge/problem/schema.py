@@ -108,7 +108,6 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     limits: GroupLimitsTable | None = None
     neighbours: bool = False
     level: KataLevel | None = None
-    bits: int | None = None
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
