@@ -1,8 +1,7 @@
 """What a topic adds to the engine: hooks, every one optional, which a problem.py hands over as TOPIC.
 
-The engine knows no topic: what it draws, mirrors or makes simpler as a whole, these functions draw, mirror or
-make simpler. A problem without a topic works in every command. It has no picture, and `judge stress` has no
-images of its cases.
+The engine knows no topic: what it draws or makes simpler as a whole, these functions draw or make simpler. A
+problem without a topic works in every command. It has no picture.
 """
 
 from __future__ import annotations
@@ -16,8 +15,6 @@ from judge.problem.model import Case, Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-
-Image = tuple[Case, Any]  # a case and its target
 
 
 class Chance(Protocol):
@@ -69,8 +66,6 @@ class Topic(Struct, frozen=True):
     """The hooks of a topic.
 
     Attributes:
-        images: at most so many cases that follow from a case, with their targets, as `chance` has it. They
-            keep the promise because the case does; the engine holds them against the bounds only.
         simpler: cases that may fail as a case does and are simpler; each is proved before it is tried.
         special: how many things in a case are special in themselves, such as a length of 0: of two failing
             cases the one without them is the simpler.
@@ -81,7 +76,6 @@ class Topic(Struct, frozen=True):
             answer; None for a form that it has no figures for.
     """
 
-    images: Callable[[Problem, Case, Any, Chance, int], list[Image]] | None = None
     simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
     special: Callable[[Case], int] | None = None
     picture: Callable[[Shown], Picture | None] | None = None

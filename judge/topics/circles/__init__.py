@@ -19,7 +19,6 @@ part.py        what a problem is about
 signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
-images.py      mirror images of a case
 plane.py       first steps, each of a kind
 frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
@@ -43,7 +42,6 @@ from typing import TYPE_CHECKING, Any
 from judge.problem.topic import Chance, Puzzle, Shown, Topic
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.crowd import Crowd, Hit
-from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.outline import OUTLINE, CircleOutline
 from judge.topics.circles.pair import CirclePair, Lie
@@ -101,7 +99,6 @@ __all__ = [
     "circles_ray_and_light",
     "line_alone",
     "line_and_point",
-    "mirror_images",
     "plane",
     "points_only",
     "topic_of",
@@ -109,13 +106,9 @@ __all__ = [
 ]
 
 
-_IMAGES = {Part.NORMAL: None, Part.TANGENTS: turned_images}  # a mirror turns left into right
-
-
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
     return Topic(
-        images=_IMAGES.get(part, mirror_images),
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
@@ -160,7 +153,6 @@ NORMAL = topic_of(Part.NORMAL)
 TANGENTS = topic_of(Part.TANGENTS)
 PAIR, COMMON = (
     Topic(
-        images=turned_images,
         simpler=simpler_pairs,
         special=special_pair,
         picture=partial(_picture, part),
@@ -169,7 +161,6 @@ PAIR, COMMON = (
 )
 HITS, SPANS, SHADOW = (
     Topic(
-        images=mirror_images,
         simpler=simpler_crowds,
         special=special_crowd,
         picture=partial(_picture, part),

@@ -19,7 +19,6 @@ from judge.problem import Case, Problem
 from judge.problem.model import Number, Point
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
-from judge.topics.circles.images import mirror_images
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
@@ -169,4 +168,4 @@ def _picture(shown: Shown) -> Picture | None:
     return strip(shown)
 
 
-FRAMES = Topic(images=mirror_images, simpler=_simpler, special=_special, picture=_picture)
+FRAMES = Topic(simpler=_simpler, special=_special, picture=_picture)

@@ -16,7 +16,6 @@ from judge.exact.surd import Surd
 from judge.problem import Case, Problem
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands, beyond
-from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine, Number, Pair
 
 if TYPE_CHECKING:
@@ -141,7 +140,6 @@ def _picture(shown: Shown) -> Picture | None:
 
 
 OUTLINE = Topic(
-    images=mirror_images,
     simpler=simpler_outlines,
     special=special_outline,
     picture=_picture,

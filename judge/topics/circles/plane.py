@@ -13,7 +13,6 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
-from judge.topics.circles.images import mirror_images
 from judge.topics.circles.simpler import simpler, special
 
 if TYPE_CHECKING:
@@ -36,9 +35,7 @@ class Kind(Enum):
 
 def plane(kind: Kind) -> Topic:
     """What is known of first steps of a kind."""
-    turns = kind in (Kind.SIDE, Kind.FOOT)  # their answers turn with the figure
     return Topic(
-        images=None if turns else mirror_images,
         simpler=simpler,
         special=special,
         picture=partial(_picture, kind),

@@ -85,4 +85,4 @@ def _picture(shown: Shown) -> Picture | None:
     return LINE.picture(replace(shown, values=values, exact=None if a == b else 1 + sign, given=None))
 
 
-SEVEN = Topic(images=LINE.images, simpler=_simpler, special=_special, picture=_picture)
+SEVEN = Topic(simpler=_simpler, special=_special, picture=_picture)

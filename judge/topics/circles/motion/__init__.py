@@ -16,7 +16,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
-from judge.topics.circles.images import mirror_images
 from judge.topics.circles.motion.ball_simpler import simpler_balls, special_balls
 from judge.topics.circles.motion.wall_simpler import simpler_walls, special_walls
 
@@ -33,7 +32,6 @@ def _ball_picture(shown: Shown) -> Picture | None:
 
 
 BALLS = Topic(
-    images=mirror_images,
     simpler=simpler_balls,
     special=special_balls,
     picture=_ball_picture,
@@ -47,7 +45,6 @@ def _wall_picture(shown: Shown) -> Picture | None:
 
 
 WALL = Topic(
-    images=mirror_images,
     simpler=simpler_walls,
     special=special_walls,
     picture=_wall_picture,
