@@ -1,8 +1,7 @@
 """From the first failing case to the simplest one that fails: what a person can work out on paper.
 
     1. The failing case is called alone. If it is right then, its message says so, and that is all.
-    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches; among them
-       figures with a single number that is far larger (far.py).
+    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is polished, value by value (polish.py).
 
@@ -14,7 +13,7 @@ calls: what is found depends neither on how fast the machine is nor on what else
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
@@ -22,7 +21,6 @@ from judge.data.build import bound_builder, choices_of
 from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.diagnose.counterexample import Counterexample
-from judge.diagnose.far import layouts, powers, sizes, windows
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import encode
 from judge.diagnose.simple import ladder
@@ -37,7 +35,6 @@ from judge.sandbox.boundary import Box
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
-_SMALLEST_STEPS = 2  # of the ladder: numbers of one digit
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -147,35 +144,19 @@ class _Search:
 
     def _climbed(self, group: Group) -> Finding | None:
         """The simplest failing case of the first step that has one."""
-        for cases in self._steps(group):
+        for step in ladder(self._problem):
             if self._trial.budget.spent:
                 break
+            cases = [
+                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                for rung, count in step
+                for number in range(count)
+            ]
             simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
             found = self._trial.simplest(simple, group)
             if found is not None:
                 return found
         return None
-
-    def _steps(self, group: Group) -> Iterator[list[Case]]:
-        """The cases of the ladder's steps; those with one large number come after the smallest."""
-        for number, step in enumerate(ladder(self._problem)):
-            if number == _SMALLEST_STEPS:
-                yield from self._far(group)
-            yield [
-                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
-                for rung, count in step
-                for number in range(count)
-            ]
-
-    def _far(self, group: Group) -> Iterator[list[Case]]:
-        known, tens = layouts(self._problem), powers(self._problem)
-        yield [layout.case(far) for layout in known for far in tens[1:]]
-        yield [layout.case(far) for layout in known if layout.plain for far in sizes(self._problem)]
-
-        def state(case: Case) -> str:
-            return self._trial.state(case, group)
-
-        yield [case for layout in known for case in windows(layout, tens, state)]
 
     def _by_parameters(self) -> Finding:
         if self._group.builder == EXAMPLES or self._trial.budget.spent:
