@@ -14,15 +14,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 from judge.data.build import bound_builder, choices_of
-from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
+from judge.data.draw import Draw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished, rounded
-from judge.diagnose.replay import encode
+from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
 from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
@@ -53,9 +52,9 @@ def shrink(
 ) -> Counterexample | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed.
 
-    None where the failure has no case of its own, or is the sum of many calls. `reference` opens the box of
-    the problem's reference solution. `choices` tells what case `number` (from 0) of a group, or one much like
-    it, was built from; without it they are sought as those of pinned data. The result depends on the
+    None where the failure has no case of its own, is the sum of many calls, or is too long for a replay id.
+    `reference` opens the box of the problem's reference solution. `choices` tells what case `number` (from 0)
+    of a group was built from; without it they are sought as those of pinned data. The result depends on the
     submission alone, unless the budget's guard ends the search.
 
     Raises:
@@ -123,10 +122,9 @@ class _Search:
         self._first = first
         self._number = number
         self._choices_of = choices_of
-        self._choices: dict[str, tuple[int, ...]] = {}
 
-    def run(self) -> Counterexample:
-        """The best of what the stages find."""
+    def run(self) -> Counterexample | None:
+        """The best of what the stages find; None where it is too long for an id."""
         best = self._first
         if not self._problem.parameters:  # there is one case
             return self._told(self._confirmed(best))
@@ -165,23 +163,21 @@ class _Search:
         choices = self._choices_of(self._group, builder, self._number, self._first.case)
         if choices is None:
             return self._first
-        with suppress(Rejected):
-            # Of what the choices make, which for an image is another case than the first.
-            self._choices[repr(builder(ReplayedDraw(choices)))] = choices
         from judge.diagnose.search import shrunk  # Hypothesis: only now
 
         found = shrunk(self._trial, builder, self._group, choices)
-        if found is None or self._first.measure <= found.finding.measure:
+        if found is None or self._first.measure <= found.measure:
             return self._first
-        self._choices[repr(found.finding.case)] = found.choices
-        return found.finding
+        return found
 
     def _confirmed(self, best: Finding) -> Finding:
         """What is shown fails under the problem's own limits too; the search was less patient."""
         return self._trial.again(best.case, best.group) or self._first
 
-    def _told(self, best: Finding) -> Counterexample:
-        choices = self._choices.get(repr(best.case)) if best.group is self._group else None
+    def _told(self, best: Finding) -> Counterexample | None:
+        replay = encode(self._problem, best.group, best.case)
+        if len(replay) > LONGEST:  # nobody would look at it, nor type it
+            return None
         return Counterexample(
             best.case,
             best.group.name,
@@ -189,7 +185,7 @@ class _Search:
             best.expected,
             best.got,
             best.message,
-            encode(self._problem, best.group, best.case, choices),
+            replay,
             self._trial.budget.calls,
             best.given,
             cut_short=self._trial.budget.cut_short,

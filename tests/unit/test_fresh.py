@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from judge.data.draw import ReplayedDraw
 from judge.data.fresh import BUILT, Fresh
 from judge.data.module import load_module
+from judge.data.strategy import HypothesisDraw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
@@ -61,7 +61,9 @@ def test_the_choices_of_a_case_make_it_again_also_where_attempts_were_rejected(n
     builder = module.builders[problem.group(group).builder]
     for start in (0, 1, 2, BUILT - 1):
         choices = source.choices_of(series, start)
-        assert repr(builder(ReplayedDraw(choices), **parameters)) == repr(series.data.cases[start])
+        assert repr(
+            builder(HypothesisDraw(lambda _, given=iter(choices): next(given)), **parameters)
+        ) == repr(series.data.cases[start])
 
 
 def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
