@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import islice
 from pathlib import Path
 
@@ -61,9 +62,8 @@ def test_the_choices_of_a_case_make_it_again_also_where_attempts_were_rejected(n
     builder = module.builders[problem.group(group).builder]
     for start in (0, 1, 2, BUILT - 1):
         choices = source.choices_of(series, start)
-        assert repr(
-            builder(HypothesisDraw(lambda _, given=iter(choices): next(given)), **parameters)
-        ) == repr(series.data.cases[start])
+        draw = HypothesisDraw(partial(next, iter(choices)))
+        assert repr(builder(draw, **parameters)) == repr(series.data.cases[start])
 
 
 def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
