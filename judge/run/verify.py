@@ -238,7 +238,7 @@ def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
     for row in matrix.rows:
         rejecting = sum(len(kill.rejected) for kill in row.kills)
         if 0 < rejecting < _ENOUGH:
-            what = f"only {rejecting} of all cases reject it"
+            what = f"few cases reject it: {rejecting}"
             yield Fault(what, f"{problem.solutions.name}/{row.file}")
 
 
