@@ -1,7 +1,7 @@
 """The cache of built data: one file a problem, read whole on a warm start.
 
     <cache folder>/data/<id>-<place>-<seed>-<key>.json
-        {"<group>": [[case, …], [target, …]], …, "#borders": [border, …]}
+        {"<group>": [[case, …], [target, …]], …}
 
 `place` stands for the problem's folder, `key` for the content of everything the data are made from. The cache
 folder is the user's, or $JUDGE_CACHE.

@@ -1,7 +1,7 @@
 """Where a builder gets its choices from.
 
-A builder draws small numbers and never sees where they come from, so one description serves the seeded data,
-the search for a failing case (strategy.py) and the replay of one. Draw the parameters of a construction, not
+A builder draws small numbers and never sees where they come from, so one description serves the seeded data
+and the search for a failing case (strategy.py). Draw the parameters of a construction, not
 raw coordinates.
 
 Every choice comes down to an integer, whatever the source: the number itself, an option's place, 0 or 1 for a
@@ -11,10 +11,9 @@ sign (plus, minus) and for False or True. Those integers, in order, are a case's
 from __future__ import annotations
 
 import hashlib
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from random import Random
-from typing import Never, Protocol, TypeVar, final
+from typing import Never, Protocol, TypeVar
 
 from judge.errors import ProblemError
 
@@ -157,49 +156,6 @@ class QuickDraw:
         raise Rejected
 
 
-class ChosenDraw(ABC):
-    """Choices that all go through `pick`; what was chosen is remembered in `choices`."""
-
-    __slots__ = ("choices",)
-
-    def __init__(self) -> None:
-        self.choices: list[int] = []
-
-    @abstractmethod
-    def pick(self, low: int, high: int) -> int:
-        """An int from low to high, both included; there is one."""
-
-    @final
-    def integer(self, low: int, high: int) -> int:
-        """An int from low to high, both included; ValueError if there is none."""
-        if low > high:
-            raise ValueError(f"no integer from {low} to {high}")
-        self.choices.append(self.pick(low, high))
-        return self.choices[-1]
-
-    @final
-    def choice(self, options: Sequence[T]) -> T:
-        """One of `options`; ValueError if there is none."""
-        if not options:
-            raise ValueError("nothing to choose from")
-        return options[self.integer(0, len(options) - 1)]
-
-    @final
-    def sign(self) -> int:
-        """One, the simpler, or minus one."""
-        return -1 if self.integer(0, 1) else 1
-
-    @final
-    def boolean(self) -> bool:
-        """False, the simpler, or True."""
-        return bool(self.integer(0, 1))
-
-    @final
-    def reject(self) -> Never:
-        """Give these choices up."""
-        raise Rejected
-
-
 class RecordedDraw:
     """Another draw's choices, remembered."""
 
@@ -234,20 +190,3 @@ class RecordedDraw:
     def _noted(self, choice: int) -> int:
         self.choices.append(choice)
         return choice
-
-
-class ReplayedDraw(ChosenDraw):
-    """Choices that were made before; where they do not fit the builder it gives up, with `Rejected`."""
-
-    __slots__ = ("_given",)
-
-    def __init__(self, choices: Sequence[int]) -> None:
-        super().__init__()
-        self._given = choices
-
-    def pick(self, low: int, high: int) -> int:
-        """The next one."""
-        place = len(self.choices)
-        if place >= len(self._given) or not low <= self._given[place] <= high:
-            raise Rejected
-        return self._given[place]

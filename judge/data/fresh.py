@@ -1,15 +1,13 @@
 """Fresh cases without end: every group's builder with new parameters, round after round.
 
     series r.g    group g in round r: BUILT cases drawn from the seed text `seed/r/g`, each of them proved as
-                  pinned data, and after each up to IMAGES_EACH cases that follow from it (where the problem's
-                  topic knows any)
+                  pinned data
 
 So a series depends on the seed, the round and the group alone, and can be built again.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 from typing import Any
@@ -25,11 +23,9 @@ from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.model import EXAMPLES
 from judge.problem.tomlfile import group_place
-from judge.problem.topic import Image
 from judge.values import Target
 
-BUILT = 32  # cases of a series that its builder makes; with their images no more than a pinned group has
-IMAGES_EACH = 3
+BUILT = 32  # cases of a series: no more than a pinned group has
 
 
 def _is_fresh(group: Group) -> bool:
@@ -38,11 +34,10 @@ def _is_fresh(group: Group) -> bool:
 
 
 class Series(Struct, frozen=True):
-    """One group's cases of one round; those at `starts` are its builder's, each before its images."""
+    """One group's cases of one round."""
 
     round: int
     data: GroupData
-    starts: list[int]
 
 
 class Fresh:
@@ -71,7 +66,7 @@ class Fresh:
                 yield self._series(number, group, builder)
 
     def choices_of(self, series: Series, place: int) -> tuple[int, ...] | None:
-        """The choices that case `place` (from 0) of a series, or that which it mirrors, was built from.
+        """The choices that case `place` (from 0) of a series was built from.
 
         None for a case that its builder did not make alone.
         """
@@ -85,7 +80,7 @@ class Fresh:
             draw.choices.clear()
             return draw
 
-        for _ in range(bisect_right(series.starts, place)):
+        for _ in range(place + 1):
             new_case(self._problem, group, builder, self._validator, again, 1)
         return tuple(draw.choices)
 
@@ -94,10 +89,9 @@ class Fresh:
 
     def _series(self, number: int, group: Group, builder: Callable[[Draw], Any]) -> Series:
         seed = self._text(number, group)
-        draw, chance = QuickDraw(seed), QuickDraw(f"images/{seed}")
+        draw = QuickDraw(seed)
         cases: list[Case] = []
         targets: list[Target] = []
-        starts = []
         last = None
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
@@ -106,22 +100,6 @@ class Fresh:
                     self._problem, group, builder, self._validator, lambda _: draw, place + 1, (), last
                 )
                 last = case, answer
-                target = target_of(self._problem, answer, group.tolerance)
-                starts.append(len(cases))
                 cases.append(case)
-                targets.append(target)
-                if group.neighbours:  # nothing may come between them
-                    continue
-                for image, image_target in self._images(case, target, chance):
-                    cases.append(image)
-                    targets.append(image_target)
-        return Series(number, GroupData(group, cases, targets), starts)
-
-    def _images(self, case: Case, target: Target, chance: Draw) -> Iterator[Image]:
-        """Some cases that follow from this one, those that are within the bounds."""
-        images = self.module.topic.images
-        if images is None:
-            return
-        for image in images(self._problem, case, target, chance, IMAGES_EACH):
-            if self._validator.bounds(image[0]) is None:
-                yield image
+                targets.append(target_of(self._problem, answer, group.tolerance))
+        return Series(number, GroupData(group, cases, targets))

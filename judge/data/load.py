@@ -6,12 +6,10 @@ from typing import TYPE_CHECKING, Any, Union
 
 import msgspec
 
-from judge.data.borders import KEY, as_plain, borders_of, from_plain
 from judge.data.cache import DataCache
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
 from judge.errors import ProblemError
 from judge.problem import Group, Problem
-from judge.problem.border import Border
 from judge.problem.model import tupled
 
 if TYPE_CHECKING:
@@ -51,19 +49,17 @@ def load_data(
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
-    borders = borders_of(problem, module)
-    note = store.write(_as_plain(groups, borders)) if store is not None else None
-    return ProblemData(problem, groups, (note,) if note else (), module, borders)
+    note = store.write(_as_plain(groups)) if store is not None else None
+    return ProblemData(problem, groups, (note,) if note else (), module)
 
 
-def _as_plain(groups: tuple[GroupData, ...], borders: tuple[Border, ...]) -> dict[str, Any]:
+def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
     from judge.data.rebuilt import as_seeds
 
-    plain: dict[str, Any] = {
+    return {
         data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
         for data in groups
     }
-    return plain | ({KEY: as_plain(borders)} if borders else {})
 
 
 def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
@@ -77,7 +73,6 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
 
                 module = load_module(problem)
             groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
-        borders = from_plain(_plain(plain.get(KEY, [])))
     except (
         KeyError,
         TypeError,
@@ -87,7 +82,7 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
         ProblemError,
     ):  # whatever a foreign file can hold
         return None
-    return ProblemData(problem, tuple(groups), module=module, borders=borders)
+    return ProblemData(problem, tuple(groups), module=module)
 
 
 def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | None) -> GroupData:

@@ -14,7 +14,6 @@ from judge.values.tree import within
 
 if TYPE_CHECKING:
     from judge.data.module import ProblemModule
-    from judge.problem.border import Border
     from judge.values import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
@@ -33,12 +32,9 @@ class GroupData(Struct, frozen=True):
 
 
 class ProblemData:
-    """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
 
-    `borders` are those whose thresholds can be measured.
-    """
-
-    __slots__ = ("_module", "borders", "groups", "notes", "problem")
+    __slots__ = ("_module", "groups", "notes", "problem")
 
     def __init__(
         self,
@@ -46,10 +42,8 @@ class ProblemData:
         groups: tuple[GroupData, ...],
         notes: tuple[str, ...] = (),
         module: ProblemModule | None = None,
-        borders: tuple[Border, ...] = (),
     ) -> None:
         self.problem = problem
-        self.borders = borders
         self.groups = groups
         self.notes = notes
         self._module = module

@@ -1,37 +1,29 @@
 """Replay ids: a case in a word that survives a shell, a chat and another machine.
 
-    <problem>:<group>:<form><payload>:<check>
+    <problem>:<group>:v<values>:<check>
 
-    form v    the values themselves, `v0,0,1,-1,0,0,22361`: as a program reads them, in order
-    form c    the choices that the group's builder makes it from, in base 36, `c3.0.1k.-7`
-    check     six hex digits of the case's sha256, so that a slip of the pen, or a version whose builders
-              have changed, is noticed
+    values    `v0,0,1,-1,0,0,22361`: as a program reads them, in order
+    check     six hex digits of the case's sha256, so that a slip of the pen is noticed
 
-The shorter of the two forms is taken. A decoded case is proved like any other before it is judged.
+A decoded case is proved like any other before it is judged.
 """
 
 from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from judge.data.build import bound_builder
-from judge.data.draw import ReplayedDraw
 from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
-from judge.problem.model import EXAMPLES
 
 if TYPE_CHECKING:
     from judge.values import Exact
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
-_CHOICE = re.compile(r"-?[0-9a-z]{1,400}", re.ASCII)
-_DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
-_LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
+LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
 
 
 class Decoded(NamedTuple):
@@ -42,13 +34,11 @@ class Decoded(NamedTuple):
     answer: Exact
 
 
-def encode(problem: Problem, group: Group, case: Case, choices: Sequence[int] | None = None) -> str:
-    """The id of a case under that group's tolerance; `choices` are those of the group's own builder."""
+def encode(problem: Problem, group: Group, case: Case) -> str:
+    """The id of a case under that group's tolerance."""
     values = zip(problem.parameters, case, strict=True)
-    forms = ["v" + ",".join(word for parameter, value in values for word in parameter.type.tokens(value))]
-    if choices is not None:
-        forms.append("c" + ".".join(_base36(choice) for choice in choices))
-    return f"{problem.id}:{group.name}:{min(forms, key=len)}:{_check(case)}"
+    words = ",".join(word for parameter, value in values for word in parameter.type.tokens(value))
+    return f"{problem.id}:{group.name}:v{words}:{_check(case)}"
 
 
 def problem_name(replay: str) -> str:
@@ -64,10 +54,12 @@ def decode(replay: str, problem: Problem, module: ProblemModule) -> Decoded:
         ProblemError: the problem's own code fails on the case.
     """
     _, name, form, payload, check = _parts(replay)
+    if form != "v":
+        raise _fault("it is of an older judge", "run the file again, which shows an id of today")
     group = problem.group(name)
     if group is None:
         raise _fault(f"{problem.id} has no group {name!r}", "it may be of another version")
-    case = _from_values(payload, problem) if form == "v" else _from_choices(payload, problem, module, group)
+    case = _from_values(payload, problem)
     if case is None or _check(case) != check:
         raise _fault("it does not fit its own check digits", "copy it whole; other versions have other ids")
     proof = Validator(problem, module.solve).proof(case)
@@ -77,7 +69,7 @@ def decode(replay: str, problem: Problem, module: ProblemModule) -> Decoded:
 
 
 def _parts(replay: str) -> tuple[str, str, str, str, str]:
-    found = _ID.fullmatch(replay) if len(replay) <= _LONGEST else None
+    found = _ID.fullmatch(replay) if len(replay) <= LONGEST else None
     if found is None:
         shown = replay if len(replay) <= 60 else f"{replay[:60]}…"
         raise UsageError(f"{shown!r} is no replay id", remedy="copy the one that `judge run` shows")
@@ -92,26 +84,6 @@ def _from_values(payload: str, problem: Problem) -> Case | None:
     except (ValueError, StopIteration):
         return None
     return case if next(words, None) is None else None
-
-
-def _from_choices(payload: str, problem: Problem, module: ProblemModule, group: Group) -> Case | None:
-    words = payload.split(".")
-    if group.builder == EXAMPLES or not all(_CHOICE.fullmatch(word) for word in words):
-        return None
-    try:
-        case: Case = bound_builder(problem, module, group)(ReplayedDraw([int(word, 36) for word in words]))
-    except Exception:  # choices of another builder, or invented: a builder counts on its own
-        return None
-    return case
-
-
-def _base36(number: int) -> str:
-    sign, number = ("-" if number < 0 else ""), abs(number)
-    digits = ""
-    while number or not digits:
-        number, digit = divmod(number, 36)
-        digits = _DIGITS[digit] + digits
-    return sign + digits
 
 
 def _check(case: Case) -> str:

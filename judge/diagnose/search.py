@@ -15,12 +15,11 @@ from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
 from hypothesis.database import InMemoryExampleDatabase
 from hypothesis.errors import HypothesisException
 from hypothesis.internal.conjecture import providers
-from msgspec import Struct
 
 from judge.data.draw import Draw
-from judge.data.strategy import Built, strategy
+from judge.data.strategy import strategy
 from judge.diagnose.trial import Finding, Trial
-from judge.problem import Group
+from judge.problem import Case, Group
 
 _KEY = b"the failing case"
 
@@ -29,33 +28,26 @@ class _Spent(BaseException):
     """The budget is spent; no Exception, for Hypothesis would take that for a failure and shrink it."""
 
 
-class Shrunk(Struct, frozen=True):
-    """A failing case with the choices that its builder makes it from."""
-
-    finding: Finding
-    choices: tuple[int, ...]
-
-
 def shrunk(
     trial: Trial, builder: Callable[[Draw], Any], group: Group, choices: Sequence[int]
-) -> Shrunk | None:
+) -> Finding | None:
     """The simplest failing case on the way that Hypothesis takes from `choices`; None if nothing fails.
 
     The search is the same every time: nothing is kept, and chance has a fixed seed.
     """
-    best: list[Shrunk] = []
+    best: list[Finding] = []
 
-    def fails(built: Built) -> bool:
+    def fails(case: Case) -> bool:
         if trial.budget.spent:
             raise _Spent
         trial.budget.looked_at()
-        if not trial.valid(built.case, group):
+        if not trial.valid(case, group):
             return False
-        finding = trial.alone(built.case, group)
+        finding = trial.alone(case, group)
         if finding is None:
             return False
-        if not best or finding.measure < best[0].finding.measure:
-            best[:] = [Shrunk(finding, built.choices)]
+        if not best or finding.measure < best[0].measure:
+            best[:] = [finding]
         return True
 
     database = InMemoryExampleDatabase()

@@ -1,8 +1,7 @@
 """From the first failing case to the simplest one that fails: what a person can work out on paper.
 
     1. The failing case is called alone. If it is right then, its message says so, and that is all.
-    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches; among them
-       figures with a single number that is far larger (far.py).
+    2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is polished, value by value (polish.py).
 
@@ -14,17 +13,15 @@ calls: what is found depends neither on how fast the machine is nor on what else
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+from collections.abc import Callable
 from typing import Any
 
 from judge.data.build import bound_builder, choices_of
-from judge.data.draw import Draw, Rejected, ReplayedDraw, SeededDraw
+from judge.data.draw import Draw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.diagnose.counterexample import Counterexample
-from judge.diagnose.far import layouts, powers, sizes, windows
 from judge.diagnose.polish import polished, rounded
-from judge.diagnose.replay import encode
+from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
 from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
@@ -38,7 +35,6 @@ from judge.sandbox.boundary import Box
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
-_SMALLEST_STEPS = 2  # of the ladder: numbers of one digit
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
@@ -57,9 +53,9 @@ def shrink(
 ) -> Counterexample | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed.
 
-    None where the failure has no case of its own, or is the sum of many calls. `reference` opens the box of
-    the problem's reference solution. `choices` tells what case `number` (from 0) of a group, or one much like
-    it, was built from; without it they are sought as those of pinned data. The result depends on the
+    None where the failure has no case of its own, is the sum of many calls, or is too long for a replay id.
+    `reference` opens the box of the problem's reference solution. `choices` tells what case `number` (from 0)
+    of a group was built from; without it they are sought as those of pinned data. The result depends on the
     submission alone, unless the budget's guard ends the search.
 
     Raises:
@@ -136,10 +132,9 @@ class _Search:
         self._first = first
         self._number = number
         self._choices_of = choices_of
-        self._choices: dict[str, tuple[int, ...]] = {}
 
-    def run(self) -> Counterexample:
-        """The best of what the stages find."""
+    def run(self) -> Counterexample | None:
+        """The best of what the stages find; None where it is too long for an id."""
         best = self._first
         if not self._problem.parameters:  # there is one case
             return self._told(self._confirmed(best))
@@ -157,35 +152,19 @@ class _Search:
 
     def _climbed(self, group: Group) -> Finding | None:
         """The simplest failing case of the first step that has one."""
-        for cases in self._steps(group):
+        for step in ladder(self._problem):
             if self._trial.budget.spent:
                 break
+            cases = [
+                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                for rung, count in step
+                for number in range(count)
+            ]
             simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
             found = self._trial.simplest(simple, group)
             if found is not None:
                 return found
         return None
-
-    def _steps(self, group: Group) -> Iterator[list[Case]]:
-        """The cases of the ladder's steps; those with one large number come after the smallest."""
-        for number, step in enumerate(ladder(self._problem)):
-            if number == _SMALLEST_STEPS:
-                yield from self._far(group)
-            yield [
-                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
-                for rung, count in step
-                for number in range(count)
-            ]
-
-    def _far(self, group: Group) -> Iterator[list[Case]]:
-        known, tens = layouts(self._problem), powers(self._problem)
-        yield [layout.case(far) for layout in known for far in tens[1:]]
-        yield [layout.case(far) for layout in known if layout.plain for far in sizes(self._problem)]
-
-        def state(case: Case) -> str:
-            return self._trial.state(case, group)
-
-        yield [case for layout in known for case in windows(layout, tens, state)]
 
     def _by_parameters(self) -> Finding:
         if self._group.builder == EXAMPLES or self._trial.budget.spent:
@@ -194,23 +173,21 @@ class _Search:
         choices = self._choices_of(self._group, builder, self._number, self._first.case)
         if choices is None:
             return self._first
-        with suppress(Rejected):
-            # Of what the choices make, which for an image is another case than the first.
-            self._choices[repr(builder(ReplayedDraw(choices)))] = choices
         from judge.diagnose.search import shrunk  # Hypothesis: only now
 
         found = shrunk(self._trial, builder, self._group, choices)
-        if found is None or self._first.measure <= found.finding.measure:
+        if found is None or self._first.measure <= found.measure:
             return self._first
-        self._choices[repr(found.finding.case)] = found.choices
-        return found.finding
+        return found
 
     def _confirmed(self, best: Finding) -> Finding:
         """What is shown fails under the problem's own limits too; the search was less patient."""
         return self._trial.again(best.case, best.group) or self._first
 
-    def _told(self, best: Finding) -> Counterexample:
-        choices = self._choices.get(repr(best.case)) if best.group is self._group else None
+    def _told(self, best: Finding) -> Counterexample | None:
+        replay = encode(self._problem, best.group, best.case)
+        if len(replay) > LONGEST:  # nobody would look at it, nor type it
+            return None
         return Counterexample(
             best.case,
             best.group.name,
@@ -218,7 +195,7 @@ class _Search:
             best.expected,
             best.got,
             best.message,
-            encode(self._problem, best.group, best.case, choices),
+            replay,
             self._trial.budget.calls,
             best.given,
             cut_short=self._trial.budget.cut_short,

@@ -176,13 +176,6 @@ class Trial:
         """
         return next(iter(self._try([case], group, whole=True)), None)
 
-    def state(self, case: Case, group: Group) -> str:
-        """What the right answer to a case is, without its numbers; "" for a case that is none."""
-        self.budget.looked_at()
-        if not self.valid(case, group):
-            return ""
-        return sort_of(self.problem.answer.right(self._target(case, group)))
-
     def simplest(self, cases: Iterable[Case], group: Group, *, fair: bool = True) -> Finding | None:
         """The simplest of the cases that fails, also by itself; invalid cases are passed over.
 

@@ -1,4 +1,4 @@
-"""What is added to a verdict: the smallest case that breaks a submission, and its own thresholds."""
+"""What is added to a verdict: the smallest case that breaks a submission."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.problem import Verdict
 from judge.run.reference import Reference
 from judge.run.result import Failure, Result
 from judge.run.runner import Runner
@@ -17,10 +16,6 @@ from judge.sandbox.boundary import Box, BoxFactory
 if TYPE_CHECKING:
     from judge.diagnose.counterexample import Counterexample
     from judge.diagnose.shrink import Choices
-
-
-_SLOW = 3e-4  # CPU seconds for a case, beyond which no thresholds are measured
-_MEASURED = (Verdict.AC, Verdict.WA)
 
 
 def diagnosed(
@@ -48,29 +43,6 @@ def diagnosed(
         told_of = runner.explained(Failure(found.message, input=found.input), result.groups)
         found = replace(found, message=told_of.message)
     return replace(result, counterexample=found.as_json(), counterexample_given=found.given)
-
-
-def with_thresholds(result: Result, data: ProblemData, runner: Runner, box: Box) -> Result:
-    """The result with the thresholds of the submission in `box`, where they follow a law.
-
-    An accepted one is asked about one border only, as a lesson. Whatever goes wrong leaves the result
-    as it is: nothing here is owed to anybody.
-    """
-    if not data.borders or not _worth_measuring(result):
-        return result
-    try:
-        from judge.mistakes.thresholds import measured  # most problems have no borders
-
-        found = measured(data.borders, runner, box, first_only=result.verdict is Verdict.AC)
-    except Exception:
-        return result
-    return replace(result, thresholds=found)
-
-
-def _worth_measuring(result: Result) -> bool:
-    """Whether it came to its end, and soon enough to be asked some hundreds of cases more."""
-    cases = sum(group.cases for group in result.groups)
-    return result.verdict in _MEASURED and result.time.cpu_seconds <= _SLOW * cases
 
 
 def _smallest(

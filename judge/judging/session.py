@@ -19,7 +19,7 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
-from judge.judging.diagnosis import diagnosed, with_thresholds
+from judge.judging.diagnosis import diagnosed
 from judge.judging.job import Job, Terms
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
@@ -183,7 +183,6 @@ class Session:
             if terms.diagnosed and runner is not None:
                 with self.turnstile.judging():
                     result = diagnosed(result, data, runner, box, self.containment.open_box)
-                    result = with_thresholds(result, data, runner, box)
         return self.naming.named(result, source) if terms.named else result
 
     @contextmanager

@@ -7,12 +7,11 @@ from collections.abc import Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.borders import borders_of
 from judge.data.fresh import Fresh
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import ProblemModule, load_module
-from judge.judging.diagnosis import diagnosed, with_thresholds
+from judge.data.module import load_module
+from judge.judging.diagnosis import diagnosed
 from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
 from judge.problem import Group
@@ -64,8 +63,6 @@ class Stressing(Struct, frozen=True):
                 with session.turnstile.judging():
                     if stressed.broken and runner:
                         stressed = _shrunk(stressed, stressed.broken, runner, fresh, box, session)
-                    if runner and not stressed.interrupted:  # or the box may be in the middle of a call
-                        stressed = _measured(stressed, runner, module, box, session)
                 if stressed.broken and session.terms.named and stressed.result.verdict in NAMED:
                     stressed = self._named(stressed, session)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
@@ -83,15 +80,6 @@ class Stressing(Struct, frozen=True):
         named = Naming(data, None, settings, 1, session.bars).named(pinned, self.source)
         result = replace(stressed.result, pitfall=named.pitfall).noting(*named.notes)
         return replace(stressed, result=result)
-
-
-def _measured(
-    stressed: Stressed, runner: Runner, module: ProblemModule, box: Box, session: Session
-) -> Stressed:
-    """With the submission's own thresholds."""
-    problem = session.problem
-    data = ProblemData(problem, (), module=module, borders=borders_of(problem, module))
-    return replace(stressed, result=with_thresholds(stressed.result, data, runner, box))
 
 
 def _shrunk(

@@ -73,11 +73,10 @@ class Language(
     what begins and ends its comments and strings, see `judge.languages.scan.Tokens`; without it they are
     those of C, or of Python where `comment` is not `//`. Outside of those `drops` is a pattern of what is
     taken out before it is compiled, and `swaps` are pairs of one and what stands for it then. A pattern may
-    take so many steps at one place (`judge.languages.steps`). `integers` are the bits of its widest integer,
-    sign and all; 0 where they have any size. `empty` is a program that does nothing, as costly as any program
-    before its first line. `tools` are the names that each tool may have; `homes` the folder above the folder
-    of a tool's real file, `folders` where a file really lies, `probes` a tool's answer that is a path,
-    `prepared` one that is kept as a file for the compiler.
+    take so many steps at one place (`judge.languages.steps`). `empty` is a program that does nothing, as
+    costly as any program before its first line. `tools` are the names that each tool may have; `homes` the
+    folder above the folder of a tool's real file, `folders` where a file really lies, `probes` a tool's
+    answer that is a path, `prepared` one that is kept as a file for the compiler.
     """
 
     name: _Name
@@ -95,7 +94,6 @@ class Language(
     drops: str = ""
     swaps: tuple[tuple[str, str], ...] = ()
     unsaid: tuple[Annotated[_Words, Meta(min_length=1, max_length=3)], ...] = ()
-    integers: int = 0
     defines: str = ""
     comment: str = "//"  # what begins one
     factor: Annotated[float, Meta(ge=1)] = 1.0  # how many times Python's time short work may well take in it

@@ -25,10 +25,6 @@ from judge.values.rightness import wrong_outline
 
 _PROTOCOL = 5
 
-Ends = Mapping[str, str]
-"""How every call of a program ended, by the group's name: the list, written out, of the answers' JSON forms
-and, for a call that raised, of outlines. Equal ends are equal to the last bit and type."""
-
 
 class Program(Struct, frozen=True):
     """A program whose answers are wanted; a trusted one is run here and now."""
@@ -65,18 +61,6 @@ class Computer:
                 for each in self._groups
             }
 
-    def ended(self, program: Program) -> tuple[Behaviour, Ends]:
-        """What the program answers wrongly, and how all its calls ended. Raises ProblemError."""
-        does: dict[str, Answers] = {}
-        ends: dict[str, str] = {}
-        with localcontext(Context()):  # as in a container, whatever the caller's precision
-            function = entry_of(self._problem, program)
-            for each in self._groups:
-                listed: list[Any] = []
-                does[each.name] = each.answers(function, None, listed)
-                ends[each.name] = written(listed)
-        return does, ends
-
 
 class _Group:
     """The cases of one group, as they are handed over, and what was decided of each answer to them."""
@@ -87,10 +71,8 @@ class _Group:
         self._group = group
         self._decided: list[dict[bytes, Outline | None]] = [{} for _ in group.cases]
 
-    def answers(
-        self, function: Callable[..., Any], only: Sequence[int] | None, ends: list[Any] | None = None
-    ) -> Answers:
-        """What a function answers wrongly, the cases being called in order; `ends` gets each call's end."""
+    def answers(self, function: Callable[..., Any], only: Sequence[int] | None) -> Answers:
+        """What a function answers wrongly, the cases being called in order."""
         cases = self._group.cases
         asked: Sequence[int]
         if only is None:
@@ -103,11 +85,7 @@ class _Group:
                 answer = function(*given)
             except Exception as fault:  # as a submission's would be, a wrong answer
                 wrong[index] = raised(type(fault).__name__)
-                if ends is not None:
-                    ends.append(wrong[index])
                 continue
-            if ends is not None:
-                ends.append(_form(answer))
             found = self._known(index, answer)
             if found is not None:
                 wrong[index] = found
@@ -165,19 +143,6 @@ def entry_of(problem: Problem, program: Program) -> Callable[..., Any]:
     return function
 
 
-def written(ends: list[Any]) -> str:
-    """The ends of a group's calls as `Ends` has them."""
-    return repr(ends)
-
-
 def raised(exception: str) -> Outline:
     """The outline of a call that raised an exception with that name."""
     return f"raised {exception}", ()
-
-
-def _form(answer: Any) -> Any:
-    """The JSON form in which an answer leaves a container, or what making it raises."""
-    try:
-        return encode(answer)
-    except Exception as fault:
-        return raised(type(fault).__name__)

@@ -1,4 +1,4 @@
-"""What a program's syntax tree has, as far as a mistake's name may speak of it; in another language its text.
+"""What a program's syntax tree has, as far as a mistake's name may speak of it.
 
 A name that speaks of `//`, a slope, a global or a root is said only of a program that has one. What is found
 is what might do it: a feature is missing only where it cannot be there.
@@ -7,11 +7,9 @@ is what might do it: a feature is missing only where it cannot be there.
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from judge.languages.scan import reading, stripped
 from judge.problem.program import LONGEST, tree_of_stranger
 
 if TYPE_CHECKING:
@@ -48,40 +46,17 @@ _MOST_VISITS = 20  # of a node, for the functions that it is in
 _SLICED = (ast.Subscript, ast.Attribute)
 
 
-_NOTED: Mapping[
-    str, str
-] = {  # what is met in a text of any language that has the feature; the others may be there
-    "//": r"/|\bdiv\b|[Ff]loor|[Tt]runc|>>",
-    "whole": r"/|%|>>|\||[Ff]loor|[Cc]eil|[Rr]ound|[Rr]int|[Tt]runc"
-    r"|\b(?:int|long|i32|i64|as|Number)\b|int\d\d",
-    "/": r"/|\*\*|[Tt]an|[Pp]ow|recip",
-    "root": r"[Ss]qrt|[Hh]ypot|[Pp]ow|[Cc]brt|[Nn]orm|[Dd]ist|[Aa]bs|\*\*|[Ll]en",
-    "round": r"[Rr]ound|[Ff]loor|[Cc]eil|[Tt]runc|[Rr]int|[Ff]ormat|toFixed|setprecision|/"
-    r"|\b(?:int|long|i32|i64|as)\b|int\d\d",
-    "float32": r"\bfloat\b|[Ff]loat32|\bf32\b|fround|\bFloat\b|\d[fF]\b|[a-z]f\(",
-    "fixed-width": r"[Ii]nt|[Ll]ong|\b[iu](?:8|16|32|64|128)\b|[&%|]|>>|asUintN",
-    "decimal": r"[Dd]ecimal|long\s++double|__float128|\bbig\.|quadmath|Float\d",
-    "comparison": r"[<>=!]=|[<>]|[Cc]ompare|[Mm]in|[Mm]ax",
-    "print": r"[Pp]rint|[Pp]uts?\b|[Ww]rite|cout|cerr|\blog\b|\bsay\b|\becho\b",
-}
-
-
 def features(source: bytes, language: Language | None = None) -> frozenset[str] | None:
     """The features of a program in that language, in Python without one; None where it is not looked at.
 
-    In another language what shows nowhere but in comments and strings is missing. Raises JudgeError as
-    `judge.languages.scan.reading`.
+    What is no Python shows none: a name that speaks of one is not said.
     """
     if len(source) > LONGEST:
         return None
     try:
         tree = tree_of_stranger(source)
     except SyntaxError:
-        if language is None:
-            return None
-        with reading():
-            text = stripped(source, language.tokens)
-        return frozenset(each for each in FEATURES if re.search(_NOTED.get(each, ""), text))
+        return None if language is None else frozenset()
     nodes = list(ast.walk(tree))
     names = frozenset(_names(nodes))
     return frozenset(name for name, has in FEATURES.items() if has(nodes, names))

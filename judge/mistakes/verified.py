@@ -1,4 +1,4 @@
-"""The setter's gate for mistakes.py: every choice is rendered as a program and judged as a submission is.
+"""The setter's gate for mistakes.py: every choice is rendered as a program and called on all cases.
 
     right ways    every right route, plain and in each of its styles, answers all cases rightly
     rejected      every mistake is rejected, unless the file says why no case can tell it; of the changes that
@@ -6,7 +6,6 @@
     kills         each group that names a mistake rejects each program that makes it, in five cases at least
     spared        where mistakes.toml says why a group spares some, it rejects another one so, and another
                   group that one
-    containment   a choice answers there as it does here
 
 A mistake without a word in mistakes.toml, or one that no group names, is a fault too.
 """
@@ -22,7 +21,6 @@ from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.catalogue import FILE, Words
 from judge.mistakes.computed import Computer, Program
-from judge.mistakes.contained import Contained
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
 from judge.problem import Problem
@@ -65,20 +63,15 @@ def verify_choices(
     try:
         computer = Computer(data)
         faults += _wrong_right_ways(read.family, computer)
-        with Contained(data, [each.program for each in choices], box_factory) as contained:
-            judge = _Judge(data, computer, contained, box_factory)
-            for done, maker in enumerate(choices):
-                if progress:
-                    progress("judging mistakes", done, len(choices))
-                does, alike = judge.behaviour(maker)
-                if not alike:
-                    remedy = "make it depend on nothing but its arguments"
-                    faults.append(Fault(f"{maker.name} answers otherwise in containment", maker.file, remedy))
-                rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
-                if maker.choice is not None and read.family.equal(maker.choice):
-                    warnings += _still_told(maker, rejected)
-                else:
-                    counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
+        for done, maker in enumerate(choices):
+            if progress:
+                progress("judging mistakes", done, len(choices))
+            does = {**computer.behaviour(maker.program), **_on_big_cases(maker, data, box_factory)}
+            rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
+            if maker.choice is not None and read.family.equal(maker.choice):
+                warnings += _still_told(maker, rejected)
+            else:
+                counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
     except ProblemError as fault:
         faults.append(Fault(fault.what, fault.where or where, fault.remedy or ""))
     faults += _names(choices, aimed)
@@ -101,36 +94,15 @@ def _aimed(problem: Problem) -> Mapping[str, Sequence[str]]:
     return found
 
 
-class _Judge:
-    """Judges choices: here and all in one container.
-
-    One that answers otherwise there is judged by itself, and so is on big cases what their group names.
-    """
-
-    def __init__(
-        self, data: ProblemData, computer: Computer, contained: Contained, box_factory: BoxFactory
-    ) -> None:
-        self._data = data
-        self._computer = computer
-        self._contained = contained
-        self._settings = Settings(box_factory=box_factory, measured=False)
-
-    def behaviour(self, maker: Maker) -> tuple[Behaviour, bool]:
-        """What a choice answers wrongly, in containment, and whether it does so here. Raises JudgeError."""
-        program, data = maker.program, self._data
-        here, ends = self._computer.ended(program)
-        small = [each.group.name for each in data.groups if each.group.size is None]
-        big = [
-            each.name for each in data.problem.groups if each.size is not None and maker.name in each.kills
-        ]
-        asked = big if self._contained.agrees(program, ends) else small + big
-        if not asked:
-            return here, True
-        result = run_submission(
-            data.problem, data, program.source, "mistake.py", settings=self._settings, groups=asked
-        )
-        does = {**here, **behaviour(result)}
-        return does, all(does[name] == here[name] for name in small)
+def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> Behaviour:
+    """What a choice answers wrongly in groups of big cases that name its mistake. Raises JudgeError."""
+    problem = data.problem
+    big = [each.name for each in problem.groups if each.size is not None and maker.name in each.kills]
+    if not big:
+        return {}
+    settings = Settings(box_factory=box_factory, measured=False)
+    source = maker.program.source
+    return behaviour(run_submission(problem, data, source, "mistake.py", settings=settings, groups=big))
 
 
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:

@@ -101,7 +101,6 @@ class _Reader:
             place=table.place,
             skills=self._skills(table),
             growth=growing.growth(groups),
-            audit=self._audit(table),
             source=source_of(table.source, self.fault),
         )
         text, examples = read_statement(problem, _words(table))
@@ -233,10 +232,6 @@ class _Reader:
             self.fault((*path, "points"), f"group {group.name!r} has negative points", "give 0 to 100")
         if len(set(group.kills)) < len(group.kills):
             self.fault((*path, "kills"), f"group {group.name!r} names a mistake twice", "remove one")
-        if group.bits is not None and group.bits <= 64:
-            self.fault(
-                (*path, "bits"), f"{group.bits} bits are no more than any language has", "leave it out"
-            )
         seed, count = self._seed_and_count(group, path)
         return Group(
             name=group.name,
@@ -255,7 +250,6 @@ class _Reader:
             kills=tuple(group.kills),
             neighbours=self._neighbours(group, path),
             level=group.level,
-            bits=group.bits,
         )
 
     def _neighbours(self, group: schema.GroupTable, path: KeyPath) -> bool:
@@ -301,12 +295,6 @@ class _Reader:
         if not (tolerance.extent or tolerance.relative or tolerance.ulps):
             self.fault(place, "the tolerance is 0, which no double can meet", "give relative, extent or ulps")
         return tolerance
-
-    def _audit(self, table: schema.ProblemTable) -> MappingProxyType[str, str]:
-        for kind, reason in table.audit.items():
-            if not reason.strip():
-                self.fault(("audit", kind), f"it is not said why there is no case of {kind!r}", "say why")
-        return MappingProxyType(dict(table.audit))
 
     def _sets(self, names: list[str]) -> tuple[str, ...]:
         for at, name in enumerate(names):

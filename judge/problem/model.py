@@ -108,7 +108,6 @@ class Group(Struct, frozen=True):
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
     level: KataLevel | None = None  # None where the problem's groups have none
-    bits: int | None = None  # of the widest integer that a plain solution computes, where 64 are too few
 
 
 class ShownSkill(Struct, frozen=True):
@@ -160,7 +159,6 @@ class Problem(Struct, frozen=True):
     place: int | None = None  # in its tier's order; without one it comes last
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
-    audit: MappingProxyType[str, str] = MappingProxyType({})  # kinds of cases there need not be: the reasons
     source: Source = Source()
 
     @property

@@ -108,7 +108,6 @@ class GroupTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     limits: GroupLimitsTable | None = None
     neighbours: bool = False
     level: KataLevel | None = None
-    bits: int | None = None
 
 
 class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -137,7 +136,6 @@ class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     place: int | None = None
     skills: dict[str, Any] = {}  # each a list of groups, or a SkillTable
     growth: GrowthTable | None = None
-    audit: dict[str, str] = {}  # kinds of cases that there need not be, each with the reason
     source: SourceTable | None = None
 
 

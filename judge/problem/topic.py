@@ -1,13 +1,12 @@
 """What a topic adds to the engine: hooks, every one optional, which a problem.py hands over as TOPIC.
 
-The engine knows no topic: what it draws, mirrors or makes simpler as a whole, these functions draw, mirror or
-make simpler. A problem without a topic works in every command. It has no picture, and `judge stress` has no
-images of its cases.
+The engine knows no topic: what it draws or makes simpler as a whole, these functions draw or make simpler. A
+problem without a topic works in every command. It has no picture.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec import Struct
@@ -16,9 +15,6 @@ from judge.problem.model import Case, Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem.border import Border
-
-Image = tuple[Case, Any]  # a case and its target
 
 
 class Chance(Protocol):
@@ -46,28 +42,6 @@ class Shown(Struct, frozen=True):
     heading: str = ""
 
 
-class Decision(Struct, frozen=True):
-    """Something that answers turn on, and how far a case is from where they turn.
-
-    Attributes:
-        name: what it is called.
-        sides: where a case may be, such as inside and outside.
-        measure: on which side a case is and how far away, as a part of the case's own size, as often as it
-            comes to that decision; 0 is exactly there, on any side.
-        least, most: cases should be in every decade from `least` to `most`; without `least`, in none.
-        within, beyond: the problem's bands, where it has them: up to `within` a case counts as there, and
-            none lies between the two. There should be cases close to both, on every side.
-    """
-
-    name: str
-    sides: tuple[str, ...]
-    measure: Callable[[Case], Iterable[tuple[str, float]]]
-    least: float | None = None
-    most: float = 1.0
-    within: float | None = None
-    beyond: float | None = None
-
-
 class Puzzle(Struct, frozen=True):
     """A small figure, and the answer to a question about it.
 
@@ -92,25 +66,18 @@ class Topic(Struct, frozen=True):
     """The hooks of a topic.
 
     Attributes:
-        images: at most so many cases that follow from a case, with their targets, as `chance` has it. They
-            keep the promise because the case does; the engine holds them against the bounds only.
         simpler: cases that may fail as a case does and are simpler; each is proved before it is tried.
         special: how many things in a case are special in themselves, such as a length of 0: of two failing
             cases the one without them is the simpler.
         picture: a case drawn, or None where it cannot be.
-        decisions: what the answers of a problem turn on, for the audit of its data.
         explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
             arguments by parameter name, or a usual case. None where there is no such page for the problem.
-        borders: where answers turn, and a submission's own threshold can be measured; the most usual first.
         puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`, which knows the
             answer; None for a form that it has no figures for.
     """
 
-    images: Callable[[Problem, Case, Any, Chance, int], list[Image]] | None = None
     simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
     special: Callable[[Case], int] | None = None
     picture: Callable[[Shown], Picture | None] | None = None
-    decisions: Callable[[Problem], Iterable[Decision]] | None = None
     explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
-    borders: Callable[[Problem], Sequence[Border]] | None = None
     puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None

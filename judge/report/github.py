@@ -15,7 +15,6 @@ from judge.problem.verdict import Verdict
 from judge.report.layout import printable
 from judge.report.places import annotated_place
 from judge.report.results import failure_place, verdict_lines
-from judge.report.thresholds import result_threshold
 from judge.report.values import arguments
 from judge.run.result import Failure, Result
 
@@ -32,8 +31,6 @@ def annotation(result: Result, source: bytes, entry: str, environment: Mapping[s
     where = failure_place(result.failure) if result.groups else ""
     properties["title"] = f"{result.problem}: {result.verdict.value}" + (f" in {where}" if where else "")
     lines = [_verdict(result), *([] if accepted else _reasons(result))]
-    if told := result_threshold(result):
-        lines.append(f"threshold {told}")
     message = _escaped("\n".join(printable(line) for line in lines))
     shown = ",".join(f"{name}={_escaped(printable(text), ':,')}" for name, text in properties.items())
     return f"::{'notice' if accepted else 'error'} {shown}::{message}"

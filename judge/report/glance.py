@@ -27,7 +27,6 @@ from judge.report.results import (
     verdict_span,
 )
 from judge.report.screen import Screen, is_terminal
-from judge.report.thresholds import threshold_lines
 from judge.report.values import counted
 from judge.run.result import Result
 
@@ -38,7 +37,6 @@ class Cut(Struct, frozen=True):
     """How much is shown: so many groups, so many rows of the advice and of each value (None: all)."""
 
     groups: int = 6
-    threshold: bool = True
     spoilt: bool = True
     advice: int | None = None
     rows: int | None = None
@@ -48,13 +46,14 @@ class Cut(Struct, frozen=True):
 _CUTS = (
     Cut(),
     Cut(groups=3),
-    *(Cut(groups, threshold=False) for groups in (3, 2, 1)),
-    *(Cut(groups, threshold=False, spoilt=False) for groups in (3, 2, 1)),
-    Cut(groups=2, threshold=False, spoilt=False, advice=2),
-    Cut(groups=1, threshold=False, spoilt=False, advice=1, rows=3),
-    Cut(groups=1, threshold=False, spoilt=False, advice=0, rows=2),
-    Cut(groups=1, threshold=False, spoilt=False, advice=0, rows=2, again=False),
-    Cut(groups=1, threshold=False, spoilt=False, advice=0, rows=1, again=False),
+    Cut(groups=2),
+    Cut(groups=1),
+    *(Cut(groups, spoilt=False) for groups in (3, 2, 1)),
+    Cut(groups=2, spoilt=False, advice=2),
+    Cut(groups=1, spoilt=False, advice=1, rows=3),
+    Cut(groups=1, spoilt=False, advice=0, rows=2),
+    Cut(groups=1, spoilt=False, advice=0, rows=2, again=False),
+    Cut(groups=1, spoilt=False, advice=0, rows=1, again=False),
 )
 
 
@@ -139,8 +138,6 @@ def _parts(result: Result, width: int | None, cut: Cut, drawn: list[Line]) -> li
     if result.pitfall:
         told = pitfall_lines(result.pitfall, width, spoilt=cut.spoilt, most=cut.advice)
         parts.append(list(told))
-    if cut.threshold:
-        parts.append(list(threshold_lines(result, width)))
     return parts
 
 

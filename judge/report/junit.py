@@ -2,7 +2,7 @@
 
     testsuites
     └── testsuite                 a submission; errors counts what is the judge's own fault (JE)
-        ├── properties            verdict, score, levels, mode, isolation, memory, ratio, mistake, threshold
+        ├── properties            verdict, score, levels, mode, isolation, memory, ratio, mistake
         └── testcase              a test group; `compile` or `judge` where nothing could be run
             └── failure | error   its verdict as the type; the case, what was wanted and what was given
 
@@ -18,7 +18,6 @@ from judge.problem.verdict import Verdict
 from judge.report.layout import printable
 from judge.report.levels import level_share
 from judge.report.results import counterexample_lines, failure_lines, failure_place, pitfall_lines
-from judge.report.thresholds import result_threshold, threshold_lines
 from judge.report.values import counted
 from judge.run.result import GroupResult, Result
 
@@ -70,8 +69,6 @@ def _properties(result: Result) -> Iterator[tuple[str, str]]:
         yield "ratio", f"{result.time.ratio.median:.3f}"
     if result.pitfall:
         yield "pitfall", result.pitfall.name
-    if told := result_threshold(result):
-        yield "threshold", told
 
 
 def _case(result: Result, group: GroupResult, classname: str) -> Xml.Element:
@@ -106,13 +103,12 @@ def _rejected(
 
 
 def _shown(result: Result) -> Iterator[str]:
-    """The failing case, the smallest one, the mistake and the threshold, as the screen has them."""
+    """The failing case, the smallest one and the mistake, as the screen has them."""
     rows = list(failure_lines(result.failure, None)) if result.failure else []
     if result.counterexample:
         rows += counterexample_lines(result, result.counterexample, None)
     if result.pitfall:
         rows += pitfall_lines(result.pitfall, None)
-    rows += threshold_lines(result, None)
     return ("".join(span.text for span in row) for row in rows)
 
 

@@ -22,7 +22,6 @@ from judge.report.layout import (
 from judge.report.levels import levels_text
 from judge.report.names import shown_command, shown_name
 from judge.report.places import fault_place
-from judge.report.thresholds import threshold_lines
 from judge.report.values import arguments, counted, score_text, seconds, size, times
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing
 
@@ -71,8 +70,6 @@ def result_lines(result: Result, width: int | None, drawing: Iterable[Line] = ()
     if result.pitfall:
         yield from pitfall_lines(result.pitfall, width)
         yield line()
-    if told := list(threshold_lines(result, width)):
-        yield from (*told, line())
     yield from verdict_lines(result, width)
 
 

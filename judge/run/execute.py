@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from judge.problem import Problem, Verdict
 from judge.run.alone import Admitted
-from judge.run.bits import judge_fitting
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
@@ -91,14 +90,13 @@ def run_in(
     open_box = partial(settings.box_factory, source, name)
     judging = _Judging(data, runner, open_box, settings.workers, on_progress, budget)
     with turnstile.judging() as place:
-        runs, why = judge_fitting(runner, chosen, partial(judging.groups, box))
+        runs = judging.groups(box, chosen)
     timing, waited = Timed(Decision(None)), place.waited
     if settings.measured and worth_racing(problem, runs):
         timing, place = _race(runner, runs, box, settings, turnstile, budget)
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
-    notes = [why] if why else []
-    notes += [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
+    notes = [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
     return Judged(result.noting(*notes), runner)
 
 

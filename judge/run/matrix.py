@@ -1,11 +1,11 @@
-"""The kill matrix: which group rejects which wrong program, and how few cases would do.
+"""The kill matrix: which group rejects which wrong program.
 
 Pure computing on what judging the wrong programs came to; nothing is run here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from msgspec import Struct
@@ -47,27 +47,17 @@ class Row(Struct, frozen=True):
         return max(named, key=lambda kill: kill.share, default=None)
 
 
-class CaseName(Struct, frozen=True, order=True):
-    """A case: its group and its number in it, from 1."""
-
-    group: str
-    case: int
-
-
 class Matrix(Struct, frozen=True):
     """All wrong programs of a problem against all its groups.
 
     `aimless` are the groups whose `kills` name nothing, `replaceable` those of the others that are the only
-    ones to reject no program: without such a group every wrong program still dies. `cover` is a set of cases
-    that together reject every program that any case rejects, chosen greedily: no smallest one, but one that
-    is larger by a factor of the logarithm of the number of programs at most.
+    ones to reject no program: without such a group every wrong program still dies.
     """
 
     groups: tuple[str, ...]
     rows: tuple[Row, ...]
     aimless: tuple[str, ...]
     replaceable: tuple[str, ...]
-    cover: tuple[CaseName, ...]
 
     @property
     def unkilled(self) -> tuple[Row, ...]:
@@ -90,22 +80,7 @@ def kill_matrix(
         rows=rows,
         aimless=tuple(group.name for group in groups if not group.kills),
         replaceable=tuple(group.name for group in groups if group.kills and group.name not in needed),
-        cover=greedy_cover(_rejecting(rows)),
     )
-
-
-def greedy_cover(rejecting: Mapping[CaseName, frozenset[int]]) -> tuple[CaseName, ...]:
-    """Cases whose programs together are all programs: each time the one with most that are still missing.
-
-    Among equals the earliest of the mapping. (Chvátal 1979: at most 1 + ln n times the least number.)
-    """
-    missing = frozenset().union(*rejecting.values())
-    chosen = []
-    while missing:
-        best = max(rejecting, key=lambda case: len(rejecting[case] & missing))
-        chosen.append(best)
-        missing -= rejecting[best]
-    return tuple(chosen)
 
 
 def _row(groups: Sequence[Group], file: str, mistake: str, results: Sequence[GroupResult]) -> Row:
@@ -118,15 +93,3 @@ def _row(groups: Sequence[Group], file: str, mistake: str, results: Sequence[Gro
             for result in results
         ),
     )
-
-
-def _rejecting(rows: Sequence[Row]) -> dict[CaseName, frozenset[int]]:
-    """For every case that rejects anything, in the order of the data, the places of the rows it rejects."""
-    found: dict[CaseName, set[int]] = {}
-    for place, row in enumerate(rows):
-        for kill in row.killing:
-            for case in kill.rejected:
-                found.setdefault(CaseName(kill.group, case), set()).add(place)
-    order = {kill.group: place for row in rows[:1] for place, kill in enumerate(row.kills)}
-    names = sorted(found, key=lambda name: (order.get(name.group, len(order)), name.case))
-    return {name: frozenset(found[name]) for name in names}

@@ -20,7 +20,6 @@ from judge.run.result import (
     Result,
     Timing,
 )
-from judge.run.thresholds import Threshold
 
 
 def result_of(
@@ -50,7 +49,6 @@ def result_of(
         isolation=published["isolation"] or "",
         counterexample=published["counterexample"],
         pitfall=_pitfall(pitfall, advice) if pitfall else None,
-        thresholds=msgspec.convert(published.get("thresholds", ()), tuple[Threshold, ...]),
         levels=msgspec.convert(published.get("levels", ()), tuple[LevelResult, ...]),
     )
 

@@ -18,7 +18,6 @@ from judge.problem import Verdict
 from judge.problem.level import KataLevel
 
 if TYPE_CHECKING:
-    from judge.run.thresholds import Threshold
     from judge.values import Outline, Raw
 
 SCHEMA = 1
@@ -315,8 +314,7 @@ class Result(Struct, frozen=True):
     `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
     is that of the first failing group; `groups` is empty where nothing could be run (CE, JE). `notes` are
     sentences for the person about what did not go as it should beside the verdict; they are not published.
-    `thresholds` are the submission's own, where they were measured; they judge nothing. `levels` are those of
-    the problem, the easier first; none where it has none, or where nothing could be run.
+    `levels` are those of the problem, the easier first; none where it has none, or nothing could be run.
     """
 
     problem: str
@@ -330,7 +328,6 @@ class Result(Struct, frozen=True):
     isolation: str = ""
     counterexample: dict[str, Any] | None = None
     pitfall: Pitfall | None = None
-    thresholds: tuple[Threshold, ...] = ()
     counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
     levels: tuple[LevelResult, ...] = ()
@@ -383,7 +380,6 @@ class Result(Struct, frozen=True):
             "failure": self.failure.as_json() if self.failure else None,
             "counterexample": self.counterexample,
             "pitfall": self.pitfall.as_json() if self.pitfall else None,
-            "thresholds": [each.as_json() for each in self.thresholds],
             "time": self.time.as_json(),
             "memory_bytes": self.memory_bytes,
             "isolation": self.isolation or None,

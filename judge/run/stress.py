@@ -8,7 +8,6 @@ breaks here would have broken in a pinned group of those cases.
 from __future__ import annotations
 
 import time
-from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import Any
@@ -42,7 +41,7 @@ class Broken(Struct, frozen=True):
 
 
 class Stressed(Struct, frozen=True):
-    """What a stress came to: of the `cases`, `built` were built and the others are images of these.
+    """What a stress came to.
 
     `result` has what was judged of each group; its failure's case is counted in all the cases of its group.
     `runner` is how the submission was run; None where it could not be.
@@ -52,7 +51,6 @@ class Stressed(Struct, frozen=True):
     seed: int
     seconds: float
     cases: int = 0
-    built: int = 0
     interrupted: bool = False
     broken: Broken | None = None
     runner: Runner | None = None
@@ -72,7 +70,6 @@ class Stressed(Struct, frozen=True):
             "mode": result.mode.value,
             "verdict": result.verdict.value,
             "cases": self.cases,
-            "built": self.built,
             "seconds": round(self.seconds, 3),
             "cases_per_second": round(self.rate),
             "seed": self.seed,
@@ -81,7 +78,6 @@ class Stressed(Struct, frozen=True):
             "failure": result.failure.as_json() if result.failure else None,
             "counterexample": result.counterexample,
             "pitfall": result.pitfall.as_json() if result.pitfall else None,
-            "thresholds": [each.as_json() for each in result.thresholds],
             "memory_bytes": result.memory_bytes,
             "isolation": result.isolation or None,
         }
@@ -171,7 +167,7 @@ class _Run:
         end: float,
     ) -> None:
         self.end = end
-        self.cases = self.built = 0
+        self.cases = 0
         self.broken: Broken | None = None
         self._data = data
         self._seed = fresh.seed
@@ -224,7 +220,6 @@ class _Run:
             reached = max(run.reached, first or 0)
             total.add(run.result(), reached)
             self.cases += reached
-            self.built += bisect_left(series.starts, reached)
             self._usage += run.usage
 
     def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
@@ -241,9 +236,7 @@ class _Run:
             self._usage.memory_bytes,
             self._box.isolation,
         )
-        return Stressed(
-            result, self._seed, seconds, self.cases, self.built, interrupted, self.broken, self._runner
-        )
+        return Stressed(result, self._seed, seconds, self.cases, interrupted, self.broken, self._runner)
 
     @property
     def over(self) -> bool:

@@ -4,21 +4,20 @@
     pins        the data are those of hashes.json
     solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says
     kills       each wrong program fails a group that names its mistake, and each group kills what it names
-    audit       there are cases of every kind, or problem.toml says why not
 
 Nothing is printed: what is wrong is in the report.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import blaming, load_module
+from judge.data.module import load_module
 from judge.data.pins import differences, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
@@ -31,13 +30,14 @@ from judge.problem import Group, Problem, Verdict
 from judge.problem.lines import KeyPath
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.tomlfile import key_place, meant
-from judge.run.audit import Audit, audit
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs
 from judge.run.result import GroupResult, Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
+
+_ENOUGH = 5  # cases that should reject a wrong program
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -87,7 +87,6 @@ class VerifyReport(Struct, frozen=True):
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
     matrix: Matrix | None = None  # of the wrong programs; None where none was judged
-    audit: Audit | None = None  # of the data; None where there are none
     choices: int = 0  # mistakes of mistakes.py
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
 
@@ -145,8 +144,6 @@ def verify_problem(
     tell("judging solutions", len(solutions), len(solutions))
     faults += _kill_faults(problem, reports, made)
     matrix = _matrix(problem.groups, reports)
-    audited = _audited(problem, data, matrix)
-    faults += _audit_faults(problem, audited)
     return VerifyReport(
         problem=problem.id,
         groups=len(data.groups),
@@ -155,7 +152,7 @@ def verify_problem(
         solutions=tuple(reports),
         faults=tuple(faults),
         matrix=matrix,
-        audit=audited,
+        warnings=tuple(_few(problem, matrix)),
     )
 
 
@@ -174,32 +171,6 @@ def _prove_data(problem: Problem, data: ProblemData) -> None:
     validator = Validator(problem, load_module(problem).solve)
     for group in data.groups:
         prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
-
-
-def _audited(problem: Problem, data: ProblemData, matrix: Matrix) -> Audit:
-    with blaming(problem, "the topic's decisions cannot be told"):
-        return audit(problem, data.module.topic, data.groups, matrix)
-
-
-def _audit_faults(problem: Problem, audited: Audit) -> list[Fault]:
-    """What there is no case of, and reasons for what there is."""
-    where = f"{problem.id}/problem.toml"
-    faults = [
-        Fault(
-            f"there is no case of {bucket.name!r}",
-            where,
-            "let a group have some, or say in [audit] why there need be none",
-        )
-        for bucket in audited.gaps
-    ]
-    return faults + [
-        Fault(
-            f"[audit] gives a reason for {key!r}, and no such kind is empty",
-            key_place(problem, ("audit", key)),
-            "remove it",
-        )
-        for key in audited.idle
-    ]
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:
@@ -260,6 +231,15 @@ def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matri
     """Which of the problem's groups rejects which wrong program; one that cannot be run has no row."""
     wrong = [report for report in reports if report.kind is Kind.WRONG and report.groups]
     return kill_matrix(groups, [(report.file, report.name, report.groups) for report in wrong])
+
+
+def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
+    """The wrong programs that hardly any case rejects."""
+    for row in matrix.rows:
+        rejecting = sum(len(kill.rejected) for kill in row.kills)
+        if 0 < rejecting < _ENOUGH:
+            what = f"few cases reject it: {rejecting}"
+            yield Fault(what, f"{problem.solutions.name}/{row.file}")
 
 
 def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:

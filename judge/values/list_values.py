@@ -70,19 +70,6 @@ class ListValues(ParameterValues):
             return list(value)
         return [self.item.argument(each) for each in value]
 
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """Those of its items."""
-        if type(tree) is dict:
-            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
-        return tuple(
-            [
-                {"run": [self.item.pairs(one, mapped) for one in each["run"]]}
-                if type(each) is dict and "run" in each
-                else self.item.pairs(each, mapped)
-                for each in tree
-            ]
-        )
-
     def literal(self, value: Any) -> str:
         """A list."""
         return f"[{', '.join(map(self.item.literal, value))}]"

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from judge.values.decode import collecting, fault, items
-from judge.values.elements import Wanted, elements, hot_pairs
+from judge.values.elements import Wanted, elements
 from judge.values.judged import first_of
 from judge.values.likeness import Outline, Usual, only_digits, reordered
 from judge.values.lines import Tokens
@@ -93,9 +93,7 @@ class ListType(ListValues, Type):
 
     @cached_property
     def quick(self) -> Quick:
-        """All items, one after the other; points of two reals in a loop of their own."""
-        if self.item.text == "(real, real)":
-            return hot_pairs
+        """All items, one after the other."""
         item = self.item.quick
 
         def quick(raw: Raw, target: Target) -> float | None:

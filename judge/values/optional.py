@@ -207,12 +207,6 @@ class OptionalType(Type):
         """None, or the inner argument."""
         return None if value is None else self.inner.argument(value)
 
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """None has no points."""
-        if type(tree) is dict:
-            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
-        return None if tree is None else self.inner.pairs(tree, mapped)
-
     def literal(self, value: Any) -> str:
         """None, or as the inner type writes it."""
         return "None" if value is None else self.inner.literal(value)

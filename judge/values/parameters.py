@@ -53,10 +53,6 @@ class ParameterValues:
         """The value as a submission receives it."""
         return value
 
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """A target or a value, `mapped` applied to every point in the plane in it: to its x and y."""
-        return tree
-
     def literal(self, value: Any) -> str:
         """The value as it is written in Python."""
         return repr(value)

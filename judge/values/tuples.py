@@ -28,7 +28,6 @@ class TupleType(Type):
             raise ValueError("a tuple has two parts or more")
         self.parts = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
-        self._is_planar = self.names[:2] == COORDINATES[:2] and self.names[2:3] != COORDINATES[2:]
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = f"({', '.join(part.text for part in parts)})"
         self.plural = "tuples"
@@ -229,14 +228,6 @@ class TupleType(Type):
         if self.is_plain:
             return value
         return tuple([part.argument(each) for part, each in zip(self.parts, value, strict=True)])
-
-    def pairs(self, tree: Any, mapped: Callable[[Any], Any]) -> Any:
-        """Its own x and y, where it has them in the plane; else those of its parts."""
-        if type(tree) is dict:
-            return {"any": [self.pairs(each, mapped) for each in tree["any"]]}
-        if self._is_planar:
-            return (*mapped((tree[0], tree[1])), *tree[2:])
-        return tuple([part.pairs(each, mapped) for part, each in zip(self.parts, tree, strict=True)])
 
     def literal(self, value: Any) -> str:
         """A tuple."""

@@ -6,12 +6,10 @@ from fractions import Fraction
 
 from judge.exact import Surd
 from judge.exact.dyadic import integers
-from judge.topics.quadratics import QUADRATIC
 from judge.topics.quadratics.recipes import BUILDERS as RECIPES
 from judge.values import Real
 
 BUILDERS = dict(RECIPES)
-TOPIC = QUADRATIC
 LEAST, MOST = Fraction(1, 10**300), 10**300  # of a root that is not 0
 
 

@@ -2,7 +2,7 @@
 
 How many cases a second `judge stress` manages in function mode on the problem's `quadratic.py`, with this
 process and the box's pinned to one core: building the cases, proving and solving them exactly, calling the
-submission, deciding on its answers. `built` are those that a builder made; the others are mirror images.
+submission, deciding on its answers.
 
 So that a busy or a slow machine shows as such, a fixed loop of pure Python runs before and after each. The
 last column is the time of a case as a multiple of the time of one round of that loop.
@@ -56,7 +56,7 @@ def main() -> None:
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else SECONDS
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-    head = ("verdict", "cases", "a second", "built", "isolation", "× loop")
+    head = ("verdict", "cases", "a second", "isolation", "× loop")
     print(f"{'problem':<12}", *(f"{word:>10}" for word in head))
     for name in PROBLEMS:
         before = yardstick()
@@ -64,7 +64,7 @@ def main() -> None:
         yard = (before + yardstick()) / 2
         ratio = 1 / found.rate / yard if found.rate else 0.0
         result = found.result
-        words = (result.verdict.value, f"{found.cases:,}", f"{found.rate:,.0f}", f"{found.built:,}")
+        words = (result.verdict.value, f"{found.cases:,}", f"{found.rate:,.0f}")
         print(f"{name:<12}", *(f"{word:>10}" for word in (*words, result.isolation, f"{ratio:.0f}")))
 
 

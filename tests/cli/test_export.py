@@ -144,7 +144,7 @@ def test_where_a_problem_comes_from_is_said(judge, pack, tmp_path):
     shutil.copytree(pack / "problems/middle", folder)
     toml = (folder / "problem.toml").read_text()
     table = '[source]\nauthors = ["Ada Lovelace"]\nlicense = "cc by-sa"\norigin = "Notes"\n\n'
-    (folder / "problem.toml").write_text(toml.replace("[audit]", f"{table}[audit]"))
+    (folder / "problem.toml").write_text(toml.replace("[tolerance]", f"{table}[tolerance]"))
     shown = judge("show", "middle", "--problems", folder.parent)
     assert [" ".join(line.split()) for line in shown.lines if "Lovelace" in line] == ["authors Ada Lovelace"]
     assert json.loads(judge("show", "middle", "--json").out)["source"]["license"] == "unknown"
@@ -161,7 +161,7 @@ def test_a_source_that_no_line_can_hold_is_refused(given, judge, pack, tmp_path)
     folder = tmp_path / "pack/problems/middle"
     shutil.copytree(pack / "problems/middle", folder)
     toml = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(toml.replace("[audit]", f"[source]\n{given}\n\n[audit]"))
+    (folder / "problem.toml").write_text(toml.replace("[tolerance]", f"[source]\n{given}\n\n[tolerance]"))
     refused = judge("show", "middle", "--problems", folder.parent)
     assert refused.status == 3
     assert refused.err.count("\n") == 1

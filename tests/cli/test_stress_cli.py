@@ -47,7 +47,7 @@ def test_json_has_one_object_and_the_seed_repeats_it(judge, submit):
     assert (first["problem"], first["submission"], first["verdict"]) == ("middle", "mine.py", "WA")
     assert first["failure"]["group"] == "half"
     assert first["counterexample"]["replay"].startswith("middle:")
-    assert 0 < first["built"] <= first["cases"]
+    assert first["cases"] > 0
     assert first["interrupted"] is False
     second = found_by(
         judge("stress", "middle", name, "--json", "--seed", first["seed"], "--no-shrink", "--no-name")

@@ -31,7 +31,7 @@ cpu_seconds = 5
 wall_seconds = 10
 memory_mb = 512
 output_mb = 8
-{tolerance}{audit}
+{tolerance}
 {parameters}
 [[groups]]
 name = "examples"
@@ -54,10 +54,9 @@ PARAMETER = '[[parameters]]\nname = "{}"\ntype = "{}"\nlow = {}\nhigh = {}\nabou
 class Kata:
     """A kata by its parts; the right solution, with `changes` made to it, is the mistake."""
 
-    def __init__(self, answer, parameters, example, problem, solution, change, tolerance="", audit=""):
+    def __init__(self, answer, parameters, example, problem, solution, change, tolerance=""):
         self.answer, self.parameters, self.example = answer, parameters, example
         self.problem, self.tolerance = textwrap.dedent(problem), tolerance
-        self.audit = audit  # kinds of numbers that no case has
         self.right = textwrap.dedent(solution)
         self.wrong = self.right.replace(*change)
         assert self.wrong != self.right
@@ -75,7 +74,6 @@ class Kata:
             answer=self.answer,
             parameters=parameters,
             tolerance=tolerance,
-            audit=f"\n[audit]\n{self.audit}\n" if self.audit else "",
         )
         (folder / "problem.toml").write_text(toml)
         (folder / "problem.py").write_text(self.problem + '\n\nBUILDERS = {"drawn": drawn}\n')
@@ -151,7 +149,6 @@ KATAS = {
         """,
         ('"odd"', '"even"'),
         "relative = 1e-9\nzero = 1e-9",
-        '"numbers, all float" = "Sizes are whole."\n"numbers, mixed" = "Sizes are whole."',
     ),
     "signs": Kata(
         "array(i8; 5000)",

@@ -236,8 +236,8 @@ _FUNCTIONS = {
 }
 
 
-def _looked_at(name: str, text: str) -> None:
-    features(text.encode(), language_of_file(name))
+def _looked_at(text: str) -> None:
+    features(text.encode())
 
 
 def _normal(name: str, text: str) -> None:
@@ -357,12 +357,12 @@ def _readers() -> dict[str, Callable[[str], None]]:
     found: dict[str, Callable[[str], None]] = {}
     for language, name in _FILES.items():
         found[f"{language} problem"] = partial(_problem, name)
-        found[f"{language} features"] = partial(_looked_at, name)
         found[f"{language} normal"] = partial(_normal, name)
         if language != "python":
             found[f"{language} sources"] = partial(_sources, name)
     return {
         **found,
+        "python features": _looked_at,
         "message": _failed,
         "annotation": _annotated,
         "complaint": _complaint,

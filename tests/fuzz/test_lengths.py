@@ -27,7 +27,6 @@ ONCE = [
     ("javascript sources", repeated("=/[")),
     ("rust sources", repeated("a", "struct Pt {")),
     nightly("rust sources", repeated("#![", "//")),
-    ("pypy features", repeated("=[/*")),
     ("python features", repeated("\u0301\u0316", "a")),
     ("toml", repeated("a.", "", "a=1")),
     ("students", repeated("\u0301\u0316", "a")),

@@ -101,35 +101,6 @@ def answers(
         yield solved.answer
 
 
-class Least:
-    """A source of chance that draws the least number."""
-
-    def integer(self, low: int, _high: int) -> int:
-        return low
-
-
-def images(name: str, most: int, count: int) -> Iterator[tuple[Any, Any]]:
-    """The targets of images of shipped cases: that which stress takes, and that of their exact answer."""
-    problem = load_problem(PROBLEMS / name)
-    module = load_module(problem)
-    for group in load_data(problem, cache=False).groups:
-        for case, target in islice(zip(group.cases, group.targets, strict=True), most):
-            for image, changed in module.topic.images(problem, case, target, Least(), count):
-                solved = module.solve(*image)
-                assert solved.broken is None
-                yield changed, problem.answer.target(solved.answer, group.group.tolerance)
-
-
-def near_targets(given: Any, wanted: Any) -> bool:
-    """Whether two targets accept the same numbers; of the errors in ulps the last bits may differ."""
-    if not isinstance(wanted, tuple | list):
-        return bool(given == wanted)
-    if len(wanted) == 5 and all(type(each) is float for each in wanted):
-        off, residual = given[3], wanted[3]
-        return (*given[:3], given[4]) == (*wanted[:3], wanted[4]) and abs(off - residual) < 1e-9
-    return len(given) == len(wanted) and all(map(near_targets, given, wanted))
-
-
 def small_cases(name: str, seeds: Iterable[int | None]) -> Iterator[Any]:
     """The first cases of the groups of a kata of large ones that are not large, with their exact answers."""
     problem = load_problem(PROBLEMS / name)

@@ -14,9 +14,7 @@ from references import (
     cases_of,
     cross,
     dot,
-    images,
     minus,
-    near_targets,
     norm,
     plus,
     reach,
@@ -239,26 +237,6 @@ def test_the_hits_are_those_of_another_formula(name):
     found = list(answers(name, HITS[name], cases_of(name)))
     assert len(set(map(str, found))) >= 300
     assert (None in found) == (name in ("normal", "reflect", "sphere"))
-
-
-# -- what stress takes for cases too, and what is against the promise ---------------------------------------
-
-IMAGES = {  # how many cases of a group, how many images of each, and how many there are at least
-    **dict.fromkeys(LENGTHS, (12, 7, 100)),
-    **dict.fromkeys(("normal", "reflect", "polygon"), (8, 7, 300)),
-    **dict.fromkeys(("swept-balls", "swept-wall"), (12, 7, 500)),
-    **dict.fromkeys(("enter-exit", "csg", "shadow"), (6, 3, 100)),
-}
-
-
-@pytest.mark.parametrize("name", daily(IMAGES, ["circle-circle", "reflect", "swept-balls", "csg"]))
-def test_the_images_of_a_case_are_cases_with_the_images_of_its_answer(name):
-    """Of points that have an order there are quarter turns alone: what is left stays left."""
-    most, count, least = IMAGES[name]
-    found = list(images(name, most, count))
-    assert len(found) > least
-    for changed, solved in found:
-        assert near_targets(solved, changed)
 
 
 def test_a_tiny_circle_is_against_the_promise():

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 from decimal import Context, localcontext
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from judging import make_data
@@ -14,11 +12,8 @@ from sampling import nightly
 from judge.data.load import load_data
 from judge.mistakes import computed as module
 from judge.mistakes.computed import Computer, Program, computed
-from judge.mistakes.contained import Contained
 from judge.mistakes.makers import read_makers
 from judge.problem.find import find_problem
-from judge.problem.load import load_problem
-from judge.sandbox import Boxes
 from judge.sandbox.encode import encode
 from judge.values import parse
 from judge.values.rightness import is_right, wrong_outline
@@ -86,10 +81,9 @@ def test_a_program_that_changes_its_lists_changes_no_other_ones():
 def test_a_callers_precision_changes_no_answer():
     source = b"from decimal import Decimal\n\n\ndef answer(n, P):\n    return str(Decimal(n) / 7)\n"
     data = make_data("one")
-    alone = Computer(data).ended(Program(source, "sevenths"))
+    alone = Computer(data).behaviour(Program(source, "sevenths"))
     with localcontext(Context(prec=3)):
-        assert Computer(data).ended(Program(source, "sevenths")) == alone
-        assert Computer(data).behaviour(Program(source, "sevenths")) == alone[0]
+        assert Computer(data).behaviour(Program(source, "sevenths")) == alone
 
 
 def test_some_cases_alone_are_answered_as_among_all():
@@ -146,50 +140,3 @@ def test_the_outline_is_that_of_an_answer_that_is_not_right(text):
 
 
 # -- in one container: alike there and here to the bit, or judged by themselves --------------------
-
-MIDDLE = Path(__file__).parents[1] / "fixtures" / "pack" / "problems" / "middle"
-ALIKE = {
-    "right": "def middle(a, b):\n    return (a + b) / 2\n",
-    "wrong": "def middle(a, b):\n    return a\n",
-    "no number": "def middle(a, b):\n    return float('nan') if a > b else [None, 'x', -0.0, {1}]\n",
-    "raises": "def middle(a, b):\n    raise ArithmeticError(f'{a}: {b}')\n",
-    "raises without a word": "def middle(a, b):\n    return 1 // 0 if a > b else [][1]\n",
-    "imports": "import fractions\ndef middle(a, b):\n    from math import floor\n    return floor(a)\n",
-    "counts its calls": "n = 0\ndef middle(a, b):\n    global n\n    n += 1\n    return n\n",
-}
-OTHERWISE = {
-    "another process": "import os\ndef middle(a, b):\n    return os.getpid()\n",
-    "another type": "import os\ndef middle(a, b):\n    return 1.0 if os.getpid() == HERE else 1\n",
-    "another exception": "import os\ndef middle(a, b):\n    return [][0] if os.getpid() == HERE else 1 / 0\n",
-    "ends its process": "import os\ndef middle(a, b):\n    os.getpid() == HERE or os._exit(0)\n",
-}
-
-
-@pytest.fixture(scope="module")
-def middle():
-    return load_data(load_problem(MIDDLE), cache=False)
-
-
-def test_what_answers_alike_and_what_does_not(middle):
-    sources = ALIKE | {name: text.replace("HERE", str(os.getpid())) for name, text in OTHERWISE.items()}
-    programs = {name: Program(text.encode(), f"{name}.py", trusted=True) for name, text in sources.items()}
-    computer = Computer(middle)
-    with Contained(middle, list(programs.values()), Boxes()) as contained:
-        found = {name: contained.agrees(each, computer.ended(each)[1]) for name, each in programs.items()}
-    assert found == {name: name in ALIKE for name in sources}
-
-
-def test_how_calls_ended_beside_what_they_answer(middle):
-    for name, text in ALIKE.items():
-        program = Program(text.encode(), f"{name}.py", trusted=True)
-        does, ends = Computer(middle).ended(program)
-        assert does == Computer(middle).behaviour(program)
-        assert list(ends) == [group.group.name for group in middle.groups]
-
-
-def test_a_program_that_cannot_be_compiled_does_not_keep_the_others_from_it(middle):
-    right, broken = (
-        Program(text.encode(), "mine.py", trusted=True) for text in (ALIKE["right"], "def middle(a, b:\n")
-    )
-    with Contained(middle, [broken, right], Boxes()) as contained:
-        assert contained.agrees(right, Computer(middle).ended(right)[1])

@@ -1,26 +1,22 @@
-"""Fresh cases: what a seed stands for, whose they are, and that a mirror image is a case like any other."""
+"""Fresh cases: what a seed stands for and whose they are."""
 
 from __future__ import annotations
 
-import math
-from itertools import chain, islice
+from functools import partial
+from itertools import islice
 from pathlib import Path
 
 import pytest
 
-from judge.data.draw import ReplayedDraw
-from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
+from judge.data.fresh import BUILT, Fresh
 from judge.data.module import load_module
-from judge.data.validate import Validator
-from judge.diagnose.simplicity import numbers_of
+from judge.data.strategy import HypothesisDraw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.statement import EXAMPLES
-from judge.topics.circles.images import SYMMETRIES, images_under
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
-PROBLEMS = ("count", "segment", "ray-nearest", "exact-count")
 
 
 def fresh(name, seed=1, groups=None):
@@ -31,17 +27,6 @@ def fresh(name, seed=1, groups=None):
 
 def cases(source, series):
     return [(each.round, each.data.group.name, each.data.cases) for each in islice(source.series(), series)]
-
-
-def assert_same(answer, one, other):
-    """The same target, but that (x − nearest)/ulp(x) is known to some digits only."""
-    if answer.depth:
-        assert len(one) == len(other)
-        for first, second in zip(chain(*one), chain(*other), strict=True):
-            assert abs(first[3] - second[3]) < 1e-5  # nearly upright lines have coordinates of few digits
-            assert (first[:3], first[4]) == (second[:3], second[4])
-    else:
-        assert one == other
 
 
 def test_a_seed_stands_for_its_cases():
@@ -66,38 +51,6 @@ def test_the_examples_have_no_fresh_ones():
         fresh("count", groups=["examples"])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", PROBLEMS)
-def test_each_image_is_proved_and_solved_like_a_case_of_its_own(name):
-    source = fresh(name)
-    problem, module = find_problem(name), load_module(find_problem(name))
-    validator = Validator(problem, module.solve)
-    for series in islice(source.series(), len(source.groups)):
-        group, pairs = series.data.group, list(zip(series.data.cases, series.data.targets, strict=True))
-        assert len(series.starts) == BUILT
-        assert len(pairs) == BUILT if group.neighbours else BUILT < len(pairs) <= BUILT * (1 + IMAGES_EACH)
-        for case, target in pairs:
-            proof = validator.proof(case)
-            assert proof.fault is None
-            again = problem.answer.target(proof.answer, group.tolerance)
-            assert_same(problem.answer, again, target)
-            assert all(math.copysign(1, number) > 0 for number in numbers_of(case) if number == 0)
-
-
-def test_the_seven_images_of_a_case_differ_and_keep_its_types():
-    case = (1, 2.5, 3, (4, -5.5), (0.0, 7))
-    images = [image for image, _ in images_under(find_problem("count"), case, None, SYMMETRIES)]
-    assert len({case, *images}) == 8
-    assert (5.5, 0.0) not in images
-    assert (-1, 2.5, 3, (-4, -5.5), (0.0, 7)) in images
-    assert (2.5, 1, 3, (-5.5, 4), (7, 0.0)) in images
-    assert all([type(each) for each in numbers_of(image)].count(int) == 4 for image in images)
-
-
-def test_an_image_that_is_the_case_itself_is_none():
-    assert images_under(find_problem("count"), (0, 0, 1, (0, 0), (0, 0)), None, SYMMETRIES) == []
-
-
 @pytest.mark.parametrize(
     ("name", "group"), [("segment", "short"), ("exact-count", "just-hit"), ("count", "near-hit")]
 )
@@ -107,19 +60,10 @@ def test_the_choices_of_a_case_make_it_again_also_where_attempts_were_rejected(n
     module, problem = load_module(find_problem(name)), find_problem(name)
     parameters = dict(problem.group(group).parameters)
     builder = module.builders[problem.group(group).builder]
-    for start in series.starts[:3] + series.starts[-1:]:
+    for start in (0, 1, 2, BUILT - 1):
         choices = source.choices_of(series, start)
-        assert repr(builder(ReplayedDraw(choices), **parameters)) == repr(series.data.cases[start])
-    image = next(place for place in range(len(series.data.cases)) if place not in series.starts)
-    assert source.choices_of(series, image) == source.choices_of(series, image - 1)
-
-
-def test_a_problem_without_images_has_built_cases_only():
-    problem = load_problem(FIXTURES / "pack" / "problems" / "middle")
-    source = Fresh(problem, load_module(problem), problem.groups, 1)
-    series = next(source.series())
-    assert len(series.data.cases) == BUILT
-    assert series.starts == list(range(BUILT))
+        draw = HypothesisDraw(partial(next, iter(choices)))
+        assert repr(builder(draw, **parameters)) == repr(series.data.cases[start])
 
 
 def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):

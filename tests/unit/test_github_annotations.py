@@ -14,7 +14,6 @@ from judge.report.editor import editor_lines
 from judge.report.github import annotation
 from judge.report.places import FilePlace, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Mode, Result
-from judge.run.thresholds import Flip, Law, Threshold
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
 SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"
@@ -40,13 +39,6 @@ def plain(text: str) -> str:
     for code, character in (("%2C", ","), ("%3A", ":"), ("%0A", "\n"), ("%0D", "\r"), ("%25", "%")):
         text = text.replace(code, character)
     return text
-
-
-def test_a_threshold_is_told_of_what_was_accepted_too():
-    law = Law({"extent": 1}, 1e-10)
-    threshold = Threshold("a touch", 1e-12, 1e-7, (Flip({"extent": 1.0}, 0.9e-9, 1.1e-9),), law, None)
-    _, _, lines = parts(annotation(result(Verdict.AC, thresholds=(threshold,)), SOURCE, "solve", {}))
-    assert lines[-1].startswith("threshold for a touch: 1e-10 of the extent; that is between")
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,6 @@ SUFFIXED = {
     "languages/__init__.py": {".py"},
     "languages/draft.py": {".py"},
     "languages/drivers/pypy.py": {"judge_driver.pypy"},
-    "mistakes/contained.py": {"mistakes.py"},
     "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
     "packs/export/package.py": {
         *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py")

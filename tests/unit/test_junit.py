@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from judge.problem import Verdict
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Ratio, Result, Timing, judge_fault
-from judge.run.thresholds import Flip, Law, Threshold
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.
@@ -55,15 +54,6 @@ REJECTED = replace(
     groups=(group("tangent", Verdict.WA, 9), group("band", Verdict.TLE)),
     failure=Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": (0, 2.5)}, "2", "1"),
 )
-THRESHOLD = Threshold(
-    "a touch",
-    1e-12,
-    1e-7,
-    tuple(Flip({"extent": size}, 0.9e-9, 1.1e-9) for size in (1.0, 2e-7)),
-    Law({}, 1e-9),
-    "absolute-epsilon",
-)
-FOLLOWING = Threshold("a touch", 1e-12, 1e-7, THRESHOLD.figures, Law({"extent": 1}, 1e-10))
 
 
 def properties(root):
@@ -74,17 +64,6 @@ def test_times_are_told_and_those_of_the_reference():
     root = read(replace(ACCEPTED, time=Timing(0.125, 0.25, Ratio(1.25, 1.0, 1.5, 5))))
     assert (root.get("time"), properties(root)["ratio"]) == ("0.125", "1.250")
     assert [case.get("time") for case in root.iter("testcase")] == ["0.062"]
-
-
-def test_the_submissions_own_threshold_is_told():
-    told = "for a touch: 1e-9 at size 1, 5e-3 of it at size 2e-7; it does not grow with the figure"
-    root = read(replace(REJECTED, thresholds=(THRESHOLD,)))
-    assert properties(root)["threshold"] == told
-    assert f"threshold  {told}" in root.find(".//failure").text
-    assert properties(read(replace(ACCEPTED, thresholds=(FOLLOWING,))))["threshold"] == (
-        "for a touch: 1e-10 of the extent; that is between 1e-12 and 1e-7, as it should be"
-    )
-    assert "threshold" not in properties(read(ACCEPTED, REJECTED))
 
 
 @pytest.mark.parametrize("verdict", [Verdict.WA, Verdict.RTE, Verdict.CE, Verdict.JE])

@@ -1,4 +1,4 @@
-"""The kill matrix: who kills whom, which group is needed, and a small set of cases that suffices."""
+"""The kill matrix: who kills whom, and which group is needed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from judge.problem import Verdict
 from judge.report.values import percent
 from judge.report.verified import matrix_lines
-from judge.run.matrix import CaseName, greedy_cover, kill_matrix
+from judge.run.matrix import kill_matrix
 from judge.run.result import GroupResult
 
 
@@ -63,24 +63,7 @@ def test_groups_that_do_nothing_of_their_own(matrix):
     assert matrix.replaceable == ("grid", "spare")
     assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
     empty = kill_matrix(GROUPS, [])
-    assert (empty.rows, empty.cover, empty.unkilled) == ((), (), ())
-
-
-def test_the_cover_rejects_every_program_that_can_be(matrix):
-    assert matrix.cover == (CaseName("grid", 3), CaseName("edge", 7))
-    for row in matrix.rows[:3]:
-        assert any(
-            case.case in kill.rejected
-            for case in matrix.cover
-            for kill in row.kills
-            if kill.group == case.group
-        )
-
-
-def test_the_greedy_choice_takes_most_first():
-    a, b, c = (CaseName("g", number) for number in (1, 2, 3))
-    assert greedy_cover({a: frozenset({1}), b: frozenset({1, 2}), c: frozenset({3})}) == (b, c)
-    assert greedy_cover({a: frozenset({1}), b: frozenset({1})}) == (a,)
+    assert (empty.rows, empty.unkilled) == ((), ())
 
 
 def test_a_share_is_all_or_nothing_only_where_it_is():
@@ -98,7 +81,5 @@ def test_the_matrix_on_the_screen(matrix, width):
         "immortal",
         "no group",
         "grid, spare",
-        "2 cases",
-        "grid 3, edge 7",
     ):
         assert said in text or width == 40

@@ -105,11 +105,6 @@ def everywhere(name):
         ),
         (ROUTES.replace("total // 2", "total / 2 if total % 2 else total"), WORDS, "group 'half' names"),
         (ROUTES.replace("total // 2", "(1 / 0"), WORDS, "cannot be run: SyntaxError"),
-        (
-            ROUTES.replace("total // 2", "id(object()) % 7 + total"),
-            WORDS,
-            "floor-division answers otherwise in containment",
-        ),
         (f"{ROUTES}    return a\n    # ? x\n", WORDS, "a mistake without its name"),
         # Two places keep all of any middle, where whole numbers given lose nothing and their middle does.
         (ROUTES, everywhere("rounded-output"), "no case rejects rounded-output"),

@@ -230,20 +230,13 @@ def test_a_fault_of_the_words_is_told(catalogue, text, what):
         ("def f(a):\n    seen = {}\n    seen[a] = 1\n    return a\n", set(), {"state"}),
         ("def f(a):\n    return float('%.3f' % a)\n", {"round", "float"}, {"float32"}),
         ("import numpy as np\ndef f(a):\n    return np.float32(a)\n", {"float32"}, {"decimal"}),
-        (
-            "double f(double a) { return a - 2; }",
-            {"state", "float"},
-            {"//", "/", "whole", "root", "round", "float32", "decimal", "print", "comparison"},
-        ),
-        ("double f(double a) { return a / 2; } // std::sqrt, float", {"/", "//"}, {"root", "float32"}),
-        ("double f(double a) { return std::sqrt(a); }", {"root"}, {"/", "decimal"}),
-        ("func f(a float64) int { return int(a) }", {"whole", "round"}, {"float32", "decimal"}),
-        ("float f(float a) { return fabsf(a); }", {"float32", "root"}, {"/"}),
-        ("static BigDecimal f(double a) { return null; }", {"decimal"}, {"root", "/"}),
-        ("function f(a) { console.log(a); }", {"print"}, {"/"}),
     ],
 )
 def test_features_of_a_program(source, has, lacks):
-    found = features(source.encode(), None if "def" in source else language_called("cpp"))
+    found = features(source.encode())
     assert has <= found
     assert not lacks & found
+
+
+def test_another_language_shows_no_features():
+    assert features(b"double f(double a) { return std::sqrt(a) / 2; }", language_called("cpp")) == frozenset()

@@ -253,7 +253,7 @@ def test_the_kill_matrix_shades_by_share_and_marks_ones_own():
         ("edge",),
         (Kill("grid", (1,), 100), Kill("edge", tuple(range(1, 101)), 100), Kill("far", (), 100)),
     )
-    table = kill_table(Matrix(("grid", "edge", "far"), (row,), (), (), ()), Counter(blind=2))
+    table = kill_table(Matrix(("grid", "edge", "far"), (row,), (), ()), Counter(blind=2))
     (line,) = table.lines
     assert (line.name, line.made) == ("blind-once", 2)
     assert [(cell.text, cell.shade, cell.own) for cell in line.cells] == [
@@ -261,7 +261,7 @@ def test_the_kill_matrix_shades_by_share_and_marks_ones_own():
         ("100%", 5, True),
         ("", 0, False),
     ]
-    assert kill_table(Matrix((), (), (), (), ()), Counter()) is None
+    assert kill_table(Matrix((), (), (), ()), Counter()) is None
 
 
 def test_a_report_is_known_by_its_head(path):

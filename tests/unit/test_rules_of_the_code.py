@@ -94,7 +94,6 @@ def test_a_submission_s_answers_are_decided_in_one_place_for_each_mode():
     assert called - {"sandbox/probe.py", "sandbox/native.py", "sandbox/attacking.py"} == {
         "run/function.py",
         "run/program.py",
-        "mistakes/contained.py",  # which compares trusted programs with themselves
         "packs/export/trial.py",
         "packs/foreign/judging.py",  # which has files and validators in place of cases and types
-    }  # those three judge nothing
+    }  # those two judge nothing

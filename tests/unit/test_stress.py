@@ -10,8 +10,6 @@ from sampling import nightly
 from judge.data import ProblemData
 from judge.data.fresh import Fresh
 from judge.data.module import load_module
-from judge.judging import Session, Terms
-from judge.judging.stressing import Stressing
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report.stress import stress_lines
@@ -55,7 +53,7 @@ def test_a_right_one_goes_on_until_the_time_is_up(source, mode):
     assert not found.interrupted
     assert found.cases == sum(group.cases for group in found.result.groups)
     assert found.cases == sum(group.passed for group in found.result.groups)
-    assert found.cases > found.built >= 96
+    assert found.cases >= 96
     assert [group.name for group in found.result.groups] == ["grid", "tangent", "axis-parallel"]
     assert "nothing broke" in text_of(found)
     assert "again with --seed 1" in text_of(found, 200)
@@ -117,12 +115,3 @@ def test_a_call_that_gives_no_answer_breaks_it(body, verdict, words):
     assert words in found.result.failure.message
     assert found.result.failure.case == 1
     assert found.cases >= 1
-
-
-def test_the_submissions_own_threshold_is_told_as_by_a_run():
-    problem = find_problem("count")
-    source = (problem.solutions / "accepted" / "geometric.py").read_text()
-    source = source.replace("THRESHOLD * extent", "1e-9").encode()
-    with Session(problem, Terms(named=False)) as session:
-        found = Stressing(source, "mine.py", problem.groups, 7, 1.0).run(session)
-    assert "threshold  for a tangency: 1e-9 at size 1, 4e-3 of it at size 2e-7;" in text_of(found, None)

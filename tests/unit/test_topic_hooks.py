@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from itertools import islice
 from pathlib import Path
 
 import pytest
@@ -14,7 +13,6 @@ import judge
 from judge.data import load_data
 from judge.data.build import build
 from judge.data.draw import QuickDraw
-from judge.data.fresh import BUILT, IMAGES_EACH, Fresh
 from judge.data.model import ProblemData
 from judge.data.module import load_module
 from judge.diagnose.replay import decode, encode
@@ -50,30 +48,6 @@ def test_building_solves_each_case_once(asked):
     cases = [repr(case) for group in built for case in group.cases]
     assert set(cases) == set(times)
     assert set(times.values()) == {1}
-
-
-def test_a_fresh_case_is_solved_once_and_an_image_never(asked):
-    problem, module, times = asked
-
-    def images(_problem, case, target, chance, most):
-        assert most == IMAGES_EACH
-        return [((case[1], case[0]), target)] if chance.integer(1, 1) else []
-
-    fresh = Fresh(problem, replace(module, topic=Topic(images=images)), problem.groups, 1)
-    for series in islice(fresh.series(), 2):
-        cases = series.data.cases
-        assert len(cases) == 2 * BUILT
-        assert [cases[start + 1] for start in series.starts] == [
-            cases[start][::-1] for start in series.starts
-        ]
-    assert sum(times.values()) == 2 * BUILT
-
-
-def test_an_image_out_of_bounds_is_left_out(asked):
-    problem, module, _ = asked
-    topic = Topic(images=lambda _problem, case, target, _chance, _most: [((case[0], 10**6), target)])
-    fresh = Fresh(problem, replace(module, topic=topic), problem.groups, 1)
-    assert len(next(fresh.series()).data.cases) == BUILT
 
 
 def test_a_replay_solves_its_case_once(asked):

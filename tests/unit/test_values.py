@@ -267,21 +267,6 @@ def test_some_types_are_those_of_answers_alone(text, possible):
     assert parse(text).is_parameter is possible
 
 
-def test_points_of_a_value_and_of_a_target_are_mapped():
-    def swapped(pair):
-        return pair[1], pair[0]
-
-    assert parse("[(point, number)]").pairs((((1, 2), 3),), swapped) == (((2, 1), 3),)
-    assert parse("[circle]").pairs(((1, 2, 3),), swapped) == ((2, 1, 3),)
-    assert parse("ray").pairs(((1, 2), (3, 4)), swapped) == ((2, 1), (4, 3))
-    assert parse("vec3").pairs((1, 2, 3), swapped) == (1, 2, 3)
-    assert parse("(real, real)").pairs((1, 2), swapped) == (1, 2)
-    one, other = (1.0,) * 5, (2.0,) * 5
-    runs = [{"run": [(one, other)]}, {"any": [(other, one)]}]
-    mapped = parse("[vec2]").pairs(runs, swapped)
-    assert mapped == ({"run": [(other, one)]}, {"any": [(one, other)]})
-
-
 def test_a_radius_is_never_negative():
     circle, inside = parse("circle"), (1, 2, 0)
     assert circle.outside(inside, -5, 5) is None

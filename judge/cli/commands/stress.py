@@ -87,8 +87,8 @@ def command(
     The file tells its problem, and a problem its usual file, as with judge run.
 
     The test groups take turns. Each time a group's builder makes cases from new parameters, drawn from the
-    seed, and each of them is proved and solved exactly like the pinned ones; three of its mirror images
-    follow it where the problem has them. What breaks is shrunk and shown as `judge run` does.
+    seed, and each of them is proved and solved exactly like the pinned ones. What breaks is shrunk and shown
+    as `judge run` does.
 
     Ctrl-C ends it early and keeps what was found.
 

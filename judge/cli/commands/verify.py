@@ -23,7 +23,6 @@ from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
-from judge.run.audit import Audit
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, Progress, SolutionReport, VerifyReport, fresh_data, verify_problem
 from judge.sandbox import Boxes
@@ -123,29 +122,7 @@ def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, A
         "choices": report.choices,
         "faults": [_fault(fault) for fault in report.faults],
         "warnings": [_fault(fault) for fault in report.warnings],
-        "audit": _audit(report.audit) if report.audit else None,
         **matrix,
-    }
-
-
-def _audit(audit: Audit) -> dict[str, Any]:
-    return {
-        "numbers": [
-            {"group": name, **dict(zip(("int", "float", "mixed"), counts, strict=True))}
-            for name, counts in audit.types.items()
-        ],
-        "kinds": [
-            {
-                "kind": bucket.name,
-                "decision": bucket.decision,
-                "side": bucket.side,
-                "range": bucket.range,
-                "cases": bucket.cases,
-                "reason": bucket.reason or None,
-            }
-            for bucket in audit.buckets
-        ],
-        "few": [{"file": each.file, "cases": each.cases} for each in audit.few],
     }
 
 
@@ -170,7 +147,6 @@ def _matrix(matrix: Matrix) -> dict[str, Any]:
         "aimless": list(matrix.aimless),
         "replaceable": list(matrix.replaceable),
         "unkilled": [row.file for row in matrix.unkilled],
-        "cover": [{"group": case.group, "case": case.case} for case in matrix.cover],
     }
 
 

@@ -7,7 +7,6 @@
     cases.py      the failing cases worth showing
     told.py       one of them in words and pictures
     plot.py       the time ratio over the attempts
-    thresholds.py the submission's own thresholds beside the band and the promise
     kills.py      the kill matrix as a table
     render.py     from a page to its bytes, by the templates beside it
 

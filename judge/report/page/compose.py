@@ -33,7 +33,6 @@ from judge.report.page.parts import (
 )
 from judge.report.page.plot import ratio_plot
 from judge.report.page.record import GroupRecord, read_record
-from judge.report.page.thresholds import threshold_plot
 from judge.report.values import counted, score_text, times
 
 MOST_RUNS = 300  # of one problem in its tables
@@ -188,7 +187,6 @@ def _part(anchor: str, runs: Sequence[Run], known: KnownProblem | None, source: 
         more=len(runs) - len(lines),
         plot=ratio_plot(anchor, counting, _time_limit(problem)),
         growth=growth_plot(anchor, counting),
-        thresholds=threshold_plot(anchor, counting),
         cases=tuple(failing_cases(problem, runs, places, known.advice if known else {})),
         cases_left_out=left_out(runs, places),
         kills=kill_table(matrix, made) if matrix else None,

@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import PurePath
 
 from judge.report.page.parts import KillCell, KillLine, KillTable
-from judge.report.values import counted, percent
+from judge.report.values import percent
 from judge.run.matrix import Kill, Matrix, Row
 
 _SHADES = (Fraction(0), Fraction(1, 10), Fraction(1, 4), Fraction(1, 2), Fraction(3, 4))
@@ -17,9 +17,7 @@ def kill_table(matrix: Matrix, made: Counter[str]) -> KillTable | None:
     """The table; None where there are no known-wrong programs. `made` counts the runs of each mistake."""
     if not matrix.rows:
         return None
-    killed = len(matrix.rows) - len(matrix.unkilled)
-    least = f"{counted(len(matrix.cover), 'case')} would do to reject {counted(killed, 'program')}"
-    return KillTable(matrix.groups, tuple(_line(matrix, row, made) for row in matrix.rows), least)
+    return KillTable(matrix.groups, tuple(_line(matrix, row, made) for row in matrix.rows))
 
 
 def _line(matrix: Matrix, row: Row, made: Counter[str]) -> KillLine:

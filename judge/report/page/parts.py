@@ -106,32 +106,6 @@ class Plot(Struct, frozen=True):
     held: str = ""  # which runs were held to the reference of another language, and why
 
 
-class ThresholdDot(Struct, frozen=True):
-    """A figure's threshold: `x` in percent of the width, `y` in pixels; `open` where it is only a bound."""
-
-    x: str
-    y: float
-    open: bool
-
-
-class ThresholdPlot(Struct, frozen=True):
-    """A submission's thresholds as shares of the figures' sizes, both on logarithmic scales.
-
-    `free` is from where to where, in pixels, no case may lie and a threshold should; `columns` are places and
-    labels of the horizontal axis, which `size` names; `text` says what the threshold is.
-    """
-
-    name: str  # begins the ids
-    height: float
-    run: int
-    dots: tuple[ThresholdDot, ...]
-    levels: tuple[GridLine, ...]
-    columns: tuple[tuple[str, str], ...]
-    free: tuple[float, float] | None
-    size: str
-    text: str
-
-
 class GrowthDot(Struct, frozen=True):
     """What a case of some size took: `x` in percent, `y` in pixels; `open` where it is a bound."""
 
@@ -249,7 +223,6 @@ class KillTable(Struct, frozen=True):
 
     groups: tuple[str, ...]
     lines: tuple[KillLine, ...]
-    least: str
 
 
 class ProblemPart(Struct, frozen=True):
@@ -270,7 +243,6 @@ class ProblemPart(Struct, frozen=True):
     more: int
     plot: Plot | None
     growth: GrowthPlot | None
-    thresholds: ThresholdPlot | None
     cases: tuple[FailingCase, ...]
     cases_left_out: int
     kills: KillTable | None

@@ -10,7 +10,6 @@ from msgspec import Struct
 
 from judge.errors import HistoryError
 from judge.kata.history import Run
-from judge.run.thresholds import Threshold
 
 
 class GroupRecord(Struct, frozen=True):
@@ -86,7 +85,6 @@ class Record(Struct, frozen=True):
     failure: CaseRecord | None = None
     counterexample: CaseRecord | None = None
     time: TimeRecord = TimeRecord()
-    thresholds: tuple[Threshold, ...] = ()
 
 
 def read_record(run: Run) -> Record:

@@ -19,9 +19,6 @@ part.py        what a problem is about
 signature.py   from figures to cases and back
 recipes/       test cases: figures that have one property each
 figures/       what recipes are made of
-images.py      mirror images of a case
-decisions.py   how far a case is from where its answer turns
-borders.py     figures in which a submission's own threshold can be measured
 plane.py       first steps, each of a kind
 frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
@@ -44,14 +41,10 @@ from typing import TYPE_CHECKING, Any
 
 from judge.problem.topic import Chance, Puzzle, Shown, Topic
 from judge.topics.circles.bands import Bands
-from judge.topics.circles.borders import borders
 from judge.topics.circles.crowd import Crowd, Hit
-from judge.topics.circles.crowd_borders import crowd_borders
-from judge.topics.circles.images import mirror_images, turned_images
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.outline import OUTLINE, CircleOutline
 from judge.topics.circles.pair import CirclePair, Lie
-from judge.topics.circles.pair_borders import pair_borders
 from judge.topics.circles.part import Part
 from judge.topics.circles.plane import Kind, plane
 from judge.topics.circles.signature import (
@@ -72,7 +65,6 @@ from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
 if TYPE_CHECKING:
     from judge.drawing import Picture
     from judge.problem import Problem
-    from judge.problem.topic import Decision
 
 __all__ = [
     "BOUNCE",
@@ -107,7 +99,6 @@ __all__ = [
     "circles_ray_and_light",
     "line_alone",
     "line_and_point",
-    "mirror_images",
     "plane",
     "points_only",
     "topic_of",
@@ -115,19 +106,13 @@ __all__ = [
 ]
 
 
-_IMAGES = {Part.NORMAL: None, Part.TANGENTS: turned_images}  # a mirror turns left into right
-
-
 def topic_of(part: Part) -> Topic:
     """What is known of a circle and so much of a line."""
     return Topic(
-        images=_IMAGES.get(part, mirror_images),
         simpler=simpler,
         special=special,
         picture=partial(_picture, part),
-        decisions=partial(_decisions, part),
         explore=partial(_explored, part),
-        borders=partial(borders, part),
         puzzle=partial(_puzzle, part) if part in (Part.LINE, Part.RAY) else None,
     )
 
@@ -156,24 +141,6 @@ def _explored(part: Part, problem: Problem, values: Mapping[str, Any] | None) ->
     return explored(part, problem, values)
 
 
-def _pair_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.pair_decisions import pair_decisions  # late as well
-
-    return pair_decisions(problem)
-
-
-def _crowd_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.crowd_decisions import crowd_decisions  # and so
-
-    return crowd_decisions(problem)
-
-
-def _decisions(part: Part, problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.decisions import decisions  # late: only a setter asks
-
-    return decisions(part, problem)
-
-
 LINE = topic_of(Part.LINE)
 SEGMENT = topic_of(Part.SEGMENT)
 RAY = topic_of(Part.RAY)
@@ -186,23 +153,17 @@ NORMAL = topic_of(Part.NORMAL)
 TANGENTS = topic_of(Part.TANGENTS)
 PAIR, COMMON = (
     Topic(
-        images=turned_images,
         simpler=simpler_pairs,
         special=special_pair,
         picture=partial(_picture, part),
-        decisions=_pair_decisions,
-        borders=pair_borders,
     )
     for part in (Part.PAIR, Part.COMMON)
 )
 HITS, SPANS, SHADOW = (
     Topic(
-        images=mirror_images,
         simpler=simpler_crowds,
         special=special_crowd,
         picture=partial(_picture, part),
-        decisions=None if part is Part.SHADOW else _crowd_decisions,
-        borders=None if part is Part.SHADOW else partial(crowd_borders, part),
         puzzle=_hits_puzzle if part is Part.HITS else None,
     )
     for part in (Part.HITS, Part.SPANS, Part.SHADOW)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 from math import hypot, sqrt
 from typing import TYPE_CHECKING
 
@@ -18,16 +17,13 @@ from judge.exact.dyadic import integers
 from judge.exact.surd import Surd
 from judge.problem import Case, Problem
 from judge.problem.model import Number, Point
-from judge.problem.topic import Decision, Shown, Topic
+from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands
-from judge.topics.circles.images import mirror_images
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
 
 _CERTAIN = 1e-6  # of the extent: far more than what is rounded in a double, and than any band here
-_FINEST = 1e-15  # of the extent: what figures of doubles still hold
-_QUANTITIES = ("r", "x of C→O", "y of C→O")
 _DIGITS = (1, 2, 3, 5)
 
 
@@ -133,42 +129,6 @@ def broken(frames: Sequence[Frame], h: Number, bands: Bands) -> str | None:
 # -- the topic ---------------------------------------------------------------------------------------------
 
 
-def _decisions(problem: Problem) -> tuple[Decision, ...]:
-    """How far the first frame is from a touch, and each later one from both thresholds, in extents.
-
-    `low` is r(1 − h), which d is below (passed) or not (kept); `high` is r(1 + h).
-    """
-    bands = Bands.of(problem.bands)
-    snap, clear = float(bands.snap), float(bands.clear)
-
-    def measured(which: int, case: Case) -> Iterator[tuple[str, float, Frame]]:
-        circles, origin, way, h = case
-        share = (*thresholds(h), Fraction(1))[which]
-        frames = frames_of(circles, origin, way)
-        for frame in frames[1:] if which < 2 else frames[:1]:
-            if not frame.extent:
-                continue  # a point on O: there is nothing to measure by, and no threshold is passed
-            gap = frame.gap(share)
-            passed = gap.sign() < 0 if which != 1 else gap.sign() > 0
-            yield (("passed", "kept") if which < 2 else ("hit", "miss"))[not passed], abs(float(gap)), frame
-
-    def plain(which: int, case: Case) -> Iterator[tuple[str, float]]:
-        return ((side, away) for side, away, _ in measured(which, case))
-
-    def by_extent(which: int, case: Case) -> Iterator[tuple[str, float]]:
-        for _, away, frame in measured(which, case):
-            lengths = zip(_QUANTITIES, (frame.radius, frame.x, frame.y), strict=True)
-            yield from ((name, away) for name, length in lengths if length == frame.extent)
-
-    found = [Decision("first", ("hit", "miss"), partial(plain, 2), least=1e-7)]
-    for which, name in enumerate(("low", "high")):
-        sides = ("passed", "kept")
-        found.append(Decision(name, sides, partial(plain, which), _FINEST, within=snap, beyond=clear))
-        measure = partial(by_extent, which)
-        found.append(Decision(f"{name}, by the extent", _QUANTITIES, measure, within=snap, beyond=clear))
-    return tuple(found)
-
-
 def _simpler(_problem: Problem, case: Case) -> Iterator[Case]:
     """The line level through the origin, each circle straight above it; at its own size and about 1."""
     circles, origin, way, h = case
@@ -208,6 +168,4 @@ def _picture(shown: Shown) -> Picture | None:
     return strip(shown)
 
 
-FRAMES = Topic(
-    images=mirror_images, simpler=_simpler, special=_special, picture=_picture, decisions=_decisions
-)
+FRAMES = Topic(simpler=_simpler, special=_special, picture=_picture)

@@ -5,9 +5,8 @@ OUTLINE   the topic of problems with the arguments (cx, cy, r, V), V being the c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from functools import partial
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -15,18 +14,14 @@ from msgspec import Struct
 from judge.exact.dyadic import integers
 from judge.exact.surd import Surd
 from judge.problem import Case, Problem
-from judge.problem.topic import Decision, Shown, Topic
+from judge.problem.topic import Shown, Topic
 from judge.topics.circles.bands import Bands, beyond
-from judge.topics.circles.images import mirror_images
 from judge.topics.circles.line import CircleLine, Number, Pair
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem.border import Border
 
 Spot = tuple[int, int, int | None]  # an edge, which common point of its line, the end that it is at
-
-_FINEST = 1e-15  # of the extent: what figures of doubles still hold
 
 
 class Crossing(Struct, frozen=True):
@@ -115,48 +110,6 @@ class CircleOutline(Struct, frozen=True):
         return None
 
 
-def _each_edge(
-    measure: Callable[[CircleLine], Iterable[tuple[str, float]]], case: Case
-) -> Iterator[tuple[str, float]]:
-    for line in CircleOutline.of(*case).edges:
-        if line.extent:
-            yield from measure(line)
-
-
-def _lengths(line: CircleLine) -> Iterator[tuple[str, float]]:
-    yield "edge", max(abs(line.dx), abs(line.dy)) / line.extent
-
-
-def _by_extent(
-    measure: Callable[[CircleLine], Iterable[tuple[str, float]]], wanted: str, line: CircleLine
-) -> Iterator[tuple[str, float]]:
-    quantity = "r" if line.r == line.extent else "a corner"
-    yield from ((quantity, share) for side, share in measure(line) if side == wanted)
-
-
-def outline_decisions(problem: Problem) -> tuple[Decision, ...]:
-    """A touch of an edge's line, a common point beside an edge's end, and how short an edge is."""
-    from judge.topics.circles.decisions import ends, tangencies  # late: only a setter asks
-
-    bands = Bands.of(problem.bands)
-    snap, clear = float(bands.snap), float(bands.clear)
-    found = []
-    for name, sides, measure in (
-        ("tangent", ("hit", "miss"), tangencies),
-        ("end", ("on", "beyond"), partial(ends, bands)),
-    ):
-        of_edges = partial(_each_edge, measure)
-        found.append(Decision(name, sides, of_edges, least=_FINEST, within=snap, beyond=clear))
-        for side in sides:
-            quantities = ("r", "a corner")
-            by_extent = partial(_each_edge, partial(_by_extent, measure, side))
-            found.append(
-                Decision(f"{name}, {side}, by the extent", quantities, by_extent, within=snap, beyond=clear)
-            )
-    least = float(problem.bands["least_edge"])
-    return (*found, Decision("edge", ("edge",), partial(_each_edge, _lengths), least=least))
-
-
 def simpler_outlines(_problem: Problem, case: Case) -> Iterator[Case]:
     """The circle about the origin, and fewer corners; nothing here need be right."""
     cx, cy, r, corners = case
@@ -186,17 +139,8 @@ def _picture(shown: Shown) -> Picture | None:
     return draw_outline(shown)
 
 
-def _borders(problem: Problem) -> tuple[Border, ...]:
-    from judge.topics.circles.outline_borders import outline_borders  # late: only naming asks
-
-    return outline_borders(problem)
-
-
 OUTLINE = Topic(
-    images=mirror_images,
     simpler=simpler_outlines,
     special=special_outline,
     picture=_picture,
-    decisions=outline_decisions,
-    borders=_borders,
 )

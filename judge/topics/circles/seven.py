@@ -7,7 +7,7 @@ discriminant(…)   Δ = r²·a − k² of such a case, exactly, with the terms 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -24,9 +24,6 @@ from judge.values import Enclosure
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem.topic import Decision
-
-_FINEST = 1e-16  # of the extent: an ulp of what doubles hold
 
 
 class Discriminant(Struct, frozen=True):
@@ -88,16 +85,4 @@ def _picture(shown: Shown) -> Picture | None:
     return LINE.picture(replace(shown, values=values, exact=None if a == b else 1 + sign, given=None))
 
 
-def _decisions(_problem: Problem) -> tuple[Decision, ...]:
-    from judge.problem.topic import Decision  # late: only a setter asks
-    from judge.topics.circles.decisions import tangencies
-    from judge.topics.circles.line import CircleLine
-
-    def measured(case: Case) -> Iterable[tuple[str, float]]:
-        line = CircleLine.through(*_paired(case))
-        return tangencies(line) if line.extent else ()
-
-    return (Decision("tangent", ("hit", "miss"), measured, least=_FINEST),)
-
-
-SEVEN = Topic(images=LINE.images, simpler=_simpler, special=_special, picture=_picture, decisions=_decisions)
+SEVEN = Topic(simpler=_simpler, special=_special, picture=_picture)

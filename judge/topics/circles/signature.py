@@ -8,24 +8,20 @@ pairs. An adapter makes a case of a figure, so that one recipe serves problems o
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import lru_cache, wraps
-from itertools import pairwise
+from functools import wraps
 from typing import Any
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.draw import Draw
-from judge.problem import Case, Parameter
+from judge.problem import Case
 from judge.problem.model import Number, Point
 from judge.topics.circles.figures.figure import Figure, Recipe
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
-from judge.values import Type
 
 Adapter = Callable[[Figure], Case]
-Change = Callable[[Point], Point]  # of a point or a vector
 
 
 def flat(figure: Figure) -> Case:
@@ -87,36 +83,6 @@ def _adapted(recipe: Recipe, adapter: Adapter) -> Callable[..., Case]:
         return adapter(recipe(draw, **parameters))
 
     return builder
-
-
-class Layout(Struct, frozen=True):
-    """The places in a case that hold points and vectors: values of such types, and an x before its y."""
-
-    typed: tuple[tuple[int, Type], ...]
-    split: tuple[int, ...]
-
-    def mapped(self, case: Case, change: Change) -> Case:
-        """The case with every point and vector changed."""
-        values: list[Any] = list(case)
-        for place, type_ in self.typed:
-            values[place] = type_.pairs(values[place], change)
-        for place in self.split:
-            values[place : place + 2] = change((values[place], values[place + 1]))
-        return tuple(values)
-
-
-@lru_cache(maxsize=64)
-def layout(parameters: tuple[Parameter, ...]) -> Layout:
-    """Where the points and vectors of a problem's cases are: cx and cy are one, as x1 and y1 are."""
-    lone = [each.type.depth == 0 and each.type.width == 1 for each in parameters]
-    typed = [(place, each.type) for place, each in enumerate(parameters) if not lone[place]]
-    names = [each.name if alone else None for each, alone in zip(parameters, lone, strict=True)]
-    split = [
-        place
-        for place, (x, y) in enumerate(pairwise(names))
-        if x is not None and y is not None and x != y and x.replace("x", "y") == y
-    ]
-    return Layout(tuple(typed), tuple(split))
 
 
 def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:

@@ -6,7 +6,6 @@ SphereRay     a sphere and a ray in scaled integers: where they meet first, and 
 hit.py        the same
 figures.py    spheres and rays before they are cases: turned, moved, scaled; a radius at the edge of a band
 recipes.py    test cases that have one property each
-decisions.py  how far a case is from where its answer turns
 simpler.py    simpler cases like a failing one
 picture.py    a failing case, seen from two sides
 """
@@ -22,8 +21,6 @@ from judge.topics.spheres.simpler import simpler, special
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem import Problem
-    from judge.problem.topic import Decision
 
 __all__ = ["BUILDERS", "SPHERE", "SphereRay"]
 
@@ -34,10 +31,4 @@ def _picture(shown: Shown) -> Picture | None:
     return compose(shown)
 
 
-def _decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.spheres.decisions import decisions  # late: only a setter asks
-
-    return decisions(problem)
-
-
-SPHERE = Topic(simpler=simpler, special=special, picture=_picture, decisions=_decisions)
+SPHERE = Topic(simpler=simpler, special=special, picture=_picture)

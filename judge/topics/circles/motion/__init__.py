@@ -6,8 +6,6 @@ WALL     of those with a disc and a wall, (P0, P1, r, A, B)
 moments.py         a moment beside the start and the end of the time
 balls.py           two discs in scaled integers, seen from one of them
 ball_recipes.py    test cases of two discs
-ball_decisions.py  how far a case is from where its answer turns
-ball_borders.py    figures in which a submission's own threshold can be measured
 ball_simpler.py    simpler cases like a failing one
 ball_picture.py    a failing case drawn; film.py draws whatever moves
 wall.py, wall_*.py the same for a disc and a wall
@@ -18,16 +16,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
-from judge.topics.circles.images import mirror_images
-from judge.topics.circles.motion.ball_borders import ball_borders
 from judge.topics.circles.motion.ball_simpler import simpler_balls, special_balls
-from judge.topics.circles.motion.wall_borders import wall_borders
 from judge.topics.circles.motion.wall_simpler import simpler_walls, special_walls
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-    from judge.problem import Problem
-    from judge.problem.topic import Decision
 
 __all__ = ["BALLS", "WALL"]
 
@@ -38,19 +31,10 @@ def _ball_picture(shown: Shown) -> Picture | None:
     return ball_picture(shown)
 
 
-def _ball_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.motion.ball_decisions import ball_decisions  # late: only a setter asks
-
-    return ball_decisions(problem)
-
-
 BALLS = Topic(
-    images=mirror_images,
     simpler=simpler_balls,
     special=special_balls,
     picture=_ball_picture,
-    decisions=_ball_decisions,
-    borders=ball_borders,
 )
 
 
@@ -60,17 +44,8 @@ def _wall_picture(shown: Shown) -> Picture | None:
     return wall_picture(shown)
 
 
-def _wall_decisions(problem: Problem) -> tuple[Decision, ...]:
-    from judge.topics.circles.motion.wall_decisions import wall_decisions  # late as well
-
-    return wall_decisions(problem)
-
-
 WALL = Topic(
-    images=mirror_images,
     simpler=simpler_walls,
     special=special_walls,
     picture=_wall_picture,
-    decisions=_wall_decisions,
-    borders=wall_borders,
 )
