@@ -54,7 +54,6 @@ class Workplace(NamedTuple):
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
     itself: str = ""  # what /proc/self/exe leads to at `full`, where there is no /proc
-    feedback: tuple[int, int] | None = None  # how many files and bytes a program may leave in `scratch`
 
     def where(self, name: str, level: str) -> str:
         """The path inside of one of the folders shown, or of `SCRATCH`."""
@@ -115,7 +114,6 @@ def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) 
     config["profile"], config["descriptors"] = place.profile, place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
     config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
-    config["feedback"] = place.feedback
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
     config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
     if place.scratch and level != "full" and config["uid"] is not None:

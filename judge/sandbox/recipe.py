@@ -38,7 +38,6 @@ class Recipe(NamedTuple):
     empty: tuple[str, bytes]
     complaint: str = ""
     itself: str = ""  # a compiler that looks for its own file in /proc
-    modules: bool = False  # whether it has those that are installed for this interpreter
     help: Files = ()  # files for the compiler, that no program is made of
 
 

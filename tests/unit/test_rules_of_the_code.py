@@ -96,5 +96,4 @@ def test_a_submission_s_answers_are_decided_in_one_place_for_each_mode():
         "run/program.py",
         "mistakes/contained.py",  # which compares trusted programs with themselves
         "packs/export/trial.py",
-        "packs/foreign/judging.py",  # which has files and validators in place of cases and types
-    }  # those three judge nothing
+    }  # those two judge nothing
