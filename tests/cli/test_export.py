@@ -63,7 +63,7 @@ def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
         assert archive.getinfo("output_validators/exact/run").external_attr >> 16 & 0o111
     with zipfile.ZipFile("packages/legacy/middle.kpp") as archive:
         assert "middle/problem.yaml" in archive.namelist()
-    for package in ("packages/legacy/middle", "packages/legacy/middle.kpp"):  # which the judge does not judge on
+    for package in ("packages/legacy/middle", "packages/legacy/middle.kpp"):
         refused = judge("run", package, "a.py")
         assert (refused.status, refused.err.count("\n")) == (2, 1)
         assert "bt run and verifyproblem" in refused.err
