@@ -39,7 +39,7 @@ class Processes:
     def __init__(self, count: int) -> None:
         from judge.judging.containment import room_for  # which a worker has no need of
 
-        _, self.count, self.short = room_for(count)
+        self.count, self.short = room_for(count)
         self._alive = 0
 
     def finished(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:

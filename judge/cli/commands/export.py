@@ -7,7 +7,6 @@ from typing import Any
 
 import click
 
-from judge.cli.judging_options import jobs_option
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError, UsageError
 from judge.judging.isolation import kept_level
@@ -54,7 +53,6 @@ _BOTH = "both"
 @click.option(
     "--wrong", type=click.IntRange(0), metavar="N", help="At most so many wrong programs; one a mistake."
 )
-@jobs_option
 @json_option
 @problems_option
 def command(
@@ -66,7 +64,6 @@ def command(
     archives: bool,
     bare: bool,
     wrong: int | None,
-    jobs: int,
     as_json: bool,
     folders: tuple[Path, ...],
 ) -> ExitCode:
@@ -82,7 +79,7 @@ def command(
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a problem is broken.
     """
     versions = tuple(Version) if version == _BOTH else (Version(version),)
-    order = Order(target, versions, archives, not bare, wrong, jobs)
+    order = Order(target, versions, archives, not bare, wrong)
     problems = _chosen(names, folders, everything=everything)
     wanted = [each for each in problems if not why_left_out(each)]
     short_names(each.id for each in wanted)

@@ -31,7 +31,6 @@ class Order(Struct, frozen=True):
     archives: bool = False
     held: bool = True
     wrong: int | None = None
-    jobs: int = 1
 
 
 class Package(Struct, frozen=True):
@@ -86,7 +85,7 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
         tests = tuple(tests_in(data))
     except NoForm as why:
         return Export(problem, short, str(why))
-    programs = Exporter(data, tests, boxes, order.jobs).programs(progress, held=order.held, wrong=order.wrong)
+    programs = Exporter(data, tests, boxes).programs(progress, held=order.held, wrong=order.wrong)
     contents = Contents(problem, tests, programs, latex(problem))
     check_places(problem, order)
     where, domjudge = places(problem, order)
