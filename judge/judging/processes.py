@@ -166,7 +166,11 @@ class _Worker:
         if line is not None and at_once:
             line.close()
         if pool is not None:
-            pool.shutdown(wait=True, cancel_futures=True)
+            try:
+                pool.shutdown(wait=True, cancel_futures=True)
+            except RuntimeError:  # its own thread could not be started, and is not there to wait for
+                for process in pool._processes.values():
+                    process.kill()
         if line is not None:
             line.close()
 
