@@ -62,7 +62,7 @@ def test_a_pipe_that_is_full_is_no_lack_of_processes(judge, monkeypatch):
     assert "process" not in judge("list").err
 
 
-def test_a_judge_without_a_thread_to_spare_judges_one_after_the_other_where_that_is_asked_for(judge, submit, monkeypatch):
+def test_a_judge_without_a_thread_to_spare_judges_one_after_the_other(judge, submit, monkeypatch):
     """Where no thread but the one that starts containers can be had."""
     real = threading.Thread.start
 
