@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import AbstractContextManager
 
 from judge.cli.picture import Drawing
@@ -11,18 +11,16 @@ from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.judging.containment import Containment
-from judge.judging.executors import executor, results
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.report.progress import Advance, progress
 from judge.report.screen import Notes
-from judge.run.execute import judge_fault
 from judge.run.result import Result
 
 
-def opened(problem: Problem, wish: Wish, containment: Containment, expected: int = 1) -> Session:
-    """What judges the submissions to a problem, of which so many are expected."""
-    return Session(problem, wish.terms, containment, expected=expected, bars=progress)
+def opened(problem: Problem, wish: Wish, containment: Containment) -> Session:
+    """What judges the submissions to a problem."""
+    return Session(problem, wish.terms, containment, bars=progress)
 
 
 def one_by_one(problem: Problem, wish: Wish, containment: Containment) -> Callable[[Submission], Drawing]:
@@ -39,13 +37,7 @@ def one_by_one(problem: Problem, wish: Wish, containment: Containment) -> Callab
 def drawings(
     session: Session, submissions: Sequence[Submission], wish: Wish
 ) -> Generator[Drawing, None, None]:
-    """Judge the submissions, of which the first has its box already; see `judge.cli.judging.judged`."""
-
-    def judge(submission: Submission) -> Result:
-        return session.judge(submission.source, submission.name)
-
-    def lost(submission: Submission, why: str) -> Result:
-        return judge_fault(session.problem.id, submission.name, why)
+    """Judge the submissions, of which a single one has its box already; see `judge.cli.judging.judged`."""
 
     def numbered(label: str) -> AbstractContextManager[Advance | None]:
         return progress(f"{done + 1} of {wish.total}: {label}")
@@ -56,10 +48,8 @@ def drawings(
     said = Notes()
     with Recording(wish.db, wanted=wish.kept) as recording:
         recording.open()  # while the box boots
-        said.say(session.notes)
-        session.prepare()
+        judged = _results(session, submissions, wish, said)
         said.say(session.data.notes)
-        judged = results(executor(session.jobs), judge, submissions, lost)
         for submission, result in zip(submissions, judged, strict=True):
             recording.add(submission, result)
             said.say(result.notes)
@@ -67,3 +57,19 @@ def drawings(
                 said.say(save_regression(wish.regression, session.data, result))
             done += 1
             yield Drawing(session.problem, session.data, result)
+
+
+def _results(
+    session: Session, submissions: Sequence[Submission], wish: Wish, said: Notes
+) -> Iterator[Result]:
+    """The results in order, once the data are there. Raises JudgeError."""
+    jobs = min(wish.jobs, len(submissions))
+    if jobs > 1:
+        from judge.cli.several import judged_at_once  # most runs are of one file
+        from judge.judging.processes import Processes
+
+        pool = Processes(jobs)
+        said.say([pool.short] if pool.short else [])
+        return judged_at_once(session.problem, submissions, session.terms, wish.had, pool)
+    session.prepare()
+    return (session.judge(each.source, each.name) for each in submissions)

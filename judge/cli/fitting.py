@@ -17,7 +17,6 @@ from judge.cli.submissions import Submission, Unjudged, read_submissions
 from judge.cli.wish import named_problem
 from judge.errors import HistoryError, JudgeError, UsageError
 from judge.languages import file_name, is_program
-from judge.packs.foreign.look import ENDINGS, is_package
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders
 from judge.problem.load import is_name
@@ -35,22 +34,20 @@ def split(
         UsageError: the first word is neither a problem nor a file, or there is no file.
     """
     first, *rest = words
-    if is_problem(first, folders):
+    own = is_problem(first, folders)
+    for word in rest if own else words:
+        if _is_package(word):
+            remedy = "bt run and verifyproblem judge on it; see 'judge help packages'"
+            raise UsageError("this is a package of another judge", where=word, remedy=remedy)
+    if own:
         if rest:
             return first, tuple(rest)
         if _usual_file(first, db) is not None or not os.path.lexists(first):
             named_problem(first, folders)  # whose own complaint goes first
             return first, (usual_file(first, f"{command} {first}", db),)
     elif not (is_program(first) or _is_file(first)):
-        if first.endswith(ENDINGS):
-            read_submissions([first])  # which says that there is no such file
         named_problem(first, folders)
     for word in rest:
-        if command == "run" and is_package(word):
-            from judge.report.names import shown_command  # only for the one who is told
-
-            remedy = f"the package comes first: {shown_command('judge', 'run', file=word)} FILE"
-            raise UsageError("this is a package of another judge, and no file", where=word, remedy=remedy)
         if not os.path.lexists(word) and is_problem(word, folders):
             remedy = f"the problem comes first: judge {command} PROBLEM FILE"
             raise UsageError(f"{first!r} is no problem's name", remedy=remedy)
@@ -134,6 +131,10 @@ def problem_of_file(
     what = "this file defines no problem's function, and is called like none"
     remedy = f"name the problem: judge {command} PROBLEM FILE; 'judge list' has them"
     raise UsageError(what, where=submission.name, remedy=remedy)
+
+
+def _is_package(word: str) -> bool:
+    return _is_file(f"{word}/problem.yaml") or (word.endswith((".zip", ".kpp")) and _is_file(word))
 
 
 def is_problem(word: str, folders: Sequence[Path]) -> bool:

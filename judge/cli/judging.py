@@ -30,13 +30,12 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
     first, terms = submissions[0], wish.terms
-    jobs = min(wish.jobs, len(submissions) * len(terms.chosen(problem)))
-    program = terms.program
-    with Containment(problem, terms.isolation, jobs, wish.had, program=program) as containment:
-        containment.boot(first.source, first.name)
+    with Containment(problem, terms.isolation, had=wish.had, program=terms.program) as containment:
+        if min(wish.jobs, len(submissions)) == 1:
+            containment.boot(first.source, first.name)
         from judge.cli.drawings import drawings, opened  # while it boots
 
-        yield from drawings(opened(problem, wish, containment, len(submissions)), submissions, wish)
+        yield from drawings(opened(problem, wish, containment), submissions, wish)
 
 
 class Sitting:
@@ -60,7 +59,7 @@ class Sitting:
         try:
             self._look_at_problem()
             if self._containment is None:
-                self._containment = Containment(self._problem, self._wish.terms.isolation, 1, self._wish.had)
+                self._containment = Containment(self._problem, self._wish.terms.isolation, had=self._wish.had)
             self._containment.boot(submission.source, submission.name)
             from judge.cli.drawings import one_by_one  # while it boots
 

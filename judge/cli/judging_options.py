@@ -28,7 +28,7 @@ jobs_option: Callable[[F], F] = click.option(
     type=click.IntRange(1, 256),
     default=1,
     metavar="N",
-    help="Do so many things at once; time is still measured alone.",
+    help="Judge so many files at once; time is still measured alone.",
 )
 keys_option: Callable[[F], F] = click.option(
     "--keys",

@@ -3,7 +3,7 @@
 public.py       `judge(problem, source)` and `run(job)`, for other people's programs
 job.py          what is to be judged, and how
 session.py      judging many submissions to one problem, with all that they share
-executors.py    who does the work: here, or threads
+executors.py    who does the work: here
 processes.py    … or processes of this machine
 containment.py, isolation.py
                 the boxes; the level of isolation that this machine is known to have

@@ -15,7 +15,6 @@ from judge.problem.find import problem_roots
 from judge.run.reference import Reference
 from judge.sandbox import Boxes, room
 from judge.sandbox.boundary import Box, BoxFactory
-from judge.sandbox.room import Room
 
 _SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
 WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
@@ -39,20 +38,18 @@ def every_hidden_folder() -> tuple[Path, ...]:
     return (*roots, *(root.parent / "solutions" for root in roots), cache_folder())
 
 
-def room_for(jobs: int) -> tuple[Room, int, str]:
-    """The room that is left, how many things may be done in it at once, and why not as many as asked for."""
+def room_for(jobs: int) -> tuple[int, str]:
+    """How many things may be done at once in the room that is left, and why not as many as asked for."""
     room.raise_descriptors()
-    left = room.measure()
-    fit, limit = left.at_once(jobs)
-    return left, fit, f"{fit} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
+    fit, limit = room.measure().at_once(jobs)
+    return fit, f"{fit} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
 
 
 class Containment:
     """The boxes of one session; a context manager that ends those that were never used.
 
     The first submission's box boots while the judge still reads its data. `open_box` opens another one at the
-    same level; `jobs` is how many things may be done at once here, and `short` says it where they are fewer
-    than were asked for.
+    same level.
     """
 
     def __init__(
@@ -64,14 +61,15 @@ class Containment:
         *,
         program: bool = False,
     ) -> None:
-        """`level` is demanded, `jobs` are asked for; `had` is the level that this command has had before.
+        """`level` is demanded; `had` is the level that this command has had before. `jobs` processes of this
+        command judge at once, and share what the machine has left.
 
         With `program`, what is compiled is a program even where it defines the problem's function.
         """
-        left, self.jobs, self.short = room_for(jobs)
+        room.raise_descriptors()
         self._level = level
         least = None if level else kept_level()
-        boxes = Boxes(level, hidden_folders(problem), least=least, had=had, share=left.share(self.jobs))
+        boxes = Boxes(level, hidden_folders(problem), least=least, had=had, share=room.measure().share(jobs))
         self.open_box: BoxFactory = AnyBoxes(boxes, None if program else signature_of(problem))
         self.reference = Reference(problem, self.open_box)
         self._ahead: dict[tuple[bytes, str], Box] = {}

@@ -1,4 +1,4 @@
-"""Who does the work: here one after another, several threads at once, or processes (processes.py).
+"""Who does the work: here one after another, or several processes at once (processes.py).
 
 An executor is given what to do and the items to do it to, and gives each result as soon as it is there, with
 the place of its item; `results` puts them in the order of the items. Anything with these methods is one: for
@@ -16,7 +16,6 @@ from typing import Generic, Protocol, TypeAlias, TypeVar, runtime_checkable
 from msgspec import Struct
 
 from judge.errors import JudgeError, told
-from judge.run.parallel import finished
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -79,25 +78,6 @@ class Here(Struct, frozen=True):
     def alive(self) -> int:
         """This one."""
         return 1
-
-
-class Threads(Struct, frozen=True):
-    """So many items at once, each in a thread; their work is waiting for other processes."""
-
-    count: int
-
-    def finished(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
-        """See `Executor.finished`."""
-        yield from finished(items, self.count, lambda item: attempted(work, item, lost))
-
-    def alive(self) -> int:
-        """The threads."""
-        return self.count
-
-
-def executor(jobs: int) -> Executor:
-    """What does so many things at once on this machine, within this process."""
-    return Threads(jobs) if jobs > 1 else Here()
 
 
 def results(executor: Executor, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Iterator[R]:

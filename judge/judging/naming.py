@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import threading
 from collections.abc import Callable
 from contextlib import AbstractContextManager, suppress
 from functools import partial
@@ -24,21 +22,16 @@ if TYPE_CHECKING:
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
 
 NAMED = (Verdict.WA, Verdict.RTE)
-_MOST_AT_ONCE = 4  # of the known-wrong programs, where nobody said how many
 
 
 class Naming:
     """Adds the mistake's name to results; what it needs is imported with the first wrong answer."""
 
-    def __init__(
-        self, data: ProblemData, seed: int | None, settings: Settings, jobs: int, bars: Bars
-    ) -> None:
+    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, bars: Bars) -> None:
         self._data = data
         self._seed = seed
         self._settings = settings
-        self._jobs = jobs
         self._bars = bars
-        self._lock = threading.Lock()
         self._namer: Namer | None = None
         self._label = f"learning the mistakes of {data.problem.id}, once"
 
@@ -58,8 +51,7 @@ class Naming:
             result = namer.named(result, source, partial(self._fails_alone, source, result.submission))
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")
-        with self._lock:
-            notes, namer.notes = namer.notes, []
+        notes, namer.notes = namer.notes, []
         return result.noting(*notes)
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
@@ -69,7 +61,7 @@ class Naming:
         (data,) = [each for each in self._data.groups if each.group.name == group]
         one = replace(data, cases=[data.cases[case]], targets=[data.targets[case]])
         alone = ProblemData(self._data.problem, (one,))
-        settings = replace(self._settings, workers=1, measured=False)
+        settings = replace(self._settings, measured=False)
         return run_submission(alone.problem, alone, source, name, settings=settings).verdict is not Verdict.AC
 
     def matrix(self) -> tuple[Matrix, tuple[str, ...]]:
@@ -80,9 +72,7 @@ class Naming:
     def _ready(self, label: str = "") -> Namer:
         from judge.mistakes.namer import Namer
 
-        with self._lock:
-            if self._namer is None:
-                workers = self._jobs if self._jobs > 1 else min(_MOST_AT_ONCE, os.cpu_count() or 1)
-                bar = partial(self._bars, label or self._label)
-                self._namer = Namer(self._data, self._seed, self._settings, workers, bar)
-            return self._namer
+        if self._namer is None:
+            bar = partial(self._bars, label or self._label)
+            self._namer = Namer(self._data, self._seed, self._settings, bar)
+        return self._namer

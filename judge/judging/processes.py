@@ -39,7 +39,7 @@ class Processes:
     def __init__(self, count: int) -> None:
         from judge.judging.containment import room_for  # which a worker has no need of
 
-        _, self.count, self.short = room_for(count)
+        self.count, self.short = room_for(count)
         self._alive = 0
 
     def finished(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
@@ -166,7 +166,11 @@ class _Worker:
         if line is not None and at_once:
             line.close()
         if pool is not None:
-            pool.shutdown(wait=True, cancel_futures=True)
+            try:
+                pool.shutdown(wait=True, cancel_futures=True)
+            except RuntimeError:  # its own thread could not be started, and is not there to wait for
+                for process in pool._processes.values():
+                    process.kill()
         if line is not None:
             line.close()
 

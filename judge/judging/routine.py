@@ -73,7 +73,7 @@ def explained(data: ProblemData, routine: Routine) -> Result:
         one = replace(one, cases=[one.cases[case]], targets=[one.targets[case]])
         return _held(data, one, routine).failure is not None
 
-    namer = Namer(data, None, Settings(measured=False), 1, nullcontext)
+    namer = Namer(data, None, Settings(measured=False), nullcontext)
     return namer.named(result, _source(routine), alone)
 
 

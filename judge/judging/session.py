@@ -9,9 +9,8 @@ Shared are the cases, the box of the reference, the known mistakes, and the turn
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
-from threading import Lock
 
 from msgspec.structs import replace
 
@@ -26,7 +25,6 @@ from judge.problem import Problem, Verdict
 from judge.run.alone import Machine
 from judge.run.execute import judge_fault, run_in
 from judge.run.hurdle import with_hurdle
-from judge.run.parallel import Turnstile
 from judge.run.printed import with_printed
 from judge.run.reference import check_needs
 from judge.run.result import Result
@@ -43,13 +41,10 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
 
 
 class Session:
-    """A context manager; `judge` may be called from several threads.
+    """A context manager, for one thread.
 
-    `containment` is one in which the first submission's box may have been started; it says how many things
-    may be done at once. Without it `jobs` asks for so many. `expected` is how many submissions are to come:
-    few of them use several boxes each. `bars` opens what is told how far the work is, by its label. Nothing
-    is printed: what a person should know is in the results' notes, and in the session's own, where there is
-    no room for `jobs`.
+    `containment` is one in which the first submission's box may have been started. `bars` opens what is told
+    how far the work is, by its label. Nothing is printed: what a person should know is in the results' notes.
     """
 
     def __init__(
@@ -58,29 +53,20 @@ class Session:
         terms: Terms = Terms(),  # noqa: B008 - frozen
         containment: Containment | None = None,
         *,
-        jobs: int = 1,
-        expected: int = 1,
         bars: Bars = silent,
     ) -> None:
         self.problem = problem
         self.terms = terms
-        if containment is None:
-            jobs = min(jobs, expected * len(terms.chosen(problem)))
-            containment = Containment(problem, terms.isolation, jobs, program=terms.program)
-        self.containment = containment
-        self.jobs = containment.jobs
-        self.notes = (containment.short,) if containment.short else ()
-        self.turnstile = Turnstile(Machine(waiting=lambda: self._quietly(_WAITING)))
+        self.containment = containment or Containment(problem, terms.isolation, program=terms.program)
+        self.turnstile = Machine(waiting=lambda: self.bars(_WAITING))
         self.settings = Settings(
             box_factory=self.containment.take,
-            workers=max(1, self.jobs // max(1, expected)),
             measured=terms.timed,
             turnstile=self.turnstile,
             reference=self.containment.reference,
             program=terms.program,
         )
         self.bars = bars
-        self._lock = Lock()
         self._data: ProblemData | None = None
         self._naming: Naming | None = None
 
@@ -111,11 +97,10 @@ class Session:
     @property
     def data(self) -> ProblemData:
         """The cases and what their answers are held against; read or built when first asked for."""
-        with self._lock:
-            if self._data is None:
-                with self.bars(f"building {self.problem.id}") as advance:
-                    self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
-            return self._data
+        if self._data is None:
+            with self.bars(f"building {self.problem.id}") as advance:
+                self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
+        return self._data
 
     def judge(self, source: bytes, name: str) -> Result:
         """Judge one submission as the terms say.
@@ -149,16 +134,14 @@ class Session:
     @property
     def naming(self) -> Naming:
         """What names mistakes by their answers to the session's cases."""
-        data = self.data
-        with self._lock:
-            if self._naming is None:
-                self._naming = Naming(data, self.terms.seed, self.settings, self.jobs, self._quietly)
-            return self._naming
+        if self._naming is None:
+            self._naming = Naming(self.data, self.terms.seed, self.settings, lambda label: self.bars(label))
+        return self._naming
 
     def _judged(self, data: ProblemData, source: bytes, name: str) -> Result:
         terms = self.terms
         with self.containment.take(source, name) as box:
-            with self._quietly(name) as advance:
+            with self.bars(name) as advance:
                 settings, groups = self.settings, terms.chosen(self.problem)
                 judged = run_in(
                     box,
@@ -184,12 +167,6 @@ class Session:
                 with self.turnstile.judging():
                     result = diagnosed(result, data, runner, box, self.containment.open_box)
         return self.naming.named(result, source) if terms.named else result
-
-    @contextmanager
-    def _quietly(self, label: str) -> Iterator[Progress | None]:
-        """A bar, unless several submissions are judged at once: results are written meanwhile."""
-        with self.bars(label) if self.jobs == 1 else nullcontext() as advance:
-            yield advance
 
 
 def _of_its_race(result: Result, language: str) -> Iterator[str]:

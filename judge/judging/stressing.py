@@ -77,7 +77,7 @@ class Stressing(Struct, frozen=True):
         pinned = run_submission(
             session.problem, data, self.source, self.name, settings=replace(settings, measured=False)
         )
-        named = Naming(data, None, settings, 1, session.bars).named(pinned, self.source)
+        named = Naming(data, None, settings, session.bars).named(pinned, self.source)
         result = replace(stressed.result, pitfall=named.pitfall).noting(*named.notes)
         return replace(stressed, result=result)
 

@@ -26,7 +26,6 @@ from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
 from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
-from judge.run.parallel import in_order
 from judge.run.settings import Settings
 from judge.values import Outline, Usual
 
@@ -40,10 +39,9 @@ _WHAT = "the known mistakes' answers"
 class KnownAnswers:
     """The answers of known programs on one problem's data, read from the cache and added to it."""
 
-    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, workers: int = 1) -> None:
+    def __init__(self, data: ProblemData, seed: int | None, settings: Settings) -> None:
         self._data = data
         self._settings = settings
-        self._workers = workers
         self._kinds: dict[tuple[str, int, Outline], str] = {}
         self._file = _file_of(data.problem, seed)
 
@@ -87,9 +85,8 @@ class KnownAnswers:
             return behaviour(result)
 
         computer = Computer(data)
-        judged = {key: each for key, each in missing.items() if not each.trusted}
         trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)
-        contained = zip(judged, in_order(list(judged.values()), self._workers, judge), strict=True)
+        contained = ((key, judge(each)) for key, each in missing.items() if not each.trusted)
         for done, found in enumerate(chain(trusted, contained), 1):
             yield found
             if progress:

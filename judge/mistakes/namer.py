@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
@@ -51,8 +50,7 @@ class _Ready(Struct):
 class Namer:
     """Says which known mistake explains a result; what the mistakes answer is found once and kept.
 
-    `settings` say how programs are judged, `workers` how many at once; `progress` opens a bar for it. Safe
-    to use from several threads; `notes` are sentences for the person.
+    `settings` say how programs are judged; `progress` opens a bar for it; `notes` are for the person.
     """
 
     def __init__(
@@ -60,15 +58,13 @@ class Namer:
         data: ProblemData,
         seed: int | None,
         settings: Settings,
-        workers: int,
         progress: Callable[[], AbstractContextManager[Progress | None]],
     ) -> None:
         self.notes: list[str] = []
         self._data = data
-        self._answers = KnownAnswers(data, seed, replace(settings, workers=1, measured=False), workers)
+        self._answers = KnownAnswers(data, seed, replace(settings, measured=False))
         self._computer = Computer(data)  # of what makes two mistakes at once
         self._progress = progress
-        self._lock = threading.Lock()
         self._made: _Ready | None = None
 
     def learn(self) -> None:
@@ -163,22 +159,21 @@ class Namer:
         return joint
 
     def _ready(self) -> _Ready:
-        with self._lock:
-            if self._made is None:
-                read = read_makers(self._data.problem)
-                self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
-                with self._progress() as advance:
-                    behaviours, note = self._answers.of([each.program for each in read.all], advance)
-                self.notes += [note] if note else []
-                alike = distinct(read.all, behaviours)
-                makers = [read.all[places[0]] for places in alike]
-                choices = [[c for i in places if (c := read.all[i].choice) is not None] for places in alike]
-                known = [
-                    Known(maker.name, behaviours[places[0]], maker.chance)
-                    for maker, places in zip(makers, alike, strict=True)
-                ]
-                self._made = _Ready(read, makers, choices, known)
-            return self._made
+        if self._made is None:
+            read = read_makers(self._data.problem)
+            self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
+            with self._progress() as advance:
+                behaviours, note = self._answers.of([each.program for each in read.all], advance)
+            self.notes += [note] if note else []
+            alike = distinct(read.all, behaviours)
+            makers = [read.all[places[0]] for places in alike]
+            choices = [[c for i in places if (c := read.all[i].choice) is not None] for places in alike]
+            known = [
+                Known(maker.name, behaviours[places[0]], maker.chance)
+                for maker, places in zip(makers, alike, strict=True)
+            ]
+            self._made = _Ready(read, makers, choices, known)
+        return self._made
 
 
 @contextmanager

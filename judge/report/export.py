@@ -6,18 +6,16 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from judge.packs.export.job import Export, reasons
-from judge.packs.export.tools import Checked
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.values import counted
 
 _NAMED = 3  # files that are named beside a reason
-_SHOWN = 8  # lines of a tool that are shown
 _COLUMN = 17
 
 
 def export_lines(export: Export, width: int | None) -> Iterator[Line]:
-    """One problem: its packages, what the tools say of them, and what was left out."""
+    """One problem: its packages, and what was left out."""
     if export.why:
         yield from beside(Span(export.problem.id, Style.STRONG), f"left out: {export.why}", width)
         return
@@ -30,8 +28,6 @@ def export_lines(export: Export, width: int | None) -> Iterator[Line]:
         places = [str(package.folder)] + ([str(package.archive)] if package.archive else [])
         written = f"{', '.join(map(shown_name, places))}  {package.bytes / 1000:,.0f} kB"
         yield from _row(package.version.value, written, width)
-        if package.checked:
-            yield from _checked(package.checked, width)
     if export.domjudge:
         yield from _row("DOMjudge", shown_name(str(export.domjudge)), width)
     if programs and programs.held:
@@ -44,16 +40,6 @@ def export_lines(export: Export, width: int | None) -> Iterator[Line]:
         yield from _row("left out", f"{named}: {why}", width)
     for note in export.notes:
         yield from _row("note", note, width)
-
-
-def _checked(checked: Checked, width: int | None) -> Iterator[Line]:
-    counts = f"{counted(checked.errors, 'error')}, {counted(checked.warnings, 'warning')}"
-    yield from _row(checked.tool, "; ".join([counts, *checked.notes]), width)
-    if not checked.ok:
-        for text in checked.lines[:_SHOWN]:
-            yield from _row("", text, width)
-        if len(checked.lines) > _SHOWN:
-            yield from _row("", f"… and {len(checked.lines) - _SHOWN} more", width)
 
 
 def total_line(exports: Sequence[Export]) -> Line:

@@ -9,7 +9,7 @@
     result.py        what all of it came to; tried.py: a person's own case, and what was said of it
     stress.py, verify.py, matrix.py
                      fresh cases without end; the setter's checks; which group rejects which wrong program
-    parallel.py      several things at once, and measuring alone; alone.py: on the whole machine
+    alone.py         measuring alone on the whole machine
 
 The names below are imported when they are asked for.
 """

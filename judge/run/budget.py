@@ -11,8 +11,6 @@ process again and again, is not run to the end.
 
 from __future__ import annotations
 
-import threading
-
 from judge.problem import Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.sandbox.boundary import Limits, Stop, Usage
@@ -24,10 +22,9 @@ SEARCH_SECONDS = 5.0
 
 
 class Budget:
-    """The account of one submission; several threads may book on it."""
+    """The account of one submission."""
 
     def __init__(self, problem: Problem) -> None:
-        self._lock = threading.Lock()
         self._timeouts = self._losses = 0
         self._lost_by: set[Verdict] = set()
         self._at_once = False
@@ -42,27 +39,24 @@ class Budget:
     def booked(self, replies: Replies) -> Replies:
         """Book what a series of cases has cost; its replies, as a person sees them."""
         stop = replies.stop
-        with self._lock:
-            self._waited += replies.usage.waiting_seconds
-            if stop is Stop.WAITING:  # whatever the clocks say of the last millisecond
-                self._waited = max(self._waited, self._most_waiting)
-            if replies.lost:
-                self._losses += 1
-                self._lost_by.add(VERDICTS.get(stop, Verdict.RTE))
+        self._waited += replies.usage.waiting_seconds
+        if stop is Stop.WAITING:  # whatever the clocks say of the last millisecond
+            self._waited = max(self._waited, self._most_waiting)
+        if replies.lost:
+            self._losses += 1
+            self._lost_by.add(VERDICTS.get(stop, Verdict.RTE))
         # The box knows only what was left of the time for waiting.
         return replies.told(self._waited_too_long) if stop is Stop.WAITING else replies
 
     def searched(self, usage: Usage) -> None:
         """Book a run that looked for the case a program breaks at."""
-        with self._lock:
-            self._waited += usage.waiting_seconds
-            self._searched += usage.wall_seconds
+        self._waited += usage.waiting_seconds
+        self._searched += usage.wall_seconds
 
     def ran_out_of_time(self, *, at_once: bool) -> None:
         """Book a group whose own time was used up; `at_once` where nothing had come of it before."""
-        with self._lock:
-            self._timeouts += MOST_TIMEOUTS if at_once else 1
-            self._at_once = self._at_once or at_once
+        self._timeouts += MOST_TIMEOUTS if at_once else 1
+        self._at_once = self._at_once or at_once
 
     def may_search(self) -> bool:
         """Whether one more run is worth it to find the case a program breaks at."""

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import codecs
-import threading
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from contextlib import ExitStack
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from judge.problem import Problem, Verdict
-from judge.run.alone import Admitted
+from judge.run.alone import Admitted, Machine
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.parallel import Turnstile, share
 from judge.run.races import Timed, race_all, worth_racing
 from judge.run.reference import Reference
 from judge.run.result import Failure, GroupResult, LevelResult, Result, Timing
@@ -82,13 +79,12 @@ def run_in(
 ) -> Judged:
     """As `run_submission`, in a box that is open already and holds the submission."""
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
-    turnstile = settings.turnstile or Turnstile()
+    turnstile = settings.turnstile or Machine()
     runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
         return Judged(uncompiled(problem, name, runner, box), None)
     budget = Budget(problem)
-    open_box = partial(settings.box_factory, source, name)
-    judging = _Judging(data, runner, open_box, settings.workers, on_progress, budget)
+    judging = _Judging(data, runner, on_progress, budget)
     with turnstile.judging() as place:
         runs = judging.groups(box, chosen)
     timing, waited = Timed(Decision(None)), place.waited
@@ -172,7 +168,7 @@ def _race(
     runs: Sequence[GroupRun],
     box: Box,
     settings: Settings,
-    turnstile: Turnstile,
+    turnstile: Machine,
     budget: Budget,
 ) -> tuple[Timed, Admitted]:
     problem = runner.problem
@@ -186,50 +182,22 @@ def _race(
 
 
 class _Judging:
-    """The groups of one submission, in one box or several at once."""
+    """The groups of one submission."""
 
     def __init__(
-        self,
-        data: ProblemData,
-        runner: Runner,
-        open_box: Callable[[], Box],
-        workers: int,
-        on_progress: Progress | None,
-        budget: Budget,
+        self, data: ProblemData, runner: Runner, on_progress: Progress | None, budget: Budget
     ) -> None:
         self._data = data
         self._runner = runner
-        self._open_box = open_box
-        self._workers = workers
         self._on_progress = on_progress
         self._budget = budget
-        self._lock = threading.Lock()
         self._called: set[str] = set()
         self._done = self._total = 0
 
     def groups(self, box: Box, groups: Sequence[GroupData]) -> list[GroupRun]:
-        """Judge the groups; `box` is the first worker's, the others open their own."""
+        """Judge the groups in the box."""
         runs = [GroupRun(self._data, group, self._runner) for group in groups]
         self._total = sum(len(group.cases) for group in groups)
-        workers = self._workers
-        here = threading.current_thread()
-
-        def work(queue: Iterable[tuple[int, list[GroupRun]]]) -> None:
-            with ExitStack() as stack:
-                mine = box
-                if threading.current_thread() is not here:
-                    mine = stack.enter_context(self._open_box())
-                for _, share_of in queue:
-                    self._judge(mine, share_of)
-
-        share([runs[first::workers] for first in range(min(workers, len(runs)))], workers, work)
-        for run in runs:
-            if not run.ended:
-                assert self._budget.over
-                run.give_up(*self._budget.over)
-        return runs
-
-    def _judge(self, box: Box, runs: Sequence[GroupRun]) -> None:
         run_groups(
             self._runner,
             box,
@@ -238,14 +206,18 @@ class _Judging:
             on_calls=self._after_calls,
             on_group=self._after_group,
         )
+        for run in runs:
+            if not run.ended:
+                assert self._budget.over
+                run.give_up(*self._budget.over)
+        return runs
 
     def _after_calls(self, run: GroupRun) -> None:
-        with self._lock:
-            if run.group.name not in self._called:
-                self._called.add(run.group.name)
-                self._done += len(run.cases)
-                if self._on_progress:
-                    self._on_progress(self._done, self._total)
+        if run.group.name not in self._called:
+            self._called.add(run.group.name)
+            self._done += len(run.cases)
+            if self._on_progress:
+                self._on_progress(self._done, self._total)
 
     def _after_group(self, run: GroupRun) -> None:
         run.ended = True

@@ -18,11 +18,11 @@ from msgspec.structs import replace
 from judge.data.fresh import Fresh, Series
 from judge.data.model import ProblemData
 from judge.problem import Problem, Verdict
+from judge.run.alone import Machine
 from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.parallel import Turnstile
 from judge.run.result import SCHEMA, Failure, GroupResult, Result, Timing
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Usage
@@ -92,7 +92,7 @@ def stress(
     *,
     seconds: float,
     on_cases: OnCases | None = None,
-    turnstile: Turnstile | None = None,
+    turnstile: Machine | None = None,
     clock: Callable[[], float] = time.monotonic,
 ) -> Stressed:
     """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
@@ -108,7 +108,7 @@ def stress(
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
     run = _Run(data, fresh, box, runner, clock, clock() + seconds)
-    turnstile = turnstile or Turnstile()
+    turnstile = turnstile or Machine()
     begun, interrupted = clock(), False
     try:
         while not run.over:

@@ -132,7 +132,6 @@ class ProgramResult(NamedTuple):
     stderr: bytes  # the last few KB
     detail: str
     usage: Usage
-    code: int | None = None  # its exit status where that is known, below 0 for a signal
 
 
 class Box(Protocol):

@@ -26,7 +26,7 @@ _ALWAYS = (
     "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
 )
-_EXEC = ("judge.sandbox.inside.clear", "judge.sandbox.inside.exec")  # the server of what is no Python
+_EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
 _ON_LINUX = (
     "judge.sandbox.linux.foreign",
     "judge.sandbox.linux.kernel",
@@ -58,7 +58,7 @@ module.start(channel, region, config, source)
 
 def pack(config: dict[str, Any], source: bytes) -> bytes:
     """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
-    modules = (*_modules(), *_started()) if "profile" in config else _modules()
+    modules = (*_modules(), _started()) if "profile" in config else _modules()
     return marshal.dumps((modules, config, source))
 
 
@@ -70,8 +70,8 @@ def _modules() -> tuple[tuple[str, CodeType], ...]:
 
 
 @cache
-def _started() -> tuple[tuple[str, CodeType], ...]:
-    return tuple((name, _code_of(name)) for name in _EXEC)
+def _started() -> tuple[str, CodeType]:
+    return _EXEC, _code_of(_EXEC)
 
 
 def _code_of(name: str) -> CodeType:

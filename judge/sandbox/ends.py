@@ -28,8 +28,6 @@ def end_of(
     allowed = f"{limits.memory_bytes >> 20} MB"
     if printed > limits.output_bytes or signalled == signal.SIGXFSZ:
         return Stop.OUTPUT, f"wrote more than {limits.output_bytes >> 20} MB"
-    if done.reason == wire.FOR_FILLING:
-        return Stop.OUTPUT, "left more files than it may"
     if done.peak_bytes > limits.memory_bytes + idle.memory_bytes:
         own = f", {idle.memory_bytes >> 20} of them {recipe.name}'s own" if idle.memory_bytes else ""
         return Stop.MEMORY, f"used more than {allowed}, {done.peak_bytes >> 20} MB seen{own}"

@@ -58,7 +58,6 @@ class Workplace(NamedTuple):
     runnable: tuple[str, ...] = ()
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
-    feedback: tuple[int, int] | None = None  # how many files and bytes a program may leave in `scratch`
 
     def where(self, name: str, level: str) -> str:
         """The path inside of one of the folders shown, or of `SCRATCH`."""
@@ -119,7 +118,6 @@ def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) 
     config["profile"], config["descriptors"] = place.profile, place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
     config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
-    config["feedback"] = place.feedback
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
     config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
     if place.scratch and level != "full" and config["uid"] is not None:

@@ -63,7 +63,6 @@ class NativeBox:
         self._folder: TemporaryFolder | None = None
         self._running: Holder | None = None
         self._place: Workplace | None = None
-        self._arguments: tuple[str, ...] = ()  # of its command line
 
     @property
     def isolation(self) -> str:
@@ -152,7 +151,7 @@ class NativeBox:
 
     def _holder(self, level: str, place: Workplace, more: Sequence[str]) -> Holder:
         share = self._boxes.share
-        roots = find_roots(self._boxes.hide, more, modules=self._recipe.modules)
+        roots = find_roots(self._boxes.hide, more, modules=False)
         return Holder(level, self._boxes, lambda level: Container(level, "", b"", roots, share, place))
 
     # -- running
@@ -180,8 +179,7 @@ class NativeBox:
             out, err = shared.head(stdio[1], limits.output_bytes), shared.tail(stdio[2], _STDERR)
         usage = Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
         stop, detail = ends.end_of(done, limits, idle, printed, err, self._recipe)
-        code = None if done.reason else os.waitstatus_to_exitcode(done.status)
-        return ProgramResult(stop, out, err, detail, usage, code)
+        return ProgramResult(stop, out, err, detail, usage)
 
     def _ask(self, stdio: Sequence[int], limits: Limits, idle: Usage) -> Done:
         holder = self._run_holder()
@@ -210,7 +208,7 @@ class NativeBox:
             "RLIMIT_STACK": min(memory, recipe.stack or _STACK),
             "RLIMIT_NPROC": launch.threads(holder.level, self._boxes.share, alone=os.geteuid() == 0),
         }
-        command = [*filled(recipe.command, places), *self._arguments]
+        command = filled(recipe.command, places)
         payload = marshal.dumps((command, environment, box, bounds))
         with_idle = limits._replace(cpu_seconds=limits.cpu_seconds + idle.cpu_seconds)
         try:
@@ -230,14 +228,10 @@ class NativeBox:
             box = self._folder.path / "box"
             written(box, self._artifact)
             recipe = self._recipe
-            self._place = self._placed(self._folder.path, box)
+            runnable = tuple(map(os.path.realpath, recipe.runs))
+            self._place = Workplace(profile="run", shown=((_BOX, str(box)),), runnable=runnable)
             self._running = self._holder(self._level, self._place, (*recipe.reads, *recipe.runs))
         return self._running
-
-    def _placed(self, folder: Path, box: Path) -> Workplace:  # noqa: ARG002 - for those who show more of it
-        """What its container has besides; `folder` is one of its own, `box` in it holds what is run."""
-        runnable = tuple(map(os.path.realpath, self._recipe.runs))
-        return Workplace(profile="run", shown=((_BOX, str(box)),), runnable=runnable)
 
     @property
     def idle(self) -> Usage:

@@ -37,7 +37,6 @@ class Recipe(NamedTuple):
     out_of_memory: str
     empty: tuple[str, bytes]
     complaint: str = ""
-    modules: bool = False  # whether it has those that are installed for this interpreter
     help: Files = ()  # files for the compiler, that no program is made of
 
 

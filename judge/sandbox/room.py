@@ -25,7 +25,6 @@ OWN_FILES = 24  # descriptors for each job, most of them only while a container 
 BASE_FILES = 64
 MOST_FILES = 1 << 16  # more are of no use, and some systems refuse to be asked for all
 _PLENTY = 1 << 30
-_PLENTY_BYTES = 1 << 50
 _AMPLE = 1 << 15  # tasks that are more than any number of jobs can use
 _CGROUPS = Path("/sys/fs/cgroup")
 
@@ -135,39 +134,6 @@ def check_memory(wanted: int) -> None:
             raise ShortageError(what, remedy=f"raise the limit (ulimit {option} unlimited)")
 
 
-def memory_left() -> int:
-    """Bytes of memory that this machine and its control groups can still give; plenty where none says."""
-    left = [most for most in (_available(), *_group_memory()) if most is not None]
-    return max(0, min(left, default=_PLENTY_BYTES))
-
-
-def _available() -> int | None:
-    try:
-        lines = Path("/proc/meminfo").read_text(encoding="ascii").splitlines()
-    except OSError:
-        return None
-    return next((int(line.split()[1]) << 10 for line in lines if line.startswith("MemAvailable:")), None)
-
-
-def _group_memory() -> Iterator[int]:
-    """What each control group of this process that bounds its memory has left; its file cache can go."""
-    for folder in _groups("memory"):
-        for most, now in (
-            ("memory.max", "memory.current"),
-            ("memory.limit_in_bytes", "memory.usage_in_bytes"),
-        ):
-            try:
-                bound = (folder / most).read_text(encoding="ascii").strip()
-                if not bound.isdecimal() or int(bound) >= _PLENTY_BYTES:
-                    continue
-                used = int((folder / now).read_text(encoding="ascii"))
-                rows = (folder / "memory.stat").read_text(encoding="ascii").splitlines()
-            except (OSError, ValueError):
-                continue
-            cache = next((int(row.split()[1]) for row in rows if row.startswith("inactive_file ")), 0)
-            yield int(bound) - used + cache
-
-
 def oom_kills() -> int:
     """How many processes the kernel has killed for want of memory since it started; 0 if it does not say."""
     try:
@@ -197,7 +163,7 @@ def _is_of(pid: str, user: int) -> bool:
 
 def _pids() -> Iterator[tuple[int, int, str]]:
     """Each control group of this process that bounds its tasks: the bound, what is left of it, its file."""
-    for folder in _groups("pids"):
+    for folder in _groups():
         try:
             most = (folder / "pids.max").read_text(encoding="ascii").strip()
             if most != "max":
@@ -207,8 +173,8 @@ def _pids() -> Iterator[tuple[int, int, str]]:
             continue
 
 
-def _groups(controller: str) -> Iterator[Path]:
-    """The folders of this process's control groups, of either version, from its own up to the root."""
+def _groups() -> Iterator[Path]:
+    """The folders of the control groups that count its tasks, of either version, from its own to the root."""
     try:
         rows = Path("/proc/self/cgroup").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
@@ -218,8 +184,8 @@ def _groups(controller: str) -> Iterator[Path]:
         controllers, _, path = rest.partition(":")
         if number == "0":
             mounts = [_CGROUPS, _CGROUPS / "unified"]
-        elif controller in controllers.split(","):
-            mounts = [_CGROUPS / controllers, _CGROUPS / controller]
+        elif "pids" in controllers.split(","):
+            mounts = [_CGROUPS / controllers, _CGROUPS / "pids"]
         else:
             continue
         for mount in dict.fromkeys(mounts):

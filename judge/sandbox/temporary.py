@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import fcntl
 import os
 import stat
@@ -13,10 +14,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from judge.sandbox.inside import clear
-
 _PREFIX = "judge-box-"
 _OLD = 60.0  # seconds; one that was made just now may not be locked yet
+_AS_A_FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
 class TemporaryFolder:
@@ -30,7 +30,7 @@ class TemporaryFolder:
         sweep(Path(tempfile.gettempdir()))
         self.path = Path(tempfile.mkdtemp(prefix=_PREFIX))
         self.path.chmod(0o700 if private else 0o711)
-        self._lock = os.open(self.path, clear.AS_A_FOLDER)
+        self._lock = os.open(self.path, _AS_A_FOLDER)
         with contextlib.suppress(OSError):  # a file system without locks: its age protects it
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
@@ -59,13 +59,13 @@ def sweep(folder: Path) -> None:
 def _remove(path: str) -> None:
     """Take it away with all that is in it, as far as that goes."""
     with contextlib.suppress(OSError):
-        clear.empty(path)
+        _empty(path)
         Path(path).rmdir()
 
 
 def _take_away(path: str) -> None:
     with contextlib.suppress(OSError):  # it is gone, in use, or no business of ours
-        descriptor = os.open(path, clear.AS_A_FOLDER)
+        descriptor = os.open(path, _AS_A_FOLDER)
         try:
             found = os.fstat(descriptor)
             ours = stat.S_ISDIR(found.st_mode) and found.st_uid == os.geteuid()
@@ -74,3 +74,48 @@ def _take_away(path: str) -> None:
                 _remove(path)
         finally:
             os.close(descriptor)
+
+
+def _empty(folder: str) -> None:
+    """Take away all that is below it, no link followed, where nobody changes it meanwhile. Raises OSError."""
+    here = os.open(folder, _AS_A_FOLDER)
+    above: list[tuple[tuple[int, int], list[str]]] = []  # the folders on the way, and what they still hold
+    try:
+        inner = _without_files(here)
+        while inner or above:
+            if inner:
+                os.chmod(inner[-1], 0o700, dir_fd=here)
+                above.append((_place(here), inner))
+                here = _gone(here, inner[-1])
+                inner = _without_files(here)
+            else:
+                place, inner = above.pop()
+                here = _gone(here, "..")
+                if _place(here) != place:
+                    raise OSError(errno.ESTALE, os.strerror(errno.ESTALE))
+                os.rmdir(inner.pop(), dir_fd=here)
+    finally:
+        os.close(here)
+
+
+def _gone(here: int, name: str) -> int:
+    """The folder of that name in an open one, which is closed."""
+    there = os.open(name, _AS_A_FOLDER, dir_fd=here)
+    os.close(here)
+    return there
+
+
+def _place(descriptor: int) -> tuple[int, int]:
+    found = os.fstat(descriptor)
+    return found.st_dev, found.st_ino
+
+
+def _without_files(descriptor: int) -> list[str]:
+    """Take the files of a folder away; the names of its folders."""
+    folders = []
+    for entry in list(os.scandir(descriptor)):
+        if entry.is_dir(follow_symlinks=False):
+            folders.append(entry.name)
+        else:
+            os.unlink(entry.name, dir_fd=descriptor)
+    return folders

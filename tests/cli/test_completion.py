@@ -55,7 +55,6 @@ def test_options():
         "solution",
         "hack",
         "stress",
-        "bench",
         "history",
         "show",
         "why",

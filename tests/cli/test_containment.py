@@ -136,16 +136,6 @@ def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs, wrong
     assert results[1]["failure"]["group"] == "near-hit"
 
 
-def test_the_groups_of_one_are_shared_out(judge, wrong):
-    file = wrong / "loose-epsilon.py"
-    alone, shared = (
-        json.loads(judge("run", "count", str(file), "--json", "-j", jobs).out) for jobs in ("1", "3")
-    )
-    shape = [(group["name"], group["verdict"], group["passed"]) for group in alone["groups"]]
-    assert shape == [(group["name"], group["verdict"], group["passed"]) for group in shared["groups"]]
-    assert alone["failure"] == shared["failure"]
-
-
 def test_an_accepted_submission_has_a_ratio(judge):
     result = json.loads(judge("run", "count", str(ACCEPTED / "exact.py"), "--json").out)
     ratio = result["time"]["ratio"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -64,6 +63,10 @@ def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
         assert archive.getinfo("output_validators/exact/run").external_attr >> 16 & 0o111
     with zipfile.ZipFile("packages/legacy/middle.kpp") as archive:
         assert "middle/problem.yaml" in archive.namelist()
+    for package in ("packages/legacy/middle", "packages/legacy/middle.kpp"):
+        refused = judge("run", package, "a.py")
+        assert (refused.status, refused.err.count("\n")) == (2, 1)
+        assert "bt run and verifyproblem" in refused.err
 
 
 def test_an_input_of_another_package_is_the_judges_own_error(judge):
@@ -175,53 +178,3 @@ def test_without_mistletoe_it_says_how_to_have_it(judge, monkeypatch):
     assert refused.err == (
         "judge: writing a statement as LaTeX needs mistletoe; pip install 'circle-line-judge[export]'\n"
     )
-
-
-def tool(folder: Path, name: str, text: str, status: int = 0) -> None:
-    path = folder / name
-    package = (
-        'there=\nfor word; do [ -e "$word/problem.yaml" ] && there=yes; done\n'  # as seen from where it runs
-    )
-    path.write_text(f"#!/bin/sh\n{package}[ $there ] || exit 9\ncat <<'END'\n{text}\nEND\nexit {status}\n")
-    path.chmod(0o755)
-
-
-@pytest.fixture
-def tools(tmp_path, monkeypatch):
-    folder = tmp_path / "tools"
-    folder.mkdir()
-    monkeypatch.setenv("PATH", f"{folder}{os.pathsep}/usr/bin{os.pathsep}/bin")
-    monkeypatch.setattr("judge.packs.export.tools.BESIDE", tmp_path)
-    return folder
-
-
-CLEAN = "WARNING License is 'unknown'\nmiddle tested: 0 errors, 1 warning"
-COLOURED = "\x1b[33mWARNING License is 'unknown'\x1b[0m\nmiddle tested: 0 errors, 1 warning"
-QUIET = "PROBLEM middle\nLOG: No dedicated answer validators found.\nInput validation: Done"
-QUIET_IN_A_BUILD = "\x1b[1mPROBLEM middle\x1b[0m\n\x1b[36mInput validation\x1b[0m: \x1b[32mDone\x1b[0m"
-
-
-@pytest.mark.parametrize(
-    ("legacy", "new", "status", "ok"),
-    [
-        (CLEAN, (QUIET, 0), 0, [True, True]),
-        (COLOURED, (QUIET_IN_A_BUILD, 0), 0, [True, True]),
-        ("ERROR No accepted\nmiddle tested: 1 error, 0 warnings", (QUIET, 0), 3, [False, True]),
-        ("Traceback", (QUIET, 0), 3, [False, True]),
-        (CLEAN, (f"{QUIET}\nInput validation: secret/02-whole  rejected", 0), 3, [True, False]),
-        (CLEAN, (QUIET, 1), 3, [True, False]),
-    ],
-)
-def test_what_the_tools_find_is_shown(legacy, new, status, ok, judge, tools):
-    tool(tools, "verifyproblem", legacy)
-    tool(tools, "bt", *new)
-    done = judge(*BARE, "--check", "--json")
-    assert done.status == status
-    assert [each["check"]["ok"] for each in json.loads(done.out)["packages"]] == ok
-
-
-def test_a_tool_that_is_not_installed_is_named_with_its_package(judge, tools):
-    done = judge(*BARE, "--check")
-    assert done.status == 0
-    assert "legacy is not checked: verifyproblem is not installed; pip install problemtools" in done.err
-    assert "2025-09 is not checked: bt is not installed; pip install bapctools" in done.err

@@ -7,7 +7,6 @@ import shutil
 
 import pytest
 from cli_support import MEAN
-from foreign_packages import NEW, RIGHT, written
 from jsonschema import Draft202012Validator
 
 from judge.schema import schema_of
@@ -49,10 +48,3 @@ def test_what_is_seen_without_any_compiler_was_held_nowhere(judge, submit):
         assert (seen["verdict"], seen["isolation"]) == ("CE", None)
         assert (compiled["verdict"], compiled["isolation"] in HELD) == ("CE", True)
         assert (run["verdict"], run["isolation"] in HELD) == ("AC", True)
-
-
-def test_in_packages_too(judge, submit, tmp_path):
-    package = written(tmp_path / "sum", NEW)
-    found = rows(judge("run", package, submit(RIGHT, "a.py"), submit("x", "b.txt"), "--json"))
-    assert found[0]["isolation"] in HELD
-    assert found[1]["isolation"] is None

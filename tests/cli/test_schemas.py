@@ -41,7 +41,6 @@ FILES = {  # what the samples below name
 }
 SAMPLES = {  # of commands whose words are the machine's
     "doctor": ["doctor"],
-    "bench": ["bench middle mean.py broken.py floor.py --rounds 1", "bench middle --rounds 2 --languages py"],
     "stress": [
         "stress middle mean.py --for 0.1s",
         "stress middle floor.py --for 1s",

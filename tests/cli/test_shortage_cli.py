@@ -35,12 +35,11 @@ def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, ju
     monkeypatch.setattr(session, "run_in", short)
     for name in ("a", "b", "c"):
         submit(MEAN, f"team/{name}.py")
-    for jobs in ("1", "3"):
-        ended = judge("run", "middle", "team", "--json", "-j", jobs)
-        results = [json.loads(row) for row in ended.lines]
-        assert [result["verdict"] for result in results] == ["AC", "JE", "AC"]
-        assert results[1]["failure"]["message"].startswith(line)
-        assert (ended.status, ended.err) == (3, "")
+    ended = judge("run", "middle", "team", "--json")
+    results = [json.loads(row) for row in ended.lines]
+    assert [result["verdict"] for result in results] == ["AC", "JE", "AC"]
+    assert results[1]["failure"]["message"].startswith(line)
+    assert (ended.status, ended.err) == (3, "")
 
 
 @pytest.mark.parametrize(("fault", "line"), SHORTAGES)
@@ -74,9 +73,13 @@ def test_a_judge_without_a_thread_to_spare_judges_one_after_the_other(judge, sub
 
     monkeypatch.setattr(threading.Thread, "start", start)
     files = [submit(source, name) for source, name in ((MEAN, "a.py"), (FLOOR, "b.py"), (MEAN, "c.py"))]
-    ended = judge("run", "middle", *files, "--json", "-j", "3")
+    ended = judge("run", "middle", *files, "--json")
     assert [json.loads(row)["verdict"] for row in ended.lines] == ["AC", "WA", "AC"]
     assert (ended.status, ended.err) == (1, "")
+    ended = judge("run", "middle", *files, "--json", "-j", "3")
+    for row in ended.lines:
+        assert json.loads(row)["failure"]["message"].startswith(SHORTAGES[3][1])
+    assert ended.status == 3
 
 
 def test_without_any_thread_every_submission_says_so(judge, submit, monkeypatch):
@@ -87,7 +90,7 @@ def test_without_any_thread_every_submission_says_so(judge, submit, monkeypatch)
     monkeypatch.setattr(container, "_STARTER", container._Starter())
     monkeypatch.setattr("judge.sandbox.holder.PAUSES", (0.0,) * 9)
     files = [submit(MEAN, name) for name in ("a.py", "b.py")]
-    ended = judge("run", "middle", *files, "--json", "-j", "2")
+    ended = judge("run", "middle", *files, "--json")
     results = [json.loads(row) for row in ended.lines]
     assert [result["verdict"] for result in results] == ["JE", "JE"]
     for result in results:

@@ -16,8 +16,6 @@ import signal
 import sys
 import tempfile
 import time
-import warnings
-import zipfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -40,7 +38,6 @@ from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
 from judge.languages.sources import sources_of
 from judge.mistakes.features import features
-from judge.packs.foreign import expected, opening, programs, settings, tokens
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
@@ -282,39 +279,6 @@ def _answers(text: str) -> None:
         reread(type_, text[:5000])
 
 
-def _yaml(text: str) -> None:
-    (_place() / "a.yaml").write_text(text, encoding="utf-8")
-    settings.read_settings(opening.Opened(str(_place())), _place() / "a.yaml")
-
-
-def _compared(text: str) -> None:
-    near = tokens.rules_of(["float_tolerance", "1e-6"])
-    for rules in (near, tokens.rules_of(["space_change_sensitive"])):
-        tokens.difference(text.encode(), text.encode() + b" ", rules)
-        tokens.difference(b"1 2 3", text.encode(), rules)
-    for token in (text, f"0x{text}", f"0.{text}", f"1e{text}"):
-        tokens.as_number(token.encode())
-
-
-def _packaged(text: str) -> None:
-    own = expected.Own(Path("a"), "a", "accepted", ())
-    expected.tagged(own, [("a", text.encode()), ("b", b"@EXPECTED_RESULTS@" + text.encode())])
-    programs.is_one_program([("a.c", text.encode()), ("b.c", b"")])
-    with suppress(programs.NotRunError):
-        programs.program_of("a", [(f"{text[:200]}.py", text.encode())])
-    expected._matches(text, Path("accepted/a.py"))
-
-
-def _zipped(text: str) -> None:
-    path = _place() / "a.zip"
-    with warnings.catch_warnings(), zipfile.ZipFile(path, "w") as archive:
-        warnings.simplefilter("ignore")
-        for number, name in enumerate(text[at : at + 100] for at in range(0, len(text), 100)):
-            archive.writestr(f"{number}{name}", "")
-    with opening.Opened(str(path)):
-        pass
-
-
 def _case(text: str) -> None:
     problem = find_problem("count")
     read_case(problem, text[:20_000])
@@ -368,10 +332,6 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "complaint": _complaint,
         "printed": _printed,
         "answers": _answers,
-        "yaml": _yaml,
-        "compared": _compared,
-        "package": _packaged,
-        "zip": _zipped,
         "case": _case,
         "replay": _replayed,
         "typed": _typed,
@@ -388,10 +348,6 @@ def _readers() -> dict[str, Callable[[str], None]]:
 READERS = _readers()
 _TOML = ("[a", "[[a", ".a", "'a'", '"a"', "a.", "a .", "a=", "\na = 1", '\\"', '"\\"".')
 _OWN_SIGNS = {
-    "yaml": (
-        *("a: &a ", "*a ", "<<: *a\n", "- ", "? ", "\n- a", "\n a: ", "!!int ", "!a ", "---\n", "0:", "0x"),
-        *("| \n", "> ", "'a\n\n", "&a a: *a\n"),
-    ),
     "complaint": (
         *("a.c:1: ", "a.c:1:1: error: ", ":1", ": warning", "required from here\n", "/a", "symbol: ", "^"),
         *('File "a', "undefined reference "),
@@ -400,11 +356,9 @@ _OWN_SIGNS = {
         *("(line 1)", "index out of range", "after 0 lines", "IndexError: ", "InvalidOperation"),
         *("ConversionSyntax", "ModuleNotFoundError: No module named 'a"),
     ),
-    "package": ("@EXPECTED_RESULTS@", "{a,b}", "*a", "?", "[a", "main ", "#!python2"),
     "toml lines": _TOML,
     "toml": _TOML,
     "regression": ("\ndef test_a():", "def test_a_count_all_000000()\n"),
-    "compared": ("1.", "0x", "e1", "1e", "p1", "9"),
 }
 _FILLING = (" ", "a", "1", "\n", ",", ") ", "'a", "{")  # what goes on and on after something is opened
 _DIFFERENT = (

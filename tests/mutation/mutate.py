@@ -15,6 +15,7 @@ import random
 import sys
 import tomllib
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,7 +27,6 @@ from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run.execute import run_submission
-from judge.run.parallel import in_order
 from judge.run.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -125,9 +125,10 @@ def outcomes(
 ) -> Iterator[Outcome]:
     """Judge mutants of one problem's solutions, in order."""
     data = hurried(name)
-    verdicts = in_order(chosen, workers, lambda item: judged(data, item[1].source))
-    for (key, _), verdict in zip(chosen, verdicts, strict=True):
-        yield Outcome(key, verdict, known.get(key, ""))
+    with ThreadPoolExecutor(workers) as pool:
+        verdicts = pool.map(lambda item: judged(data, item[1].source), chosen)
+        for (key, _), verdict in zip(chosen, verdicts, strict=True):
+            yield Outcome(key, verdict, known.get(key, ""))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

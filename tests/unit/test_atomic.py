@@ -248,12 +248,9 @@ def test_there_is_no_other_way():
         "judge/sandbox/shared.py",  # has no name when it is written
         "judge/sandbox/recipe.py",  # for a compiler that starts when all is there
         "judge/sandbox/temporary.py",  # where that is; it goes with the judge
-        "judge/sandbox/tool.py",  # for a package's validator that starts when all is there
         "judge/sandbox/attacking.py",  # what an attack looks for, in a folder of its own that goes
         "judge/kata/repair.py",  # a copy that must not be there yet, and the history behind a lock
-        "judge/packs/foreign/opening.py",  # a package's archive, taken apart for one run
         "judge/packs/export/place.py",  # a package is renamed to its place when it is whole
-        "judge/packs/export/tools.py",  # what a tool may remember of one run
         "judge/packs/export/validators/output_validator.py",  # runs elsewhere, as the format has it
         "judge/cluster/keys.py",  # for ssl, which reads a key from files only
         "judge/cluster/serve.py",  # what dask leaves lying, gone with the worker

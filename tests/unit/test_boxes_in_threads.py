@@ -9,11 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 import pytest
-from judging import judged, make_data
 from sandboxed import LIMITS, children, limits, require
 
-from judge.problem import Verdict
-from judge.run import Settings
 from judge.sandbox import LEVELS, Stop, open_box
 
 pytestmark = pytest.mark.slow
@@ -60,48 +57,6 @@ print({place}, input())
                 (Stop.CPU, None),
                 (Stop.ANSWERED, [place, 4]),
             ]
-    assert children() == before
-
-
-class Watched:
-    """A box that notes which thread does what with it."""
-
-    def __init__(self, source, name, seen):
-        self._box = open_box(source, name)
-        self._seen = seen
-        self._note()
-
-    def _note(self):
-        self._seen.append(threading.current_thread())
-
-    def __enter__(self):
-        self._note()
-        return self
-
-    def __exit__(self, *exc):
-        self._note()
-        self._box.__exit__(*exc)
-
-    def __getattr__(self, name):
-        self._note()
-        return getattr(self._box, name)
-
-
-def test_a_submission_judged_by_four_threads_uses_each_box_in_the_thread_that_opened_it():
-    boxes = []
-
-    def factory(source, name):
-        boxes.append([])
-        return Watched(source, name, boxes[-1])
-
-    data = make_data(*(f"group-{place}" for place in range(8)), step=1)
-    source = "import time\ndef answer(n, P):\n    time.sleep(0.02)\n    return int(n + P[0] + P[1])\n"
-    before = children()
-    result = judged(source, data, settings=Settings(box_factory=factory, workers=THREADS))
-    assert (result.verdict, [group.passed for group in result.groups]) == (Verdict.AC, [4] * 8)
-    assert len(boxes) == THREADS
-    assert [len(set(seen)) for seen in boxes] == [1] * THREADS
-    assert len({seen[0] for seen in boxes}) == THREADS
     assert children() == before
 
 

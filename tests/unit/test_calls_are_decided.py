@@ -93,9 +93,9 @@ def test_the_owner_in_the_table_is_who_may(machine, profile):
         assert (by_server, by_child) == (whose in profile.server, whose in profile.child), call
 
 
-def test_a_validator_starts_nothing_and_has_no_memory_that_is_not_counted():
-    child = seccomp.child_filter("x86_64", 4711, profiles.CHECK)
-    server = seccomp.server_filter("x86_64", profiles.CHECK)
+def test_a_compiled_program_starts_nothing_and_has_no_memory_that_is_not_counted():
+    child = seccomp.child_filter("x86_64", 4711, profiles.RUN)
+    server = seccomp.server_filter("x86_64", profiles.RUN)
     for call in ("fork", "vfork", "chmod", "fchmodat", "setpgid", "chdir"):
         assert decision(child, "x86_64", call) in REFUSED, call
     for call in ("memfd_create", "link", "symlink", "utimensat"):

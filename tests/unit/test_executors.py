@@ -21,7 +21,7 @@ from executed import work
 
 from judge.errors import ShortageError, UsageError
 from judge.judging import processes
-from judge.judging.executors import ATTEMPTS, Here, Threads, results
+from judge.judging.executors import ATTEMPTS, Here, results
 from judge.judging.processes import Processes
 
 pytestmark = pytest.mark.slow
@@ -47,7 +47,6 @@ def on_a_cluster():
 
 PLACES = {
     "here": opened(Here()),
-    "threads": opened(Threads(3)),
     "processes": opened(Processes(2)),
     "cluster": on_a_cluster,
 }

@@ -43,7 +43,6 @@ SUFFIXED = {
     "packs/export/package.py": {
         *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py")
     },
-    "packs/foreign/programs.py": {"main.py", ".py2", ".py3"},
     "problem/solutions.py": {"mistakes.py"},
     "report/verified.py": {" of mistakes.py judged"},
     "sandbox/attacking.py": {".py"},

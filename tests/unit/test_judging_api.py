@@ -16,11 +16,11 @@ import judge
 from judge.errors import JudgeError, ProblemError, UsageError
 from judge.judging import Job, Session, Terms, containment, run
 from judge.judging import session as session_module
-from judge.judging.executors import Here, Threads, executor, results
+from judge.judging.executors import Here, results
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import judge_fault
-from judge.sandbox import levels, room
+from judge.sandbox import levels
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
 GOOD = "def middle(a, b):\n    return (a + b) / 2\n"
@@ -91,16 +91,6 @@ def test_the_level_that_the_doctor_found_is_demanded_from_python_too(monkeypatch
     with pytest.raises(UsageError, match="isolation full, which 'judge doctor' found here, cannot be had"):
         judge.judge(problem, GOOD)
     assert judge.judge(problem, GOOD, isolation="strong", timed=False).isolation == "strong"
-
-
-def test_what_the_machine_has_no_room_for_is_not_tried(monkeypatch, problem):
-    little = room.Room(200, "pids.max is 300", ceiling=1 << 20, files=1 << 20, files_limit="")
-    monkeypatch.setattr(room, "measure", lambda: little)
-    with Session(problem, Terms(), jobs=4, expected=4) as session:
-        assert session.jobs == session.settings.workers == 1
-        assert session.notes == ("1 at once, not 4: there is no room for more (pids.max is 300)",)
-    with Session(problem, Terms(), jobs=1, expected=4) as session:
-        assert session.notes == ()
 
 
 def test_importing_judge_imports_nothing_more():
@@ -189,15 +179,10 @@ def lost(item, why):
     return judge_fault("p", str(item), why)
 
 
-@pytest.mark.parametrize("executor", [Here(), Threads(3)], ids=str)
-def test_executors_judge_submissions(executor, problem):
-    with Session(problem, Terms(timed=False, named=False), jobs=3, expected=4) as session:
+def test_executors_judge_submissions(problem):
+    with Session(problem, Terms(timed=False, named=False)) as session:
         sources = [GOOD, FLOOR, GOOD, "def middle(a, b):\n    import os\n    os._exit(0)\n"]
         jobs = [Job.of(problem, source.encode(), f"{at}.py") for at, source in enumerate(sources)]
-        judged = list(results(executor, session.run, jobs, lambda job, why: lost(job.name, why)))
+        judged = list(results(Here(), session.run, jobs, lambda job, why: lost(job.name, why)))
     assert [result.submission for result in judged] == ["0.py", "1.py", "2.py", "3.py"]
     assert [result.verdict.value for result in judged] == ["AC", "WA", "AC", "RTE"]
-
-
-def test_so_many_jobs_are_done_at_once():
-    assert (executor(1), executor(4)) == (Here(), Threads(4))

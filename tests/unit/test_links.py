@@ -7,15 +7,10 @@ import threading
 from pathlib import Path
 
 import pytest
-from foreign_packages import LEGACY, written
 
 from judge import reading
 from judge.batch import folder as class_folder
 from judge.batch.folder import read_class
-from judge.errors import ProblemError
-from judge.packs.foreign.cases import test_files as files_of
-from judge.packs.foreign.opening import Opened
-from judge.packs.foreign.package import read_package
 from judge.reading import LedOutError, read_inside, real_within
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
@@ -184,24 +179,6 @@ def test_the_race_is_won_where_links_are_followed(place):
     """The same without the looking: the attack is one."""
     linked(place / "ada/middle.py", "../bob/middle.py")
     assert class_of(place, follow=True)[0]["ada/middle.py"].source == OTHERS.encode()
-
-
-def test_in_a_package_an_exchanged_link_leads_nowhere(tmp_path, monkeypatch):
-    (tmp_path / "secret").write_text("of the machine")
-    opened = Opened(str(written(tmp_path / "sum", LEGACY)))
-    test = files_of(read_package(opened))[0]
-
-    def exchanged(root, path):
-        found = real_within(root, path)
-        linked(test.given, tmp_path / "secret")
-        return found
-
-    monkeypatch.setattr("judge.packs.foreign.opening.real_within", exchanged)
-    with pytest.raises(ProblemError, match="cannot be read"):
-        opened.read(test.given)
-    monkeypatch.undo()
-    with pytest.raises(ProblemError, match="leads out of the package"):
-        opened.read(test.given)
 
 
 def test_reading_below_a_folder(tmp_path):

@@ -95,5 +95,4 @@ def test_a_submission_s_answers_are_decided_in_one_place_for_each_mode():
         "run/function.py",
         "run/program.py",
         "packs/export/trial.py",
-        "packs/foreign/judging.py",  # which has files and validators in place of cases and types
     }  # those two judge nothing

@@ -15,7 +15,6 @@ from judge.problem import TimeRule, Verdict
 from judge.report.results import summary_lines, verdict_lines
 from judge.run import Settings, budget
 from judge.run.alone import Admitted
-from judge.run.parallel import Turnstile
 from judge.run.timing import BESIDE
 
 pytestmark = pytest.mark.slow
@@ -161,7 +160,7 @@ class Crowded:
 
 
 def test_a_race_beside_another_judge_says_so_and_is_decided_all_the_same(timed):
-    result = timed(GOOD, settings=Settings(turnstile=Turnstile(Crowded())))
+    result = timed(GOOD, settings=Settings(turnstile=Crowded()))
     assert result.verdict is Verdict.AC
     assert result.time.ratio.busy.startswith(BESIDE)
     assert result.notes == (

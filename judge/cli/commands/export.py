@@ -7,7 +7,6 @@ from typing import Any
 
 import click
 
-from judge.cli.judging_options import jobs_option
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode, ProblemError, UsageError
 from judge.judging.isolation import kept_level
@@ -15,13 +14,12 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, Package, Progress, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
-from judge.packs.export.tools import Checked, found, missing
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.report.export import export_lines, total_line
 from judge.report.layout import line
 from judge.report.progress import stages
-from judge.report.screen import note, out
+from judge.report.screen import out
 from judge.sandbox import Boxes
 
 SCHEMA = 1
@@ -51,12 +49,10 @@ _BOTH = "both"
     "--out", "target", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Where to write."
 )
 @click.option("--zip", "archives", is_flag=True, help="Write archives too, one of them for DOMjudge.")
-@click.option("--check", "checked", is_flag=True, help="Let verifyproblem and bt check what was written.")
 @click.option("--no-submissions", "bare", is_flag=True, help="Packages without programs.")
 @click.option(
     "--wrong", type=click.IntRange(0), metavar="N", help="At most so many wrong programs; one a mistake."
 )
-@jobs_option
 @json_option
 @problems_option
 def command(
@@ -66,10 +62,8 @@ def command(
     version: str,
     target: Path,
     archives: bool,
-    checked: bool,
     bare: bool,
     wrong: int | None,
-    jobs: int,
     as_json: bool,
     folders: tuple[Path, ...],
 ) -> ExitCode:
@@ -82,10 +76,10 @@ def command(
 
     What no package can hold is left out and told.
 
-    Exit status: 0 written, 2 usage, or nothing could be written, 3 a check or a problem failed.
+    Exit status: 0 written, 2 usage, or nothing could be written, 3 a problem is broken.
     """
     versions = tuple(Version) if version == _BOTH else (Version(version),)
-    order = Order(target, versions, archives, checked, not bare, wrong, jobs)
+    order = Order(target, versions, archives, not bare, wrong)
     problems = _chosen(names, folders, everything=everything)
     wanted = [each for each in problems if not why_left_out(each)]
     short_names(each.id for each in wanted)
@@ -93,9 +87,6 @@ def command(
         check_places(each, order)
     if wanted:
         latex(wanted[0])
-    for each_version in versions if checked else ():
-        if not found(each_version):
-            note(missing(each_version))
     return _exported(problems, order, as_json=as_json)
 
 
@@ -126,7 +117,7 @@ def _exported(problems: list[Problem], order: Order, *, as_json: bool) -> ExitCo
             screen.show([*export_lines(exports[-1], screen.width)])
     if not as_json:
         out().show([line(), total_line(exports)])
-    if not all(each.ok for each in exports):
+    if any(each.broken for each in exports):
         return ExitCode.FAULT
     if all(each.why for each in exports):
         what = "no package can hold any of these" if len(exports) > 1 else "no package can hold it"
@@ -177,16 +168,4 @@ def _package(package: Package) -> dict[str, Any]:
         "archive": str(package.archive) if package.archive else None,
         "files": package.files,
         "bytes": package.bytes,
-        "check": _checked(package.checked) if package.checked else None,
-    }
-
-
-def _checked(checked: Checked) -> dict[str, Any]:
-    return {
-        "tool": checked.tool,
-        "ok": checked.ok,
-        "errors": checked.errors,
-        "warnings": checked.warnings,
-        "lines": list(checked.lines),
-        "notes": list(checked.notes),
     }

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
 from pathlib import Path
 
 import click
 
-from judge.cli.fitting import assigned, is_problem, split
+from judge.cli.fitting import assigned, split
 from judge.cli.judging_options import (
-    JSON,
     PROGRAM,
     TEXT,
     all_option,
@@ -41,9 +39,8 @@ from judge.cli.outputs import OnScreen, Outputs
 from judge.cli.submissions import gathered
 from judge.cli.target import check_svg
 from judge.cli.wish import Wish, named_problem
-from judge.errors import ExitCode, UsageError
+from judge.errors import ExitCode
 from judge.judging.job import Terms
-from judge.packs.foreign.look import is_package
 from judge.problem.choose import chosen_groups
 
 
@@ -63,11 +60,6 @@ from judge.problem.choose import chosen_groups
 @jobs_option
 @isolation_option
 @follow_links_option
-@click.option(
-    "--package-limits",
-    is_flag=True,
-    help="Take a package's own limits where they are above the judge's; memory is bounded by the machine's.",
-)
 @mode_option
 @no_shrink_option
 @save_regression_option
@@ -91,7 +83,6 @@ def command(
     jobs: int,
     level: str | None,
     follow_links: bool,
-    package_limits: bool,
     mode: str | None,
     unshrunk: bool,
     regression: Path | None,
@@ -110,33 +101,11 @@ def command(
     A FILE that defines the problem's entry function has it called; any other is run as a program that reads
     standard input.
 
-    A folder with a problem.yaml, or a .zip or .kpp file, is a Kattis package: FILEs are judged on it as
-    programs, and with --all its own submissions are, against what they should come to.
-
     Of several, one that cannot be read or that fits no problem is a row of the table (JE). Ctrl-C shows the
     table so far.
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
     """
-    if first is not None and is_package(first) and ("/" in first or not is_problem(first, folders)):
-        from judge.cli.packages import (
-            Asked,
-            run_package,
-        )  # most submissions are to problems of the judge's own
-
-        _only(
-            {"--group": groups, "--level": kata_level, "--seed": seed is not None, "-j": jobs > 1},
-            {"--junit": junit, "--save-regression": regression, "--svg": svg, "--picture": pictured},
-            {f"--format {form}": chosen_format(form, as_json=as_json) not in (TEXT, JSON)},
-        )
-        as_json = chosen_format(form, as_json=as_json) == JSON
-        from judge.packs.foreign.package import OURS, THEIRS
-
-        bounds = THEIRS if package_limits else OURS
-        return run_package(Asked(first, rest, whole, as_json, quiet, level, bounds, follow_links))
-    if package_limits:
-        what = "--package-limits goes with a package of another judge"
-        raise UsageError(what, remedy="leave it out, or name a package first")
     from judge.cli.judging import all_judged
 
     current = None
@@ -195,11 +164,3 @@ def _say_that_full_is_missing() -> None:
 
     if is_terminal(sys.stderr) and kept_level() is None and first_today():
         note("isolation is 'strong', not 'full'; 'judge doctor' says why and what to do")
-
-
-def _only(*options: Mapping[str, object]) -> None:
-    """Raise UsageError for an option that says nothing to a package."""
-    for option, given in ((option, given) for some in options for option, given in some.items()):
-        if given:
-            what = f"{option} does not go with a package of another judge"
-            raise UsageError(what, remedy="leave it out")

@@ -9,5 +9,4 @@ trial.py        which verdict a program gets as the package has it
 programs.py     which programs a package holds
 package.py      all files of a package
 place.py        writing them, whole or not at all
-tools.py        verifyproblem and bt, where they are installed
 """

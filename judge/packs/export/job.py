@@ -15,7 +15,6 @@ from judge.packs.export.package import Contents, Files, zipped
 from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
 from judge.packs.export.programs import Exporter, LeftOut, Programs
 from judge.packs.export.statement import latex
-from judge.packs.export.tools import Checked, check, found
 from judge.problem import Problem
 from judge.sandbox.boundary import BoxFactory
 
@@ -30,10 +29,8 @@ class Order(Struct, frozen=True):
     out: Path
     versions: tuple[Version, ...]
     archives: bool = False
-    checked: bool = False
     held: bool = True
     wrong: int | None = None
-    jobs: int = 1
 
 
 class Package(Struct, frozen=True):
@@ -44,7 +41,6 @@ class Package(Struct, frozen=True):
     archive: Path | None
     files: int
     bytes: int
-    checked: Checked | None = None
 
 
 class Export(Struct, frozen=True):
@@ -58,11 +54,6 @@ class Export(Struct, frozen=True):
     programs: Programs | None = None
     notes: tuple[str, ...] = ()
     broken: bool = False  # left out through a fault of the problem's own folder
-
-    @property
-    def ok(self) -> bool:
-        """Whether neither a tool nor the judge found anything wrong."""
-        return not self.broken and all(each.checked is None or each.checked.ok for each in self.packages)
 
 
 def places(problem: Problem, order: Order) -> tuple[dict[Version, tuple[Path, Path]], Path]:
@@ -94,7 +85,7 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
         tests = tuple(tests_in(data))
     except NoForm as why:
         return Export(problem, short, str(why))
-    programs = Exporter(data, tests, boxes, order.jobs).programs(progress, held=order.held, wrong=order.wrong)
+    programs = Exporter(data, tests, boxes).programs(progress, held=order.held, wrong=order.wrong)
     contents = Contents(problem, tests, programs, latex(problem))
     check_places(problem, order)
     where, domjudge = places(problem, order)
@@ -102,14 +93,8 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
     for version, (folder, archive) in where.items():
         files = contents.files(version)
         _write(folder, archive if order.archives else None, files)
-        checked = None
-        if order.checked and found(version):
-            progress(f"checking {version.value}", 0, 1)
-            checked = check(folder, version, held=bool(programs.held))
         size = sum(map(len, files.values()))
-        packages.append(
-            Package(version, folder, archive if order.archives else None, len(files), size, checked)
-        )
+        packages.append(Package(version, folder, archive if order.archives else None, len(files), size))
     if order.archives:
         write_archive(domjudge, zipped(contents.domjudge()))
     return Export(

@@ -19,7 +19,6 @@ from judge.packs.export.driver import as_program, defines, why_not_alone
 from judge.packs.export.trial import PATIENCE, SURELY, Trial, time_limit, tried
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.run.parallel import in_order
 from judge.sandbox.boundary import BoxFactory
 
 FOLDERS = {
@@ -68,12 +67,11 @@ class _Candidate(Struct, frozen=True):
 class Exporter:
     """Tries a problem's programs as the package has them, contained, in boxes of `boxes`."""
 
-    def __init__(self, data: ProblemData, tests: Sequence[Test], boxes: BoxFactory, jobs: int = 1) -> None:
+    def __init__(self, data: ProblemData, tests: Sequence[Test], boxes: BoxFactory) -> None:
         self._data = data
         self._problem: Problem = data.problem
         self._tests = tests
         self._boxes = boxes
-        self._jobs = jobs
         self._left_out: list[LeftOut] = []
 
     def programs(self, progress: Progress, *, held: bool = True, wrong: int | None = None) -> Programs:
@@ -140,8 +138,8 @@ class Exporter:
     def _wrong(
         self, mistakes: Sequence[list[_Candidate]], progress: Progress, patience: float, seconds: int
     ) -> Iterator[Exported | None]:
-        found = in_order(list(mistakes), self._jobs, lambda each: self._first_rejected(each, patience))
-        for done, (candidates, trials) in enumerate(zip(mistakes, found, strict=True), 1):
+        for done, candidates in enumerate(mistakes, 1):
+            trials = self._first_rejected(candidates, patience)
             progress("trying wrong programs", done, len(mistakes))
             yield self._placed(candidates[len(trials) - 1], trials[-1], seconds)
 
@@ -158,8 +156,8 @@ class Exporter:
         self, candidates: Sequence[_Candidate], progress: Progress, what: str, patience: float = PATIENCE
     ) -> list[Trial]:
         found = []
-        for trial in in_order(list(candidates), self._jobs, lambda each: self._tried(each, patience)):
-            found.append(trial)
+        for each in candidates:
+            found.append(self._tried(each, patience))
             progress(what, len(found), len(candidates))
         return found
 

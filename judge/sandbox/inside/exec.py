@@ -5,10 +5,6 @@ It watches them as the fork server watches its children: trusted code only, alon
     EXECUTE   payload (command line, environment, folder, limits by name): start it with the three descriptors
     COLLECT   payload (folder, bytes, files): copy the ordinary files below the folder to the second
               descriptor; the replies say their names and sizes, or why they were not copied
-    EMPTY     payload folder: take away what is below it; a note says where that failed
-
-Where a program may leave files (`feedback` of the configuration: how many, how many bytes), the server ends
-it once it has left more: a folder of this machine has no limit of its own.
 
 What was started has no descriptor of the region and none of the channel: a note there is the server's own.
 """
@@ -21,7 +17,7 @@ import os
 import stat
 import time
 
-from judge.sandbox.inside import child, clear, server, wire
+from judge.sandbox.inside import child, server, wire
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -34,7 +30,6 @@ if TYPE_CHECKING:
 _DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
-_LOOK_NS = 20_000_000  # between two looks at what a program has left
 
 
 def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
@@ -56,13 +51,9 @@ class ExecServer(server.Server):
         super().__init__(line, region, confinement, config, source)
         for folder in config["folders"]:
             os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
-        self._filled: list[str] = config["filled"]
-        self._feedback: tuple[int, int] | None = config["feedback"]
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
-        if job.kind == wire.COLLECT:
-            return self._collect(job)
-        return self._empty(job) if job.kind == wire.EMPTY else super()._run(job, code)
+        return self._collect(job) if job.kind == wire.COLLECT else super()._run(job, code)
 
     def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:  # noqa: ARG002
         try:
@@ -79,17 +70,9 @@ class ExecServer(server.Server):
             self._region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
 
-    def _limit(self, pid: int, watch: server.Watch) -> tuple[int, int]:
-        reason, left = super()._limit(pid, watch)
-        if reason or self._feedback is None:
-            return reason, left
-        if any(clear.holds_more(folder, *self._feedback) for folder in self._filled):
-            return wire.FOR_FILLING, 0
-        return reason, min(left, _LOOK_NS)
-
     def _ask_where(self, pid: int, reason: int) -> int:
         """The reason to kill it, after a last look at one that waits: others may have the processor."""
-        if reason in (wire.FOR_CPU, wire.FOR_FILLING):
+        if reason == wire.FOR_CPU:
             return reason
         before = server._cpu_clock(pid)
         until = time.perf_counter_ns() + server.LAST_MOMENT_NS
@@ -97,14 +80,6 @@ class ExecServer(server.Server):
             self._wait(pid, min(left, server.SHORTEST_WAIT_NS))
         at_work = server._cpu_clock(pid) - before > server.LAST_MOMENT_NS * server.AT_WORK
         return wire.FOR_BEING_SLOW if at_work else reason
-
-    def _empty(self, job: wire.Request) -> bytes:
-        """Take away what an earlier run has left."""
-        try:
-            clear.empty(marshal.loads(self._region.payload(job.payload)))
-        except OSError as fault:
-            self._region.write_note(wire.BROKEN_BOX, f"{type(fault).__name__}: {fault}")
-        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 1)
 
     def _collect(self, job: wire.Request) -> bytes:
         """Copy the files that a compiler has left, as many and as large as they may be."""

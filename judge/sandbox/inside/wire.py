@@ -48,7 +48,7 @@ READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
-EXECUTE, COLLECT, EMPTY = b"X", b"C", b"E"  # of what is no Python: see exec.py
+EXECUTE, COLLECT = b"X", b"C"  # of what is no Python: see exec.py
 
 MOST_DESCRIPTORS = 64
 
@@ -57,7 +57,6 @@ FOR_WAITING = 3  # it waited too long in all its series together
 FOR_STOPPING = 4  # it stopped itself where no series ends
 FOR_OUTPUT = 5  # it wrote more in a series than it may
 FOR_BEING_SLOW = 7  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
-FOR_FILLING = 8  # it left more in the folder that it may fill than it may
 FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
 IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in

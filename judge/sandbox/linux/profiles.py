@@ -2,7 +2,6 @@
 
     PYTHON     a submission in the fork server's own interpreter
     RUN        a compiled program, or another language's interpreter: one `execve`, and threads
-    CHECK      as RUN, and files in the one folder that it may fill: a validator
     COMPILE    a compiler: processes of its own, and files in the one folder that it may fill
 
 No profile has a network, another session or another group of processes, so that a kill of the group ends all.
@@ -46,7 +45,6 @@ _STARTED = (calls.START, calls.STARTER, calls.HELPER)
 
 PYTHON: Final = Profile("python")
 RUN: Final = Profile("run", _STARTED, (calls.START,), counted=True)
-CHECK: Final = Profile("check", (*_STARTED, calls.FILL), (calls.START, calls.FILL), counted=True)
 COMPILE: Final = Profile(
     "compile",
     (*_STARTED, calls.FILL, calls.COMPILE),
@@ -54,4 +52,4 @@ COMPILE: Final = Profile(
     alone=False,
 )
 
-BY_NAME: Final = {each.name: each for each in (PYTHON, RUN, CHECK, COMPILE)}
+BY_NAME: Final = {each.name: each for each in (PYTHON, RUN, COMPILE)}

@@ -171,14 +171,14 @@ TABLE: dict[str, tuple[int | None, int | None, int, str]] = {
     "landlock_add_rule": (445, 445, BEFORE, "says which files stay"),
     "landlock_restrict_self": (446, 446, BEFORE, "says which files stay"),
     "capset": (126, 91, BEFORE, "drops all capabilities"),
-    # where another program is started: compiled ones, compilers, validators
+    # where another program is started: compiled ones, compilers
     "execve": (59, 221, START, "becomes the program; landlock says which may be run"),
     "arch_prctl": (158, None, START, "the C library's own, at a program's start"),
     "readlink": (89, None, START, "finds its own library folders; landlock hides the links' targets"),
     "readlinkat": (267, 78, START, "as readlink"),
     "setpgid": (109, 154, STARTER, "a group of processes that is ended as a whole"),
     "chdir": (80, 49, HELPER, "goes to the program's folder"),
-    # where a folder is filled: by compilers and validators; landlock says which
+    # where a folder is filled: by compilers; landlock says which
     "mkdir": (83, None, FILL, "makes a folder"),
     "mkdirat": (258, 34, FILL, "makes a folder"),
     "unlink": (87, None, FILL, "takes a file of its own away"),

@@ -1,0 +1,56 @@
+"""Several files of one problem at once, each judged in a process of its own."""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Iterator, Sequence
+from functools import cache
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.cli.submissions import Submission
+from judge.judging.containment import Containment
+from judge.judging.executors import results
+from judge.judging.job import Terms
+from judge.judging.processes import Processes
+from judge.judging.session import Session
+from judge.problem import Problem
+from judge.problem.load import load_problem
+from judge.run.execute import judge_fault
+from judge.run.result import Result
+
+
+class _Task(Struct, frozen=True):
+    """A submission, where its problem lies, and how many are judged at once."""
+
+    submission: Submission
+    folder: Path
+    solutions: Path
+    terms: Terms
+    had: str | None
+    jobs: int
+
+
+def judged_at_once(
+    problem: Problem, submissions: Sequence[Submission], terms: Terms, had: str | None, pool: Processes
+) -> Iterator[Result]:
+    """The results, in order. Raises JudgeError."""
+    tasks = [_Task(each, problem.folder, problem.solutions, terms, had, pool.count) for each in submissions]
+    return results(
+        pool, judge_one, tasks, lambda task, why: judge_fault(problem.id, task.submission.name, why)
+    )
+
+
+def judge_one(task: _Task) -> Result:
+    """What a process does; the session stays open for its next file."""
+    session = _session(task.folder, task.solutions, task.terms, task.had, task.jobs)
+    return session.judge(task.submission.source, task.submission.name)
+
+
+@cache
+def _session(folder: Path, solutions: Path, terms: Terms, had: str | None, jobs: int) -> Session:
+    problem = load_problem(folder, solutions)
+    containment = Containment(problem, terms.isolation, jobs, had, program=terms.program)
+    atexit.register(containment.close)
+    return Session(problem, terms, containment)
