@@ -10,6 +10,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
@@ -35,14 +36,20 @@ def opened(executor):
 
 @contextmanager
 def on_a_cluster():
-    pytest.importorskip("distributed")
-    from clusters import HERE, served
+    pytest.importorskip("distributed", reason="distributed is not installed")
+    from clusters import served
 
-    from judge.cluster.ring import Ring
-    from judge.cluster.where import Address
+    from judge.batch.elsewhere import Elsewhere
 
-    with served(HERE, "--scheduler", "-j", "3") as (told, _), Ring(Address.of(told["address"])) as ring:
-        yield ring
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        served(Path(folder), 3) as cluster,
+        Elsewhere(str(cluster.file)) as elsewhere,
+    ):
+        while elsewhere.alive() < 3:  # the others are just starting
+            list(elsewhere.finished(work, items(folder, "well"), lost))
+            time.sleep(0.2)
+        yield elsewhere
 
 
 PLACES = {
@@ -109,15 +116,6 @@ def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
     assert place != "cluster" or told == "lost n1: the machine died 3 times"
 
 
-def test_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):
-    with pytest.raises(UsageError, match="cannot be had here"):
-        list(executor.finished(work, items(tmp_path, "usage", "well"), lost))
-    found = results(executor, work, items(tmp_path, "well", "well", "usage", "well"), lost)
-    assert [next(found), next(found)] == ["N0", "N1"]
-    with pytest.raises(UsageError, match="cannot be had here"):
-        next(found)
-
-
 def test_workers_are_counted_while_there_are_any(executor, place, tmp_path):
     counts, anew = set(), {0} if place == "cluster" else set()  # those that were killed are being started
     for _ in range(100):
@@ -127,6 +125,16 @@ def test_workers_are_counted_while_there_are_any(executor, place, tmp_path):
         time.sleep(0.1)
     assert counts - anew
     assert counts <= {1, 2, 3} | anew
+
+
+def test_what_the_caller_has_done_wrong_ends_the_work(executor, place, tmp_path):
+    if place != "cluster":  # where it costs every worker that says so, for good
+        found = results(executor, work, items(tmp_path, "well", "well", "usage", "well"), lost)
+        assert [next(found), next(found)] == ["N0", "N1"]
+        with pytest.raises(UsageError, match="cannot be had here"):
+            next(found)
+    with pytest.raises(UsageError, match="cannot be had here"):
+        list(executor.finished(work, items(tmp_path, "usage", "well"), lost))
 
 
 # -- processes -----------------------------------------------------------------------------------------
