@@ -7,12 +7,13 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 TESTS = Path(__file__).parent
 _QUIET = ("--dashboard-address", "127.0.0.1:0")
+_KNOWN = "Registered to: "  # what a worker writes
 
 
 class Cluster:
@@ -28,16 +29,17 @@ class Cluster:
         self.scheduler = self._started(
             *("scheduler", "--scheduler-file", self.file, "--host", "127.0.0.1", "--port", 0, *_QUIET)
         )
-        until = time.monotonic() + 60
-        while not self.file.exists():
-            assert time.monotonic() < until, "no scheduler has started"
-            time.sleep(0.05)
+        waited(self.file.exists)
         self.address = json.loads(self.file.read_text())["address"]
 
     def add(self, workers: int, threads: int = 1, **settings: str) -> subprocess.Popen[bytes]:
-        """Start workers."""
+        """Start workers, and wait until the scheduler knows them."""
+        log = self._folder / "dask.log"
+        known = log.read_text().count(_KNOWN) + workers
         words = ("--nworkers", workers, "--nthreads", threads, "--local-directory", self._folder)
-        return self._started("worker", "--scheduler-file", self.file, *words, *_QUIET, **settings)
+        process = self._started("worker", "--scheduler-file", self.file, *words, *_QUIET, **settings)
+        waited(lambda: log.read_text().count(_KNOWN) >= known)
+        return process
 
     def _started(self, *words: object, **settings: str) -> subprocess.Popen[bytes]:
         with (self._folder / "dask.log").open("ab") as log:
@@ -52,9 +54,17 @@ class Cluster:
         return process
 
 
+def waited(look: Callable[[], bool]) -> None:
+    """Wait until it is so, for as long as a busy machine may need."""
+    until = time.monotonic() + 120
+    while not look():
+        assert time.monotonic() < until, "it has not started"
+        time.sleep(0.05)
+
+
 @contextmanager
 def served(folder: Path, workers: int, **settings: str) -> Iterator[Cluster]:
-    """A cluster of so many workers of one thread, none of which need be ready; they end with it."""
+    """A cluster of so many workers of one thread; they end with it."""
     with ExitStack() as stack:
         cluster = Cluster(stack, folder, **settings)
         if workers:

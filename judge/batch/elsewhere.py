@@ -277,7 +277,7 @@ def scheduler_at(where: str) -> str:
     Raises:
         UsageError: it is no address and no such file, or plain tcp to another machine.
     """
-    address = where if "://" in where else _read(where)
+    address = where if "://" in where or not where else _read(where)
     try:
         parts = urlsplit(address)
         host, port = parts.hostname, parts.port or _PORT
@@ -314,6 +314,7 @@ def _connected(address: str) -> Any:
     try:
         import dask
         from distributed import Client
+        from distributed.security import Security
     except ImportError as fault:
         what = "judging on other machines needs the package distributed, which is not installed"
         raise UsageError(what, remedy="pip install 'circle-line-judge[cluster]'") from fault
@@ -327,14 +328,12 @@ def _connected(address: str) -> Any:
         remedy = "start it with 'dask scheduler', or see whether a firewall is between"
         raise JudgeError(f"no scheduler can be reached at {address} ({reason})", remedy=remedy) from fault
     dask.config.set({"distributed.comm.timeouts.connect": _CONNECT})
+    what, remedy = "does not answer as a scheduler without TLS does", "if it has TLS, give tls://"
+    if parts.scheme == "tls":
+        what, remedy = "does not take your certificate", "set distributed.comm.tls in dask's configuration"
     try:
+        if parts.scheme == "tls" and not Security().get_connection_args("client")["ssl_context"]:
+            raise JudgeError("there is no certificate", remedy=remedy)
         return Client(address, timeout=_CONNECT, set_as_default=False)
     except Exception as fault:  # OSError, and others where certificates are missing or refused
-        if parts.scheme == "tls":
-            what, remedy = (
-                "does not take your certificate",
-                "set distributed.comm.tls in dask's configuration",
-            )
-        else:
-            what, remedy = "does not answer as a scheduler without TLS does", "if it has TLS, give tls://"
         raise JudgeError(f"what listens at {address} {what}", remedy=f"{remedy}; {_HELP}") from fault

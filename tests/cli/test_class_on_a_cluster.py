@@ -98,9 +98,10 @@ def client(*words, **settings):
 
 
 def ended(process):
-    rest = process.stdout.read()  # `communicate` would lose what was read ahead of a row
-    said = process.stderr.read()
-    return process.wait(timeout=300), rows_of(rest), said
+    with process:
+        rest = process.stdout.read()  # `communicate` would lose what was read ahead of a row
+        said = process.stderr.read()
+    return process.returncode, rows_of(rest), said
 
 
 def kill_its_worker(row):
@@ -116,11 +117,8 @@ def test_killed_workers_and_a_killed_client_lose_nothing_and_strangers_are_kept_
     with served(tmp_path, 3, DASK_CONFIG=own) as cluster:
         assert cluster.address.startswith("tls://")
         words = homework, "--on", cluster.file
-        for stranger in (
-            client(*words, DASK_CONFIG=other),
-            client(homework, "--on", cluster.address.replace("tls", "tcp"), DASK_CONFIG=str(tmp_path)),
-        ):
-            status, rows, said = ended(stranger)
+        for where, config in ((cluster.file, other), (cluster.address.replace("tls", "tcp"), str(tmp_path))):
+            status, rows, said = ended(client(homework, "--on", where, DASK_CONFIG=config))
             assert (status, rows) == (3, [])
             assert said.splitlines()[-1].startswith("judge: what listens at ")
         first = client(*words, DASK_CONFIG=own)
@@ -169,9 +167,8 @@ def test_a_worker_that_would_judge_otherwise_is_named_once_and_left_out(homework
         assert "can judge this: middle on " in alone.err
         cluster.add(1, threads=2)
         cluster.add(1)
-        ready = cluster.add(1, JUDGE_PROBLEMS=str(pack / "problems"))
+        cluster.add(1, JUDGE_PROBLEMS=str(pack / "problems"))
         outcome = judge("class", homework, "--on", cluster.address, "--json")
-        assert ready.poll() is None
     assert outcome.status == 1
     rows = rows_of(outcome.out)
     assert len(rows) == STUDENTS

@@ -46,9 +46,6 @@ def on_a_cluster():
         served(Path(folder), 3) as cluster,
         Elsewhere(str(cluster.file)) as elsewhere,
     ):
-        while elsewhere.alive() < 3:  # the others are just starting
-            list(elsewhere.finished(work, items(folder, "well"), lost))
-            time.sleep(0.2)
         yield elsewhere
 
 
