@@ -38,7 +38,7 @@ _HELP = "see 'judge help cluster'"
 _KEPT = "what is judged is kept, and the same command goes on"
 _PORT = 8786
 _CONNECT = 5.0  # seconds
-_ANSWER = 30.0  # seconds for the first workers to say which isolation they have
+_ANSWER = 30.0  # seconds for a worker to say which isolation it has
 _FETCH = 5.0  # seconds to fetch a result, which is gone if its worker has died meanwhile
 _RESTART = 15.0  # seconds for a worker that died to be there again
 _LOOK = 1.0  # seconds between looks at who is there
@@ -70,7 +70,6 @@ class Elsewhere:
         self._patience = patience
         self._client: Any = None
         self._hosts: dict[str, str] = {}  # of the workers that are there, by their addresses
-        self._asked: dict[str, Any] = {}  # newcomers
         self._levels: dict[str, tuple[str, ...]] = {}
         self._unfit: dict[str, str] = {}  # why a worker is left out
         self._looked = 0.0
@@ -118,7 +117,8 @@ class Elsewhere:
             while waiting or flying:
                 self._look()
                 fit = self._fit()
-                waiting = deque(each for each in waiting if not each[1] or each[1] in fit)
+                if waiting and waiting[0][1]:
+                    waiting = deque(each for each in waiting if each[1] in fit)
                 for worker in fit - {worker for _, worker in flying.values()}:
                     item = next((each for each in waiting if each[1] in ("", worker)), None)
                     if item is not None:
@@ -174,8 +174,8 @@ class Elsewhere:
             return None, _DIED
         except (CancelledError, OSError) as lost:
             raise self._lost() from lost
-        except Exception as other:  # it has no judge, or one that cannot read what is sent
-            return None, UsageError(f"it cannot begin: {told_of(other)}")
+        except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
+            return None, UsageError(_cannot(other))
         return result, lost_for(fault) if isinstance(fault, str) else fault
 
     def _fit(self) -> set[str]:
@@ -191,14 +191,14 @@ class Elsewhere:
 
     def _meet(self) -> None:
         """Wait for the first workers, and find the isolation that they have in common."""
-        self._seen = began = time.monotonic()
-        self._missed = began - _RESTART
+        self._seen = time.monotonic()
+        self._missed = self._seen - _RESTART
         self._look()
         if not self._hosts:
             self._say(f"there is no worker at {self.address} yet; waiting {self._patience:.0f} s for one")
-        while not self._fit() or (self._asked and time.monotonic() - began < _ANSWER):
-            time.sleep(_LOOK / 5)
-            self._look(_LOOK / 5)
+        while not self._fit():
+            time.sleep(_LOOK)
+            self._look()
         has = [self._levels[worker] for worker in self._fit()]
         common = [level for level in self._allowed if all(level in each for each in has)]
         if not common:
@@ -206,32 +206,27 @@ class Elsewhere:
         self.level = common[0]
         self._allowed = (self.level,)
 
-    def _look(self, pause: float = _LOOK) -> None:
+    def _look(self) -> None:
         """See who is there, unless that was seen just now, and ask newcomers which isolation they have."""
         now = time.monotonic()
-        if now - self._looked < pause:
+        if now - self._looked < _LOOK:
             return
         self._looked = now
         if self._client.status != "running":
             raise self._lost()
         try:
             workers = self._client.scheduler_info(n_workers=-1)["workers"]
+            known = self._levels.keys() | self._unfit.keys()
+            answers = self._asked([each for each in workers if each not in known])
         except Exception as fault:  # of several kinds
             raise self._lost() from fault
         if self._fit() - workers.keys():
             self._missed = now
         self._hosts = {address: told["host"] for address, told in workers.items()}
-        for address in workers.keys() - self._asked.keys() - self._levels.keys() - self._unfit.keys():
-            threads = workers[address]["nthreads"]
-            if threads == 1:
-                self._asked[address] = self._sent(address, levels_here, None)
-            else:
-                self._leave_out(address, f"it has {threads} threads; start it with --nthreads 1")
-        for address, future in list(self._asked.items()):
-            if future.done() or address not in workers:
-                del self._asked[address]
-                self._greet(address, future)
-                future.release()
+        self._levels = {each: levels for each, levels in self._levels.items() if each in workers}
+        self._unfit = {each: why for each, why in self._unfit.items() if each in workers}
+        for worker, answer in answers.items():
+            self._greet(worker, workers[worker]["nthreads"], answer)
         if self._fit():
             self._seen = now
         elif workers and workers.keys() <= self._unfit.keys() and now - self._missed > _RESTART:
@@ -241,19 +236,41 @@ class Elsewhere:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
             raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
 
-    def _greet(self, worker: str, future: Any) -> None:
-        """Note which isolation a worker has. One that is gone, or did not answer, is a newcomer again."""
-        levels, fault = self._fetched(future) if worker in self._hosts else (None, _DIED)
-        if fault is None and set(levels) & set(self._allowed):
-            self._levels[worker] = levels
-        elif fault is None:
+    def _asked(self, workers: Sequence[str]) -> dict[str, Any]:
+        """What each worker answers: its levels, or a fault. A task would end a worker that has no judge."""
+        if not workers:
+            return {}
+        try:
+            found: dict[str, Any] = self._client.run(
+                levels_here, workers=list(workers), on_error="return", callback_timeout=_ANSWER
+            )
+        except TimeoutError as fault:
+            if len(workers) == 1:
+                return {workers[0]: fault}
+            return {worker: answer for each in workers for worker, answer in self._asked([each]).items()}
+        return found
+
+    def _greet(self, worker: str, threads: int, levels: Any) -> None:
+        """Note which isolation a worker has, or why it is left out."""
+        if isinstance(levels, OSError) and not isinstance(levels, TimeoutError):
+            return  # it has gone; if not, it is asked again
+        if isinstance(levels, Exception):
+            self._leave_out(worker, _cannot(levels))
+        elif threads > 1:
+            self._leave_out(worker, f"it has {threads} threads; start it with --nthreads 1")
+        elif not set(levels) & set(self._allowed):
             has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
             self._leave_out(worker, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
-        elif fault not in (_DIED, _KILLED):
-            self._leave_out(worker, str(fault))
+        else:
+            self._levels[worker] = levels
 
 
-def levels_here(_: object) -> tuple[str, ...]:
+def _cannot(fault: Exception) -> str:
+    what = str(fault).partition("\n")[0].partition(". ")[0]
+    return f"it cannot begin ({what}); install the same judge there and where the scheduler runs"
+
+
+def levels_here() -> tuple[str, ...]:
     """What a worker answers: the levels of isolation that its machine gives."""
     from judge.judging.containment import every_hidden_folder
     from judge.sandbox import levels
