@@ -15,6 +15,7 @@ import uuid
 from collections import Counter, deque
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import CancelledError
+from importlib import import_module
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any, TypeAlias, TypeVar
@@ -128,7 +129,7 @@ class Elsewhere:
                         future.add_done_callback(done.put)
                 for future in self._ended(done, flying):
                     item, worker = flying.pop(future)
-                    result, fault = self._fetched(future) if worker in self._hosts else (None, _DIED)
+                    result, fault = self._fetched(worker, future)
                     future.release()
                     tries[item] += 1
                     if fault is None:
@@ -162,10 +163,12 @@ class Elsewhere:
         key = f"judge-{uuid.uuid4().hex}"
         return self._client.submit(_attempt, work, item, key=key, workers=[worker], pure=False)
 
-    def _fetched(self, future: Any) -> tuple[Any, JudgeError | str | None]:
+    def _fetched(self, worker: str, future: Any) -> tuple[Any, JudgeError | str | None]:
         """The result of a task, or its fault: a UsageError where its worker cannot judge."""
         from distributed.scheduler import KilledWorker
 
+        if worker not in self._hosts:
+            return None, _DIED
         try:
             result, fault = future.result(timeout=_FETCH)
         except KilledWorker:
@@ -330,8 +333,8 @@ def _connected(address: str) -> Any:
     """A client of the scheduler there. Raises UsageError without dask, JudgeError where none answers."""
     try:
         import dask
-        from distributed import Client
-        from distributed.security import Security
+
+        distributed: Any = import_module("distributed")
     except ImportError as fault:
         what = "judging on other machines needs the package distributed, which is not installed"
         raise UsageError(what, remedy="pip install 'circle-line-judge[cluster]'") from fault
@@ -349,8 +352,8 @@ def _connected(address: str) -> Any:
     if parts.scheme == "tls":
         what, remedy = "does not take your certificate", "set distributed.comm.tls in dask's configuration"
     try:
-        if parts.scheme == "tls" and not Security().get_connection_args("client")["ssl_context"]:
+        if parts.scheme == "tls" and not distributed.Security().get_connection_args("client")["ssl_context"]:
             raise JudgeError("there is no certificate", remedy=remedy)
-        return Client(address, timeout=_CONNECT, set_as_default=False)
+        return distributed.Client(address, timeout=_CONNECT, set_as_default=False)
     except Exception as fault:  # OSError, and others where certificates are missing or refused
         raise JudgeError(f"what listens at {address} {what}", remedy=f"{remedy}; {_HELP}") from fault
