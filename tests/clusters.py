@@ -1,52 +1,72 @@
-"""A cluster on this machine, for tests: `judge worker` as people start it."""
+"""A dask scheduler and its workers on this machine, as people start them; only TLS is set up by a file."""
 
 from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
 
 TESTS = Path(__file__).parent
-HERE = "tcp://127.0.0.1:0"
+_QUIET = ("--dashboard-address", "127.0.0.1:0")
+_KNOWN = "Registered to: "  # what a worker writes
+
+
+class Cluster:
+    """`file` names its scheduler; what is started ends with `stack`."""
+
+    def __init__(self, stack: ExitStack, folder: Path, **settings: str) -> None:
+        """`settings` are added to the environment of the processes."""
+        path = os.pathsep.join([str(TESTS.parent), str(TESTS)])  # workers import what tests have them do
+        self._environment = {**os.environ, "PYTHONPATH": path, **settings}
+        self._stack = stack
+        self._folder = folder
+        self.file = folder / "scheduler.json"
+        self.scheduler = self._started(
+            *("scheduler", "--scheduler-file", self.file, "--host", "127.0.0.1", "--port", 0, *_QUIET)
+        )
+        waited(self.file.exists)
+        self.address = json.loads(self.file.read_text())["address"]
+
+    def add(self, workers: int, threads: int = 1, **settings: str) -> subprocess.Popen[bytes]:
+        """Start workers, and wait until the scheduler knows them."""
+        log = self._folder / "dask.log"
+        known = log.read_text().count(_KNOWN) + workers
+        words = ("--nworkers", workers, "--nthreads", threads, "--local-directory", self._folder)
+        process = self._started("worker", "--scheduler-file", self.file, *words, *_QUIET, **settings)
+        waited(lambda: log.read_text().count(_KNOWN) >= known)
+        return process
+
+    def _started(self, *words: object, **settings: str) -> subprocess.Popen[bytes]:
+        with (self._folder / "dask.log").open("ab") as log:
+            process = subprocess.Popen(
+                [sys.executable, "-m", "dask", *map(str, words)],
+                stdout=log,
+                stderr=log,
+                env={**self._environment, **settings},
+            )
+        self._stack.callback(process.wait)
+        self._stack.callback(process.terminate)
+        return process
+
+
+def waited(look: Callable[[], bool]) -> None:
+    """Wait until it is so, for as long as a busy machine may need."""
+    until = time.monotonic() + 120
+    while not look():
+        assert time.monotonic() < until, "it has not started"
+        time.sleep(0.05)
 
 
 @contextmanager
-def served(*words: str, **environment: str) -> Iterator[tuple[dict[str, Any], subprocess.Popen[str]]]:
-    """`judge worker WORDS --json`, ready, and what it told then; it is ended as Ctrl-C ends it."""
-    command = [sys.executable, "-m", "judge", "worker", *words, "--json"]
-    path = os.pathsep.join([str(TESTS.parent), str(TESTS)])  # workers import what tests have them do
-    settings = {**os.environ, "PYTHONPATH": path, **environment}
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=settings) as process:
-        try:
-            yield json.loads(process.stdout.readline()), process
-        finally:
-            if process.poll() is None:
-                process.send_signal(signal.SIGINT)
-
-
-def below(process: subprocess.Popen[str]) -> dict[int, str]:
-    """The processes that a process has started, and those that these have: their command lines."""
-    found, last = {process.pid: ""}, 0
-    while len(found) > last:
-        last = len(found)
-        for folder in Path("/proc").glob("[0-9]*"):
-            try:
-                parent = int(folder.joinpath("stat").read_text().rpartition(")")[2].split()[1])
-                if parent in found:
-                    line = folder.joinpath("cmdline").read_bytes().replace(b"\0", b" ")
-                    found.setdefault(int(folder.name), line.decode(errors="replace"))
-            except OSError:
-                continue
-    del found[process.pid]
-    return found
-
-
-def workers(process: subprocess.Popen[str]) -> list[int]:
-    """The processes that judge, below `judge worker`."""
-    return [pid for pid, line in below(process).items() if "spawn_main" in line]
+def served(folder: Path, workers: int, **settings: str) -> Iterator[Cluster]:
+    """A cluster of so many workers of one thread; they end with it."""
+    with ExitStack() as stack:
+        cluster = Cluster(stack, folder, **settings)
+        if workers:
+            cluster.add(workers)
+        yield cluster

@@ -11,7 +11,6 @@ import time
 from pathlib import Path
 
 from judge.errors import UsageError
-from judge.judging.executors import WorkerDied
 
 
 def work(item: str) -> str:
@@ -40,7 +39,7 @@ def work(item: str) -> str:
 def _die() -> None:
     """As the executor's kind of worker dies: a process by SIGKILL; of a thread that can only be said."""
     if os.environ.get("EXECUTED_BY") == str(os.getpid()):
-        raise WorkerDied("killed by SIGKILL")
+        raise ChildProcessError("killed by SIGKILL")
     os.kill(os.getpid(), signal.SIGKILL)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import msgspec
 
+from judge.batch.elsewhere import Elsewhere
 from judge.batch.model import Row, Standard
 from judge.batch.plan import Ground, Plan, rows_of
 from judge.batch.standard import level_here, standard_of
@@ -15,7 +16,7 @@ from judge.batch.store import Store
 from judge.batch.work import fault_done, judge_task, learn_task
 from judge.data.cache import DataCache
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging.executors import Elsewhere, Executor
+from judge.judging.executors import Executor
 from judge.judging.job import Terms
 from judge.mistakes.known import is_kept
 from judge.problem import Problem

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import closing, suppress
+from collections.abc import Mapping, Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from msgspec import Struct
 
+from judge.batch.elsewhere import Elsewhere
 from judge.batch.folder import ClassFolder, read_class
 from judge.batch.model import Row, Standard, Student
 from judge.batch.outcome import Outcome
@@ -22,12 +23,10 @@ from judge.batch.table import table_lines
 from judge.batch.work import release
 from judge.cli.class_views import Scene, Views, problems_of
 from judge.cli.options import write_json
-from judge.errors import ProblemError, UsageError
-from judge.judging.executors import Elsewhere, Executor
+from judge.errors import UsageError
+from judge.judging.executors import Executor
 from judge.judging.job import Terms
 from judge.judging.processes import Processes
-from judge.problem import Problem
-from judge.problem.find import find_problem
 from judge.report.live import Live
 from judge.report.screen import note, out
 from judge.report.values import counted
@@ -91,7 +90,7 @@ class Classroom:
         self._seen: set[str] = set()
         self._standards: Mapping[str, Standard] | None = None  # any, until it is known
         if shard is None or shard.number == 1:
-            self._say(_left_out(found))
+            self.say(*_left_out(found))
         if not found.handins and not self._listed:
             remedy = "it holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is handed in here", where=str(wanted.folder), remedy=remedy)
@@ -115,7 +114,7 @@ class Classroom:
         self._standards = ground.standards
         plan = planned(self._handins, self._store.every(), ground, wanted.again)
         short = [executor.short] if isinstance(executor, Processes) and executor.short else []
-        self._say([*ground.said, *short, *plan.said])
+        self.say(*ground.said, *short, *plan.said)
         for row in plan.kept:
             self._show(row, kept=True)
         with self._live as live:
@@ -126,23 +125,13 @@ class Classroom:
             with closing(judged(plan, self._store, executor)) as rows:
                 for row in rows:
                     self._show(row)
-                    if isinstance(executor, Elsewhere):
-                        self._say(executor.left_out())
                     pace.add(row)
                     live.show(lambda: pace.text(executor.alive()))
         release()
 
-    def problems(self) -> list[Problem]:
-        """The problems that are to be judged, as far as they can be read."""
-        found = []
-        for name in dict.fromkeys(each.problem for each in self._handins if not each.why):
-            with suppress(ProblemError, UsageError):  # told with each of their rows
-                found.append(find_problem(name, self._wanted.folders))
-        return found
-
     def merge(self) -> None:
         """Take over the rows of the shards' files. Raises StoreError."""
-        self._say(merged(self._store, self._wanted.parts))
+        self.say(*merged(self._store, self._wanted.parts))
         for row in current(self._handins, self._store.every()).values():
             self._show(row, kept=True)
 
@@ -165,12 +154,12 @@ class Classroom:
             screen.show(table_lines(found, screen.width))
         more = len(self._seen) - _NOTES
         if more > 0:
-            self._say([f"{counted(more, 'further note')} of the workers; --json has them all"])
+            self.say(f"{counted(more, 'further note')} of the workers; --json has them all")
         if interrupted:
-            self._say([f"{counted(found.left, 'file')} left; the same command goes on"])
+            self.say(f"{counted(found.left, 'file')} left; the same command goes on")
         elif self._wanted.parts and found.left:
             remedy = "the same command without --merge judges them"
-            self._say([f"{counted(found.left, 'file')} in none of the files that were merged; {remedy}"])
+            self.say(f"{counted(found.left, 'file')} in none of the files that were merged; {remedy}")
         return found
 
     def show_views(self, views: Views, found: Outcome) -> None:
@@ -194,9 +183,10 @@ class Classroom:
             if text not in self._seen:
                 self._seen.add(text)
                 if len(self._seen) <= _NOTES:
-                    self._say([text])
+                    self.say(text)
 
-    def _say(self, texts: Iterable[str]) -> None:
+    def say(self, *texts: str) -> None:
+        """Say each text once, unless nothing is to be said."""
         for text in texts:
             if not self._wanted.quiet and text not in self._said:
                 self._said.append(text)

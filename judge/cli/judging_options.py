@@ -30,12 +30,6 @@ jobs_option: Callable[[F], F] = click.option(
     metavar="N",
     help="Judge so many files at once; time is still measured alone.",
 )
-keys_option: Callable[[F], F] = click.option(
-    "--keys",
-    metavar="DIR",
-    type=click.Path(path_type=Path),
-    help="The folder of a cluster's keys, instead of $JUDGE_KEYS or the one in your data folder.",
-)
 no_name_option: Callable[[F], F] = click.option(
     "--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers."
 )

@@ -46,7 +46,6 @@ _FURTHER = {
     "data": ("Write a problem's test data and exact answers as files.", "problem-toml"),
     "export": ("Write problems as packages that other judges read.", "packages"),
     "doctor": ("Say how well submissions are contained on this machine.", "containment"),
-    "worker": ("Judge for others: a machine of a cluster, its scheduler, its keys.", "cluster"),
     "schema": ("Print the JSON Schema of what a command writes with --json.", "scripts"),
     "completion": ("Print the script that lets a shell complete judge's words.", "scripts"),
 }
@@ -101,11 +100,6 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "judge export exact-count --out packages --version legacy --zip --wrong 5",
     ),
     "doctor": ("judge doctor",),
-    "worker": (
-        "judge worker --new-keys keys",
-        "judge worker --scheduler tls://0.0.0.0:8786 --keys keys",
-        "judge worker tls://teacher.example.org:8786 --keys keys -j 4",
-    ),
     "schema": ("judge schema run",),
     "completion": ("judge completion bash",),
 }

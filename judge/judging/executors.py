@@ -1,8 +1,8 @@
 """Who does the work: here one after another, or several processes at once (processes.py).
 
 An executor is given what to do and the items to do it to, and gives each result as soon as it is there, with
-the place of its item; `results` puts them in the order of the items. Anything with these methods is one: for
-`judge.judging.run` and jobs, both of which can be sent elsewhere, other machines can be.
+the place of its item; `results` puts them in the order of the items. judge/batch/elsewhere.py is one whose
+workers are on other machines.
 
 A worker that dies in the middle of an item loses nothing: the item is done again. One that kills every worker
 costs that item alone, for which `lost` gives the result.
@@ -10,8 +10,8 @@ costs that item alone, for which `lost` gives the result.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from typing import Generic, Protocol, TypeAlias, TypeVar, runtime_checkable
+from collections.abc import Callable, Generator, Iterator, Sequence
+from typing import Generic, Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct
 
@@ -23,10 +23,6 @@ Lost: TypeAlias = Callable[[T, str], R]  # the result of an item that no worker 
 Finished: TypeAlias = Generator[tuple[int, R], None, None]  # an item's place and its result; to be closed
 
 ATTEMPTS = 3  # at an item, whose workers die
-
-
-class WorkerDied(Exception):  # noqa: N818 - what has happened, not an error of who asked
-    """A worker has ended in the middle of an item, through no fault that the item's work tells of."""
 
 
 class Executor(Protocol):
@@ -42,28 +38,6 @@ class Executor(Protocol):
 
     def alive(self) -> int:
         """How many workers there are just now."""
-        ...
-
-
-@runtime_checkable
-class Elsewhere(Executor, Protocol):
-    """An executor whose workers are on other machines, each with a cache of its own."""
-
-    @property
-    def level(self) -> str:
-        """The level of isolation that every worker can hold submissions at."""
-        ...
-
-    def machines(self) -> Mapping[str, Sequence[str]]:
-        """The names of the workers, by the machine they are on."""
-        ...
-
-    def everywhere(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
-        """As `finished`, but each item once on each machine: a place comes as often as there are machines."""
-        ...
-
-    def left_out(self) -> tuple[str, ...]:
-        """The workers that are there but are given nothing, each with the reason."""
         ...
 
 

@@ -1,4 +1,4 @@
-"""Folders for what is compiled and run, and for workers; a killed judge's go when the next one makes its own.
+"""Folders for what is compiled and run; a killed judge's go when the next one makes its own.
 
 <temporary folder>/judge-box-<random>     locked as long as its judge lives
 """
@@ -20,16 +20,13 @@ _AS_A_FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
 class TemporaryFolder:
-    """A context manager: a new folder that others may pass through, for a user that a container becomes.
+    """A context manager: a new folder that others may pass through, for a user that a container becomes."""
 
-    With `private` nobody else may.
-    """
-
-    def __init__(self, *, private: bool = False) -> None:
+    def __init__(self) -> None:
         """Make it. Raises OSError."""
         sweep(Path(tempfile.gettempdir()))
         self.path = Path(tempfile.mkdtemp(prefix=_PREFIX))
-        self.path.chmod(0o700 if private else 0o711)
+        self.path.chmod(0o711)
         self._lock = os.open(self.path, _AS_A_FOLDER)
         with contextlib.suppress(OSError):  # a file system without locks: its age protects it
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,32 +1,27 @@
-"""`judge class --on` and `judge worker`: a scheduler and workers on this machine, killed in the middle."""
+"""`judge class --on`: a dask scheduler and workers on this machine, killed in the middle.
+
+What `--on` refuses in a line is among the transcripts: refused/class-on.txt. What the executor does when
+workers die is in tests/unit/test_executors.py.
+"""
 
 from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
-import socket
-import ssl
 import subprocess
 import sys
-import time
-from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
-from executed import work
-from jsonschema import Draft202012Validator
 
-pytest.importorskip("distributed")
-
-from clusters import HERE, below, served, workers
-
-from judge.cluster.greeting import Offer
-from judge.cluster.keys import new_keys
-from judge.cluster.ring import Ring
-from judge.cluster.where import Address
+from judge.batch.elsewhere import Elsewhere
 from judge.errors import JudgeError, UsageError
-from judge.schema import schema_of
+
+pytest.importorskip("distributed", reason="distributed is not installed")
+
+from clusters import served
 
 pytestmark = pytest.mark.slow
 
@@ -40,10 +35,17 @@ SOURCES = (
 )
 STUDENTS = 18
 TELLING = ("student", "problem", "file", "verdict", "score", "points", "mistake")
-
-
-def lost(item, why):
-    return f"lost: {why}"
+SETTINGS = """
+distributed:
+  comm:
+    default-scheme: tls
+    require-encryption: true
+    tls:
+      ca-file: {0}/cert.pem
+      scheduler: {{cert: {0}/cert.pem, key: {0}/key.pem}}
+      worker: {{cert: {0}/cert.pem, key: {0}/key.pem}}
+      client: {{cert: {0}/cert.pem, key: {0}/key.pem}}
+"""
 
 
 def facts(row):
@@ -55,7 +57,7 @@ def facts(row):
 
 
 def rows_of(text):
-    return {row["file"]: facts(row) for row in map(json.loads, text.splitlines())}
+    return [json.loads(line) for line in text.splitlines()]
 
 
 @pytest.fixture
@@ -69,237 +71,133 @@ def homework(tmp_path):
     return folder
 
 
-class Client:
+def certified(folder):
+    """A new certificate, and dask's configuration for it, as the manual says: the value of $DASK_CONFIG."""
+    openssl = shutil.which("openssl") or pytest.skip("openssl is not installed")
+    folder.mkdir()
+    words = "req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3 -subj /CN=judge"
+    files = ["-keyout", folder / "key.pem", "-out", folder / "cert.pem"]
+    subprocess.run([openssl, *words.split(), *files], check=True, capture_output=True)
+    (folder / "tls.yaml").write_text(SETTINGS.format(folder))
+    return str(folder)
+
+
+def client(*words, **settings):
     """`judge class` as a process, whose rows are read one by one."""
-
-    def __init__(self, said, *words):
-        """`said` is the file that gets what it says to people."""
-        command = [sys.executable, "-m", "judge", "class", *map(str, words), "--json"]
-        settings = {**os.environ, "PYTHONPATH": str(ROOT)}
-        self.said = said
-        with said.open("w") as err:
-            self.process = subprocess.Popen(
-                command, stdout=subprocess.PIPE, stderr=err, text=True, env=settings
-            )
-
-    def rows(self, count):
-        """So many further rows."""
-        return [json.loads(self.process.stdout.readline()) for _ in range(count)]
-
-    def end(self):
-        rest = self.process.stdout.read()  # `communicate` would lose what was read ahead of a row
-        self.process.stdout.close()
-        return self.process.wait(timeout=300), rest, self.said.read_text()
-
-    def kill(self):
-        self.process.kill()
-        self.end()
+    command = [sys.executable, "-m", "judge", "class", *map(str, words), "--json"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), **settings}
+    return subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    )
 
 
-def gone(pids):
-    for _ in range(600):
-        if not any(alive(pid) for pid in pids):
-            return True
-        time.sleep(0.1)
-    return False
+def ended(process):
+    with process:
+        rest = process.stdout.read()  # `communicate` would lose what was read ahead of a row
+        said = process.stderr.read()
+    return process.returncode, rows_of(rest), said
 
 
-def alive(pid):
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except OSError:
-        return False
+def kill_its_worker(row):
+    """The worker has its next submission by now."""
+    os.kill(int(row["worker"].rpartition(":")[2]), signal.SIGKILL)
 
 
-def kill_one(process):
-    """Kill a worker in the middle of a submission; every process that it had started ends too."""
-    for _ in range(2000):
-        for pid in workers(process):
-            held = [each for each in below(process) if each != pid and ancestor(each, pid)]
-            if held:
-                os.kill(pid, signal.SIGKILL)
-                assert gone([pid, *held])
-                return
-        time.sleep(0.01)
-    raise AssertionError("no worker was seen to judge")
-
-
-def ancestor(pid, wanted):
-    while pid > 1:
-        if pid == wanted:
-            return True
-        try:
-            pid = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
-        except OSError:
-            return False
-    return False
-
-
-def heard_without_a_certificate(address, authority):
-    context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-    context.load_verify_locations(cadata=authority)
-    context.check_hostname = False
-    with socket.create_connection((address.host, address.port)) as plain:
-        try:
-            with context.wrap_socket(plain) as talk:
-                talk.sendall(bytes(64))
-                return talk.recv(1)
-        except OSError:
-            return b""
-
-
-def test_killed_workers_and_a_killed_client_lose_nothing(homework, tmp_path, judge):
-    plain = rows_of(judge("class", str(homework), "--json", "--out", str(tmp_path / "plain.sqlite3")).out)
-    assert len(plain) == STUDENTS
-    with served(HERE, "--scheduler", "-j", "3") as (told, process):
-        Draft202012Validator(schema_of("worker")).validate(told)
-        assert told["workers"] == 3
-        assert "limits" not in told["isolation"]
-        words = (tmp_path / "said", homework, "--on", told["address"])
-        client = Client(*words)
-        client.rows(2)
-        kill_one(process)
-        client.rows(3)
-        client.kill()
-        client = Client(*words)
-        kept = client.rows(5)
-        kill_one(process)
-        status, rest, said = client.end()
-    assert all(row["kept"] for row in kept)
-    rows = [*kept, *map(json.loads, rest.splitlines())]
+def test_killed_workers_and_a_killed_client_lose_nothing_and_strangers_are_kept_out(
+    homework, tmp_path, judge
+):
+    plain = rows_of(judge("class", homework, "--json", "-j", 2, "--out", tmp_path / "plain.sqlite3").out)
+    own, other = certified(tmp_path / "own"), certified(tmp_path / "other")
+    with served(tmp_path, 3, DASK_CONFIG=own) as cluster:
+        assert cluster.address.startswith("tls://")
+        words = homework, "--on", cluster.file
+        for where, config in ((cluster.file, other), (cluster.address.replace("tls", "tcp"), str(tmp_path))):
+            status, rows, said = ended(client(homework, "--on", where, DASK_CONFIG=config))
+            assert (status, rows) == (3, [])
+            assert said.splitlines()[-1].startswith("judge: what listens at ")
+        first = client(*words, DASK_CONFIG=own)
+        before = [json.loads(first.stdout.readline()) for _ in range(2)]
+        kill_its_worker(before[1])
+        before += [json.loads(first.stdout.readline()) for _ in range(3)]
+        first.kill()
+        ended(first)
+        second = client(*words, DASK_CONFIG=own)
+        rows = [json.loads(second.stdout.readline()) for _ in range(7)]
+        kill_its_worker(rows[6])
+        status, rest, said = ended(second)
+    rows += rest
+    assert all(row["kept"] for row in rows[:5])
     assert len(rows) == STUDENTS
-    assert {row["file"]: facts(row) for row in rows} == plain
+    assert {row["file"]: facts(row) for row in rows} == {row["file"]: facts(row) for row in plain}
     assert status == 1
     assert "kept from before" in said
-    assert {row["isolation"] for row in rows if row["verdict"] != "CE"} == {told["isolation"][0]}
-    assert gone([process.pid])
+    assert len({row["isolation"] for row in rows if row["verdict"] != "CE"} - {"limits"}) == 1
 
 
-def test_certificates_keep_strangers_out_and_a_lost_scheduler_is_a_line(tmp_path, monkeypatch):
-    keys = new_keys()
-    keys.write(tmp_path / "keys")
-    with served("tls://127.0.0.1:0", "--scheduler", "-j", "1", "--keys", str(tmp_path / "keys")) as (
-        told,
-        process,
-    ):
-        address = Address.of(told["address"])
-        assert told["keys"]
-        for stranger in (Ring(address, new_keys()), Ring(Address("tcp", address.host, address.port))):
-            with (
-                pytest.raises(JudgeError, match=r"does not take this certificate|give tls:// if it has keys"),
-                stranger,
-            ):
-                pass
-        assert heard_without_a_certificate(address, keys.ca) == b""
-        with Ring(address, keys) as ring:
-            monkeypatch.setenv("EXECUTED_BY", str(os.getpid()))
-            given = [f"{tmp_path} {what} n{place}" for place, what in enumerate(["well", "forever"])]
-            waiting = ring.finished(work, given, lost)
-            assert next(waiting) == (0, "N0")
-            started = [process.pid, *below(process)]
-            process.kill()
-            with pytest.raises(
-                JudgeError, match="is lost; what is judged is kept, and the same command goes on"
-            ):
-                next(waiting)
-            assert gone(started)
-    with (
-        pytest.raises(JudgeError, match=r"no scheduler can be reached at .* \(connection refused\)"),
-        Ring(address, keys),
-    ):
-        pass
+def test_a_lost_scheduler_is_a_line_and_what_is_judged_is_kept(homework, tmp_path, judge):
+    with served(tmp_path, 1) as cluster:
+        process = client(homework, "--on", cluster.address)
+        process.stdout.readline()
+        cluster.scheduler.kill()
+        status, _, said = ended(process)
+    assert status == 3
+    line = f"judge: the scheduler at {cluster.address} is lost; what is judged is kept, and the same command"
+    assert said.splitlines()[-1] == f"{line} goes on"
+    assert "Traceback" not in said
+    outcome = judge("class", homework, "--on", cluster.address)
+    assert outcome.status == 3
+    assert "(connection refused); start it with 'dask scheduler'" in outcome.err
+    assert any(row["kept"] for row in rows_of(judge("class", homework, "--json").out))
 
 
-@pytest.mark.parametrize(
-    ("resources", "told"),
-    [
-        (None, "the scheduler at .* has no workers"),
-        ({}, "was not started by 'judge worker'"),
-        ({"judge": 1, "judge 0.0.1 (abc)": 1}, r"has judge 0\.0\.1 \(abc\), and here is 9 \(def\)"),
-    ],
-)
-def test_a_cluster_of_others_is_told_before_anything_is_sent(resources, told):
-    from distributed import LocalCluster
-
-    started = LocalCluster(
-        n_workers=0 if resources is None else 1,
-        threads_per_worker=1,
-        processes=False,
-        protocol="tcp://",
-        host="127.0.0.1",
-        dashboard_address="127.0.0.1:0",
-        worker_dashboard_address="127.0.0.1:0",
-        resources=resources or {},
-    )
-    with started as cluster:
-        wanted = Offer({"judge": "9 (def)"}, {}, ())
-        ring = Ring(Address.of(cluster.scheduler_address), None, wanted, patience=0.1)
-        with pytest.raises(JudgeError, match=told) as fault:
-            ring.__enter__()
-    assert "\n" not in str(fault.value)
+def test_a_worker_that_would_judge_otherwise_is_named_once_and_left_out(homework, tmp_path, pack, judge):
+    other = tmp_path / "pack"
+    shutil.copytree(pack, other)
+    with (other / "problems" / "middle" / "problem.toml").open("a") as file:
+        file.write("\n# another version\n")
+    with served(tmp_path, 1, JUDGE_PROBLEMS=str(other / "problems")) as cluster:
+        alone = judge("class", homework, "--on", cluster.address)
+        assert alone.status == 2
+        assert "can judge this: middle on " in alone.err
+        cluster.add(1, threads=2)
+        cluster.add(1, JUDGE_PROBLEMS=str(pack / "problems"))
+        outcome = judge("class", homework, "--on", cluster.address, "--json")
+    assert outcome.status == 1
+    rows = rows_of(outcome.out)
+    assert len(rows) == STUDENTS
+    assert not any(row["verdict"] == "JE" for row in rows)
+    said = [line for line in outcome.err.splitlines() if "is left out" in line]
+    assert len(said) == len(set(said)) == 2
+    assert sum("the problem's files (" in line for line in said) == 1
+    assert sum("it has 2 threads; start it with --nthreads 1" in line for line in said) == 1
 
 
-def test_a_worker_of_another_judge_that_comes_later_is_left_out_and_named(tmp_path, monkeypatch):
-    from distributed import LocalCluster, Worker
-
-    monkeypatch.setenv("EXECUTED_BY", str(os.getpid()))
-    here, there = (Offer({"judge": name}, {}, ("full",)) for name in ("9 (def)", "8 (abc)"))
-
-    async def join(address, offer):
-        resources = offer.resources()
-        return await Worker(address, nthreads=1, resources=resources, dashboard_address="127.0.0.1:0")
-
-    started = LocalCluster(
-        n_workers=0, processes=False, protocol="tcp://", host="127.0.0.1", dashboard_address="127.0.0.1:0"
-    )
-    with started as cluster:
-        workers = [cluster.sync(join, cluster.scheduler_address, here)]
-        with Ring(Address.of(cluster.scheduler_address), None, Offer(here.facts, {}, ())) as ring:
-            assert (ring.level, ring.left_out()) == ("full", ())
-            workers.append(cluster.sync(join, cluster.scheduler_address, there))
-            given = [f"{tmp_path} well n{place}" for place in range(5)]
-            while not ring.left_out():
-                assert len(dict(ring.finished(work, given, lost))) == 5
-            assert ring.alive() == 1
-            assert sorted(ring.everywhere(work, given, lost)) == [(place, f"N{place}") for place in range(5)]
-            (told,) = ring.left_out()
-            assert told == f"the worker {workers[1].address} has judge 8 (abc), and here is 9 (def)"
-        for worker in workers:
-            cluster.sync(worker.close)
+def test_no_worker_is_a_line_and_one_without_our_judge_is_left_out(tmp_path):
+    (tmp_path / "judge.py").write_text("")
+    with served(tmp_path, 0) as cluster:
+        alone = Elsewhere(cluster.address, patience=1)
+        with pytest.raises(JudgeError, match="no worker is ready at tcp"), alone:
+            pass
+        cluster.add(1, PYTHONPATH=str(tmp_path))
+        alone = Elsewhere(cluster.address)
+        with pytest.raises(UsageError, match=r"it cannot begin \(ModuleNotFoundError.*judge"), alone:
+            pass
 
 
-def test_plain_class_and_help_import_nothing_of_it(homework, tmp_path):
+def test_plain_class_imports_nothing_of_it_and_a_missing_package_is_a_line(
+    homework, tmp_path, judge, monkeypatch
+):
     script = (
         "import sys\nfrom judge.cli import main\n"
         "try:\n    main()\nexcept SystemExit:\n    pass\n"
-        "heavy = ('dask', 'distributed', 'cryptography', 'asyncio')\n"
-        "print([name for name in heavy if name in sys.modules])\n"
+        "print([name for name in ('dask', 'distributed', 'asyncio') if name in sys.modules])\n"
     )
-    for words in (
-        ["class", str(homework), "--problem", "middle", "--shard", "1/18", "-q"],
-        ["worker", "--help"],
-    ):
-        command = [sys.executable, "-c", script, *words]
-        settings = {**os.environ, "PYTHONPATH": str(ROOT)}
-        ended = subprocess.run(
-            command, capture_output=True, text=True, check=True, env=settings, cwd=tmp_path
-        )
-        assert ended.stdout.splitlines()[-1] == "[]", ended
-
-
-def test_a_machine_that_would_leave_its_files_open_does_not_work(monkeypatch):
-    from judge.cluster import station
-    from judge.sandbox.probe import Level
-
-    poor = (
-        Level("full", False, "", "bubblewrap is not installed", "apt-get install bubblewrap"),
-        Level("strong", False, "", "the kernel has no landlock", ""),
-        Level("limits", True, ""),
+    command = [sys.executable, "-c", script, "class", str(homework), "--shard", "1/18", "-q"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]", done
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    outcome = judge("class", homework, "--on", "tcp://127.0.0.1:1")
+    assert outcome.status == 2
+    assert outcome.err.endswith(
+        "distributed, which is not installed; pip install 'circle-line-judge[cluster]'\n"
     )
-    monkeypatch.setattr(station, "levels", lambda _hide: poor)
-    with pytest.raises(UsageError, match="only isolation 'limits' can be had here") as fault:
-        station.offer_here([], None)
-    assert str(fault.value).endswith("apt-get install bubblewrap; or allow it by --isolation limits")
-    with pytest.raises(UsageError, match="isolation full cannot be had here: bubblewrap is not installed"):
-        station.offer_here([], "full")
-    assert station.offer_here([], "limits").levels == ("limits",)

@@ -59,8 +59,3 @@ def test_a_reader_that_has_left_is_141(words):
 @pytest.mark.parametrize("more", ["-q", "--format github"])
 def test_results_that_nobody_reads_are_141(more, submit):
     assert without_a_reader(f"run middle {submit(FLOOR)} --no-shrink {more}") == (141, b"")
-
-
-def test_a_worker_that_finds_no_scheduler_is_3(judge):
-    ended = judge("worker", "tcp://127.0.0.1:1")
-    assert (ended.status, ended.out, ended.err.count("\n")) == (3, "", 1)

@@ -35,9 +35,8 @@ RUN_IT = {
     "verify",
     "report",
     "quiz",
-    "worker",
 }
-WORDS = {  # each command in the ways that could make a difference; watch and worker have their own tests
+WORDS = {  # each command in the ways that could make a difference; watch has its own test
     "run": ["run middle mine.py -q", "run middle floor.py --no-history", "run"],
     "list": ["list", "list --json"],
     "show": ["show middle", "show middle --json"],
@@ -113,7 +112,7 @@ def practised(marking_pack, judge, mark, tmp_path):
 
 
 def test_every_command_is_looked_at():
-    assert {*WORDS, "watch", "worker"} == set(COMMANDS)
+    assert {*WORDS, "watch"} == set(COMMANDS)
 
 
 @pytest.mark.parametrize(
@@ -149,17 +148,6 @@ def test_watch_runs_it(practised, mark):
         assert '"verdict": "AC"' in running.stdout.readline()
         running.terminate()
     assert mark.exists()
-
-
-def test_a_worker_runs_it(marking_pack, mark):
-    pytest.importorskip("distributed")
-    from clusters import HERE, served
-
-    with served(HERE, "--scheduler", "-j", "1") as (told, _):
-        assert told["problems"]
-        assert not mark.exists()
-    with served(HERE, "--scheduler", "-j", "1", "--problem", "middle"):
-        assert mark.exists()
 
 
 @pytest.mark.parametrize(

@@ -49,7 +49,6 @@ SAMPLES = {  # of commands whose words are the machine's
         "stress middle broken.py --for 1s",
         "stress misspelt-key mean.py --problems BROKEN",
     ],
-    "worker": ["worker --new-keys keys"],
     "completion": ["completion bash"],
     "watch": [],  # it does not end by itself: below
 }

@@ -21,7 +21,7 @@ TOPIC = re.compile(
 OWN = ("[circle; 1..6]", "Circle", '"extent": ')  # a kata's own type, and a key of [tolerance]
 COPIED = re.compile(r"\bjudge \w+ |^  [\w-]+(/[\w.-]+)+$")  # a command or a path is never broken
 ROWS = 23  # of a terminal's 24: the shell's prompt takes the last one
-ENDLESS = {"completion", "doctor", "stress", "watch", "worker"}  # their JSON has tests of its own
+ENDLESS = {"completion", "doctor", "stress", "watch"}  # their JSON has tests of its own
 
 
 class Call(NamedTuple):

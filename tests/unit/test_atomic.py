@@ -252,9 +252,6 @@ def test_there_is_no_other_way():
         "judge/kata/repair.py",  # a copy that must not be there yet, and the history behind a lock
         "judge/packs/export/place.py",  # a package is renamed to its place when it is whole
         "judge/packs/export/validators/output_validator.py",  # runs elsewhere, as the format has it
-        "judge/cluster/keys.py",  # for ssl, which reads a key from files only
-        "judge/cluster/serve.py",  # what dask leaves lying, gone with the worker
-        "judge/cluster/slurm.py",  # keys for one run, where its workers find them
     }
     found = {
         str(path.relative_to(ROOT))

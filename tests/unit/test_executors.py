@@ -10,11 +10,11 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
 
 import pytest
 from executed import work
@@ -35,14 +35,17 @@ def opened(executor):
 
 @contextmanager
 def on_a_cluster():
-    pytest.importorskip("distributed")
-    from clusters import HERE, served
+    pytest.importorskip("distributed", reason="distributed is not installed")
+    from clusters import served
 
-    from judge.cluster.ring import Ring
-    from judge.cluster.where import Address
+    from judge.batch.elsewhere import Elsewhere
 
-    with served(HERE, "--scheduler", "-j", "3") as (told, _), Ring(Address.of(told["address"])) as ring:
-        yield ring
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        served(Path(folder), 3) as cluster,
+        Elsewhere(str(cluster.file)) as elsewhere,
+    ):
+        yield elsewhere
 
 
 PLACES = {
@@ -108,24 +111,14 @@ def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
     assert place != "cluster" or told == "lost n1: the machine died 3 times"
 
 
-def test_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):
+def test_what_the_caller_has_done_wrong_ends_the_work(executor, place, tmp_path):
+    if place != "cluster":  # where it costs every worker that says so, for good
+        found = results(executor, work, items(tmp_path, "well", "well", "usage", "well"), lost)
+        assert [next(found), next(found)] == ["N0", "N1"]
+        with pytest.raises(UsageError, match="cannot be had here"):
+            next(found)
     with pytest.raises(UsageError, match="cannot be had here"):
         list(executor.finished(work, items(tmp_path, "usage", "well"), lost))
-    found = results(executor, work, items(tmp_path, "well", "well", "usage", "well"), lost)
-    assert [next(found), next(found)] == ["N0", "N1"]
-    with pytest.raises(UsageError, match="cannot be had here"):
-        next(found)
-
-
-def test_workers_are_counted_while_there_are_any(executor, place, tmp_path):
-    counts, anew = set(), {0} if place == "cluster" else set()  # those that were killed are being started
-    for _ in range(100):
-        counts |= {executor.alive() for _ in executor.finished(work, items(tmp_path, *["well"] * 4), lost)}
-        if counts - anew:
-            break
-        time.sleep(0.1)
-    assert counts - anew
-    assert counts <= {1, 2, 3} | anew
 
 
 # -- processes -----------------------------------------------------------------------------------------
@@ -200,26 +193,6 @@ def test_workers_end_with_who_gave_them_work(how, tmp_path):
     assert printed == b"(0, 'N0')\n"
     own = 1 if how == "Ctrl-C" else 0  # traceback, of the script itself
     assert (said.count(b"Traceback"), said.count(b"KeyboardInterrupt\n")) == (own, own)
-
-
-class Kind(NamedTuple):
-    """An item that needs something to be warm."""
-
-    problem: str
-    place: int
-
-
-def worker_of(item):
-    time.sleep(0.01)
-    return os.getpid()
-
-
-def test_a_worker_stays_with_what_is_warm_there():
-    given = [Kind(name, at) for at in range(6) for name in "abcd"]
-    found = dict(Processes(2).finished(worker_of, given, lost))
-    assert len(found) == len(given)
-    workers = [{found[at] for at, item in enumerate(given) if item.problem == name} for name in "abcd"]
-    assert sum(map(len, workers)) <= 6  # the last one or two may be shared
 
 
 def test_where_no_process_can_be_started_that_is_one_line(tmp_path, monkeypatch):

@@ -13,19 +13,16 @@ from judge.cli.judging_options import (
     isolation_option,
     jobs_option,
     junit_option,
-    keys_option,
     no_name_option,
 )
 from judge.cli.options import json_option, level_option, problems_option
 from judge.errors import ExitCode, UsageError
 from judge.judging.job import Terms
-from judge.report.screen import note
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from judge.judging.executors import Executor
-    from judge.problem import Problem
 
 
 @click.command("class")
@@ -42,9 +39,8 @@ if TYPE_CHECKING:
     "--on",
     "where",
     metavar="WHERE",
-    help="Judge on other machines: tls://HOST:PORT, ssh:HOSTS.txt, slurm. See 'judge help cluster'.",
+    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help cluster'.",
 )
-@keys_option
 @click.option(
     "--out",
     "place",
@@ -104,7 +100,6 @@ def command(
     students: Path | None,
     jobs: int,
     where: str | None,
-    keys: Path | None,
     place: Path | None,
     only: tuple[str, ...],
     again: tuple[str, ...],
@@ -176,7 +171,7 @@ def command(
             if parts:
                 classroom.merge()
             else:
-                with _executor(where, keys, jobs, classroom.problems, level) as executor:
+                with _executor(where, jobs, level, classroom.say) as executor:
                     classroom.judge(executor)
         except KeyboardInterrupt:
             classroom.close(interrupted=True)
@@ -187,13 +182,13 @@ def command(
 
 
 def _executor(
-    where: str | None, keys: Path | None, jobs: int, problems: Callable[[], list[Problem]], level: str | None
+    where: str | None, jobs: int, level: str | None, say: Callable[[str], None]
 ) -> AbstractContextManager[Executor]:
     """Who judges: this machine, or others."""
     if where is not None:
-        from judge.cluster.on import executor_at
+        from judge.batch.elsewhere import Elsewhere
 
-        return executor_at(where, problems(), level=level, keys=keys, say=note)
+        return Elsewhere(where, level, say)
     from judge.judging.executors import Here
     from judge.judging.processes import Processes
 

@@ -1,0 +1,359 @@
+"""Workers of a dask cluster, to which `judge class --on` sends submissions.
+
+Each worker has one task at a time, which names that worker: a worker that dies costs an attempt of its own
+task, and nothing waits behind it. A worker that would judge otherwise than this machine raises a UsageError
+before it judges, and gets nothing more.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import logging
+import socket
+import time
+import uuid
+from collections import Counter, deque
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import CancelledError
+from importlib import import_module
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import Any, TypeAlias, TypeVar
+from urllib.parse import urlsplit
+
+import msgspec
+
+from judge.errors import JudgeError, UsageError
+from judge.judging.executors import ATTEMPTS, Finished, Lost, lost_for, told_of
+from judge.reading import read_ordinary
+from judge.sandbox.boundary import LEVELS
+
+T = TypeVar("T")
+R = TypeVar("R")
+Waiting: TypeAlias = deque[tuple[int, str]]  # places of items, each with the one worker that may do it, or ""
+
+_DIED = f"the machine died {ATTEMPTS} times"
+_KILLED = "the machine died of it"  # as dask has seen it, by its own count
+_FORMS = "give tls://HOST:PORT, or the file that 'dask scheduler --scheduler-file FILE' writes"
+_HELP = "see 'judge help cluster'"
+_KEPT = "what is judged is kept, and the same command goes on"
+_PORT = 8786
+_CONNECT = 5.0  # seconds
+_ANSWER = 30.0  # seconds for a worker to say which isolation it has
+_FETCH = 5.0  # seconds to fetch a result, which is gone if its worker has died meanwhile
+_RESTART = 15.0  # seconds for a worker that died to be there again
+_LOOK = 1.0  # seconds between looks at who is there
+
+
+class Elsewhere:
+    """An executor, and a context manager that reaches the scheduler at the address or in the file `where`.
+
+    `level` is the isolation that every worker can have: the best, or the one that is demanded. `say` is told
+    which workers are left out and why. For `patience` seconds there may be no worker: one that died may just
+    be starting again.
+
+    Raises:
+        UsageError: `where` is no scheduler, or no worker can judge as this machine does.
+        JudgeError: the scheduler cannot be reached or is lost, or no worker is there.
+    """
+
+    def __init__(
+        self,
+        where: str,
+        demanded: str | None = None,
+        say: Callable[[str], None] = lambda _: None,
+        patience: float = 60.0,
+    ) -> None:
+        self.address = scheduler_at(where)
+        self.level = demanded or ""
+        self._allowed = (demanded,) if demanded else LEVELS[: LEVELS.index("limits")]
+        self._say = say
+        self._patience = patience
+        self._client: Any = None
+        self._hosts: dict[str, str] = {}  # of the workers that are there, by their addresses
+        self._levels: dict[str, tuple[str, ...]] = {}
+        self._unfit: dict[str, str] = {}  # why a worker is left out
+        self._looked = 0.0
+        self._seen = 0.0  # when a worker was fit
+        self._missed = 0.0  # when one was missed that had been
+
+    def __enter__(self) -> Elsewhere:
+        self._client = _connected(self.address)
+        try:
+            self._meet()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        """Leave; a worker finishes what it does, and begins nothing more."""
+        self._client.close(timeout=_CONNECT)
+
+    def alive(self) -> int:
+        """See `Executor.alive`."""
+        return len(self._fit())
+
+    def machines(self) -> list[str]:
+        """One worker of each machine."""
+        return sorted({self._hosts[worker]: worker for worker in self._fit()}.values())
+
+    def finished(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
+        """See `Executor.finished`; but a UsageError costs its worker, and ends the work when none is left."""
+        yield from self._run(work, items, lost, deque((place, "") for place in range(len(items))))
+
+    def everywhere(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
+        """As `finished`, but each item once on each machine, unless that is lost meanwhile."""
+        machines = self.machines()
+        pairs = deque((place, worker) for place in range(len(items)) for worker in machines)
+        yield from self._run(work, items, lost, pairs)
+
+    def _run(
+        self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R], waiting: Waiting
+    ) -> Finished[R]:
+        flying: dict[Any, tuple[tuple[int, str], str]] = {}  # what was sent, and to which worker
+        tries = Counter[tuple[int, str]]()
+        done: SimpleQueue[Any] = SimpleQueue()
+        try:
+            while waiting or flying:
+                self._look()
+                fit = self._fit()
+                if waiting and waiting[0][1]:
+                    waiting = deque(each for each in waiting if each[1] in fit)
+                for worker in fit - {worker for _, worker in flying.values()}:
+                    item = next((each for each in waiting if each[1] in ("", worker)), None)
+                    if item is not None:
+                        waiting.remove(item)
+                        future = self._sent(worker, work, items[item[0]])
+                        flying[future] = item, worker
+                        future.add_done_callback(done.put)
+                for future in self._ended(done, flying):
+                    item, worker = flying.pop(future)
+                    result, fault = self._fetched(worker, future)
+                    future.release()
+                    tries[item] += 1
+                    if fault is None:
+                        yield item[0], result
+                    elif isinstance(fault, UsageError):
+                        self._leave_out(worker, str(fault))
+                        waiting.append(item)
+                    elif isinstance(fault, JudgeError):
+                        raise fault
+                    elif tries[item] < ATTEMPTS and fault != _KILLED:
+                        waiting.append(item)
+                    else:
+                        yield item[0], lost(items[item[0]], fault)
+        finally:
+            for future in flying:
+                future.release()
+
+    def _ended(self, done: SimpleQueue[Any], flying: Mapping[Any, tuple[object, str]]) -> list[Any]:
+        """The tasks whose workers are gone, or else one that is done, if one is soon."""
+        gone = [future for future, (_, worker) in flying.items() if worker not in self._hosts]
+        if gone:
+            return gone
+        try:
+            future = done.get(timeout=_LOOK)
+        except Empty:
+            return []
+        return [future] if future in flying else []
+
+    def _sent(self, worker: str, work: Callable[[T], R], item: T) -> Any:
+        """The future of `_attempt` on that worker. No key comes twice."""
+        key = f"judge-{uuid.uuid4().hex}"
+        return self._client.submit(_attempt, work, item, key=key, workers=[worker], pure=False)
+
+    def _fetched(self, worker: str, future: Any) -> tuple[Any, JudgeError | str | None]:
+        """The result of a task, or its fault: a UsageError where its worker cannot judge."""
+        from distributed.scheduler import KilledWorker
+
+        if worker not in self._hosts:
+            return None, _DIED
+        try:
+            result, fault = future.result(timeout=_FETCH)
+        except KilledWorker:
+            return None, _KILLED
+        except TimeoutError:
+            return None, _DIED
+        except (CancelledError, OSError) as lost:
+            raise self._lost() from lost
+        except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
+            return None, UsageError(_cannot(other))
+        return result, lost_for(fault) if isinstance(fault, str) else fault
+
+    def _fit(self) -> set[str]:
+        """The workers that are there and can judge."""
+        return {each for each in self._hosts if each in self._levels and each not in self._unfit}
+
+    def _leave_out(self, worker: str, why: str) -> None:
+        self._unfit[worker] = why
+        self._say(f"the worker {worker} is left out: {why}")
+
+    def _lost(self) -> JudgeError:
+        return JudgeError(f"the scheduler at {self.address} is lost", remedy=_KEPT)
+
+    def _meet(self) -> None:
+        """Wait for the first workers, and find the isolation that they have in common."""
+        self._seen = time.monotonic()
+        self._missed = self._seen - _RESTART
+        self._look()
+        if not self._hosts:
+            self._say(f"there is no worker at {self.address} yet; waiting {self._patience:.0f} s for one")
+        while not self._fit():
+            time.sleep(_LOOK)
+            self._look()
+        has = [self._levels[worker] for worker in self._fit()]
+        common = [level for level in self._allowed if all(level in each for each in has)]
+        if not common:
+            raise UsageError("the workers have no isolation in common", remedy="demand one with --isolation")
+        self.level = common[0]
+        self._allowed = (self.level,)
+
+    def _look(self) -> None:
+        """See who is there, unless that was seen just now, and ask newcomers which isolation they have."""
+        now = time.monotonic()
+        if now - self._looked < _LOOK:
+            return
+        self._looked = now
+        if self._client.status != "running":
+            raise self._lost()
+        try:
+            workers = self._client.scheduler_info(n_workers=-1)["workers"]
+            known = self._levels.keys() | self._unfit.keys()
+            answers = self._asked([each for each in workers if each not in known])
+        except Exception as fault:  # of several kinds
+            raise self._lost() from fault
+        if self._fit() - workers.keys():
+            self._missed = now
+        self._hosts = {address: told["host"] for address, told in workers.items()}
+        self._levels = {each: levels for each, levels in self._levels.items() if each in workers}
+        self._unfit = {each: why for each, why in self._unfit.items() if each in workers}
+        for worker, answer in answers.items():
+            self._greet(worker, workers[worker]["nthreads"], answer)
+        if self._fit():
+            self._seen = now
+        elif workers and workers.keys() <= self._unfit.keys() and now - self._missed > _RESTART:
+            why = self._unfit[min(workers)]
+            raise UsageError(f"no worker at {self.address} can judge this: {why}", remedy=_HELP)
+        elif now - self._seen > self._patience:
+            remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
+            raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
+
+    def _asked(self, workers: Sequence[str]) -> dict[str, Any]:
+        """What each worker answers: its levels, or a fault. A task would end a worker that has no judge."""
+        if not workers:
+            return {}
+        try:
+            found: dict[str, Any] = self._client.run(
+                levels_here, workers=list(workers), on_error="return", callback_timeout=_ANSWER
+            )
+        except TimeoutError as fault:
+            if len(workers) == 1:
+                return {workers[0]: fault}
+            return {worker: answer for each in workers for worker, answer in self._asked([each]).items()}
+        return found
+
+    def _greet(self, worker: str, threads: int, levels: Any) -> None:
+        """Note which isolation a worker has, or why it is left out."""
+        if isinstance(levels, OSError) and not isinstance(levels, TimeoutError):
+            return  # it has gone; if not, it is asked again
+        if isinstance(levels, Exception):
+            self._leave_out(worker, _cannot(levels))
+        elif threads > 1:
+            self._leave_out(worker, f"it has {threads} threads; start it with --nthreads 1")
+        elif not set(levels) & set(self._allowed):
+            has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
+            self._leave_out(worker, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
+        else:
+            self._levels[worker] = levels
+
+
+def _cannot(fault: Exception) -> str:
+    what = str(fault).partition("\n")[0].partition(". ")[0]
+    return f"it cannot begin ({what}); install the same judge there and where the scheduler runs"
+
+
+def levels_here() -> tuple[str, ...]:
+    """What a worker answers: the levels of isolation that its machine gives."""
+    from judge.judging.containment import every_hidden_folder
+    from judge.sandbox import levels
+
+    return tuple(each.name for each in levels(every_hidden_folder()) if each.available)
+
+
+def _attempt(work: Callable[[T], R], item: T) -> tuple[R | None, JudgeError | str | None]:
+    """What a worker does: the result, or the fault. Nothing is raised, for that would be the worker's."""
+    try:
+        return work(item), None
+    except JudgeError as fault:
+        return None, fault
+    except BaseException as fault:  # SystemExit too: it would end the worker
+        return None, told_of(fault)
+
+
+def scheduler_at(where: str) -> str:
+    """The address that `where` is, or that stands in the file it names.
+
+    Raises:
+        UsageError: it is no address and no such file, or plain tcp to another machine.
+    """
+    address = where if "://" in where or not where else _read(where)
+    try:
+        parts = urlsplit(address)
+        host, port = parts.hostname, parts.port or _PORT
+    except ValueError:
+        host = None
+    if not host or parts.scheme not in ("tcp", "tls") or parts.path not in ("", "/"):
+        raise UsageError(f"'{address}' is not the address of a scheduler", remedy=_FORMS)
+    if parts.scheme == "tcp" and not _is_here(host):
+        what = f"{address} is refused: whoever reaches a scheduler can run programs on every machine of it"
+        raise UsageError(f"{what}, and plain tcp asks nobody who they are", remedy=f"use TLS; {_HELP}")
+    return f"{parts.scheme}://{f'[{host}]' if ':' in host else host}:{port}"
+
+
+def _read(where: str) -> str:
+    try:
+        return str(msgspec.json.decode(read_ordinary(Path(where)))["address"])
+    except OSError as fault:
+        reason = (fault.strerror or "it failed").lower()
+        raise UsageError(f"cannot be read ({reason})", where=where, remedy=_FORMS) from fault
+    except (msgspec.DecodeError, UnicodeDecodeError, KeyError, TypeError) as fault:
+        raise UsageError("is not the file of a dask scheduler", where=where, remedy=_FORMS) from fault
+
+
+def _is_here(host: str) -> bool:
+    """Whether only this machine reaches it."""
+    try:
+        return host == "localhost" or ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def _connected(address: str) -> Any:
+    """A client of the scheduler there. Raises UsageError without dask, JudgeError where none answers."""
+    try:
+        import dask
+
+        distributed: Any = import_module("distributed")
+    except ImportError as fault:
+        what = "judging on other machines needs the package distributed, which is not installed"
+        raise UsageError(what, remedy="pip install 'circle-line-judge[cluster]'") from fault
+    for name in ("distributed", "distributed.client", "distributed.core", "tornado", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is said here, in a line
+    parts = urlsplit(address)
+    try:
+        socket.create_connection((str(parts.hostname), parts.port or _PORT), timeout=_CONNECT).close()
+    except (OSError, UnicodeError) as fault:  # a name of a host that is none
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
+        remedy = "start it with 'dask scheduler', or see whether a firewall is between"
+        raise JudgeError(f"no scheduler can be reached at {address} ({reason})", remedy=remedy) from fault
+    dask.config.set({"distributed.comm.timeouts.connect": _CONNECT})
+    what, remedy = "does not answer as a scheduler without TLS does", "if it has TLS, give tls://"
+    if parts.scheme == "tls":
+        what, remedy = "does not take your certificate", "set distributed.comm.tls in dask's configuration"
+    try:
+        if parts.scheme == "tls" and not distributed.Security().get_connection_args("client")["ssl_context"]:
+            raise JudgeError("there is no certificate", remedy=remedy)
+        return distributed.Client(address, timeout=_CONNECT, set_as_default=False)
+    except Exception as fault:  # OSError, and others where certificates are missing or refused
+        raise JudgeError(f"what listens at {address} {what}", remedy=f"{remedy}; {_HELP}") from fault
