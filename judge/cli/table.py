@@ -25,7 +25,6 @@ _FIRST = {
     },
 }
 _FURTHER = {
-    "why": ("Say what the test groups probe, and which mistakes they should catch.", "failure"),
     "try": ("Answer a case of your own, exactly.", "failure"),
     "hack": ("Break a wrong program with one case.", "hack"),
     "explore": ("Write a page on which a case can be moved about.", "explore"),
@@ -36,11 +35,9 @@ _FURTHER = {
     ),
     "class": ("Judge what a class has handed in.", "class"),
     "bench": ("Measure what solutions take for a case, language beside language.", "bench"),
-    "practice": ("Go through a set of katas in order.", "katas"),
     "quiz": ("Ask cards, or hold a mock interview.", "quiz"),
     "due": ("Say what to do again today.", "katas"),
     "history": ("Show the runs so far.", "privacy"),
-    "diff": ("Show what changed from one run to another.", "privacy"),
     "report": ("Write the history as one HTML page.", "privacy"),
     "new": ("Write a kata of your own to begin with.", "new-kata"),
     "verify": ("Check problems from the setter's side.", "problem-toml"),
@@ -49,7 +46,6 @@ _FURTHER = {
     "doctor": ("Say how well submissions are contained on this machine.", "containment"),
     "worker": ("Judge for others: a machine of a cluster, its scheduler, its keys.", "cluster"),
     "schema": ("Print the JSON Schema of what a command writes with --json.", "scripts"),
-    "completion": ("Print the script that lets a shell complete judge's words.", "scripts"),
 }
 
 # name -> what `judge --help` says of it
@@ -73,9 +69,8 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "next": ("judge next", "judge next --init"),
     "progress": ("judge progress", "judge progress junior", "judge progress --row Q7"),
     "list": ("judge list", "judge list --json"),
-    "show": ("judge show count",),
+    "show": ("judge show count", "judge show count --groups"),
     "help": ("judge help quiz", "judge help --search tolerance"),
-    "why": ("judge why count", "judge why count close-points"),
     "try": (
         'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
         'judge try count "0 0 1 -1 1 1 1" count.py',
@@ -94,11 +89,9 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "judge bench count count.py --languages cpp,go",
         "judge bench count --html count.html",
     ),
-    "practice": ("judge practice", "judge practice middle"),
     "quiz": ("judge quiz middle --cards 5", "judge quiz --row Q6", "judge quiz --interview --minutes 20"),
     "due": ("judge due",),
     "history": ("judge history count --limit 5", "judge history --restore 3"),
-    "diff": ("judge diff 3 5",),
     "report": ("judge report --out me.html --name Ada",),
     "new": ("judge new . two-points",),
     "verify": ("judge verify count", "judge verify --problems problems two-points"),
@@ -114,5 +107,4 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "judge worker tls://teacher.example.org:8786 --keys keys -j 4",
     ),
     "schema": ("judge schema run",),
-    "completion": ("judge completion bash",),
 }

@@ -39,7 +39,6 @@ COMMANDS = (
     ("progress", "--json"),
     ("due",),
     ("report",),
-    ("diff", "1", "3"),
     ("history", "--restore", "3", "--force"),
     ("next", "--json"),
 )

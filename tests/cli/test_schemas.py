@@ -52,7 +52,6 @@ SAMPLES = {  # of commands whose words are the machine's
         "stress misspelt-key mean.py --problems BROKEN",
     ],
     "worker": ["worker --new-keys keys"],
-    "completion": ["completion bash"],
     "watch": [],  # it does not end by itself: below
 }
 RECORDED = [name for name in transcripts.names() if name.startswith("json/") and name != "json/schema"]
