@@ -10,9 +10,9 @@ import json
 import math
 import os
 import zlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime, timedelta
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from msgspec import Struct
 
@@ -23,9 +23,6 @@ from judge.problem import Verdict
 from judge.problem.solutions import is_solution
 from judge.problem.verdict import FULL_SCORE
 from judge.run.result import Mode
-
-if TYPE_CHECKING:
-    import sqlite3
 
 COLUMNS: Mapping[str, tuple[str, ...]] = {
     "sources": ("hash", "body"),
@@ -40,17 +37,8 @@ COLUMNS: Mapping[str, tuple[str, ...]] = {
 }
 """The columns of each table, in the order in which rows are read; the first one names a row."""
 
-NOUNS = {
-    "sources": "source",
-    "runs": "run",
-    "help": "hint",
-    "hacks": "attempt of judge hack",
-    "answers": "answer",
-    "current": "kata in hand",
-}
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError)
 _START = datetime(1970, 1, 1, tzinfo=UTC)
-_LEAST_BYTES = 32  # that a row takes in the file, at the very least
 _MICROSECOND = timedelta(microseconds=1)
 
 
@@ -142,43 +130,6 @@ class Help(Struct, frozen=True):
     def gave_up(self) -> bool:
         """Whether the answer was asked for."""
         return self.hints == 0
-
-
-def one_by_one(
-    connection: sqlite3.Connection, table: str, lost: Callable[[str], None]
-) -> Iterator[Sequence[Any]]:
-    """The rows of a table that is damaged in places, in order; `lost` is told of those that cannot be read.
-
-    Not more numbers are tried than rows have room in the file. Raises sqlite3.DatabaseError where nothing at
-    all can be read.
-    """
-    import sqlite3
-
-    ((pages,), (size,)) = (connection.execute(f"PRAGMA page_{what}").fetchone() for what in ("count", "size"))
-    most, last, unread = pages * size // _LEAST_BYTES, 0, list[int]()
-    try:
-        query = "SELECT max(seq) FROM sqlite_sequence WHERE name = ? AND typeof(seq) = 'integer'"
-        (end,) = connection.execute(query, (table,)).fetchone()
-    except sqlite3.DatabaseError:
-        end = None
-    known = end is not None and 0 < end <= most
-    query = f"SELECT {', '.join(COLUMNS[table])} FROM {table} WHERE id = ?"
-    for number in range(1, (end if known else most) + 1):
-        try:
-            row = connection.execute(query, (number,)).fetchone()
-        except sqlite3.DatabaseError:
-            unread.append(number)
-            continue
-        if row is not None:
-            last = number
-            yield row
-        elif known:  # half of its page is gone
-            unread.append(number)
-    for number in unread:
-        if known or number < last:
-            lost(f"{NOUNS[table]} {number}")
-    if not known and unread and unread[-1] > last:
-        lost(f"each {NOUNS[table]} after {last}")
 
 
 def text_of(content: bytes) -> str | bytes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime
-from pathlib import Path
 
 from judge.errors import HistoryError
 from judge.kata.history import Run
@@ -14,8 +13,6 @@ from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, 
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import counted, score_text, times
-
-_LABELS = 12  # the column where what follows a label begins
 
 
 def moment(when: datetime) -> str:
@@ -82,19 +79,6 @@ def _left_out(run: Run) -> str:
     """That a run which passed was judged on some of the groups only."""
     partial = run.verdict is Verdict.AC and not run.whole
     return f"only {', '.join(run.passed)}" if partial else ""
-
-
-def repaired_lines(
-    runs: int, left_out: Sequence[str], before: Path | None, width: int | None
-) -> Iterator[Line]:
-    """What a repair has kept and left out, and where the file as it was is."""
-    if before is None:
-        yield line(f"Nothing is damaged: {counted(runs, 'run')}.")
-        return
-    yield line(Span(f"{counted(runs, 'run')} kept", Style.STRONG))
-    what = ", ".join(left_out) or "nothing that a run needs"
-    yield from hanging(Span("left out"), Span(what), width, indent=2, column=_LABELS)
-    yield from hanging(Span("as it was"), Span(shown_name(str(before))), width, indent=2, column=_LABELS)
 
 
 def restored_lines(run: Run, file: str, became: str, width: int | None) -> Iterator[Line]:

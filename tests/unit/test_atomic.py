@@ -250,7 +250,7 @@ def test_there_is_no_other_way():
         "judge/sandbox/temporary.py",  # where that is; it goes with the judge
         "judge/sandbox/tool.py",  # for a package's validator that starts when all is there
         "judge/sandbox/attacking.py",  # what an attack looks for, in a folder of its own that goes
-        "judge/kata/repair.py",  # a copy that must not be there yet, and the history behind a lock
+        "judge/kata/database.py",  # a damaged history is renamed
         "judge/packs/foreign/opening.py",  # a package's archive, taken apart for one run
         "judge/packs/export/place.py",  # a package is renamed to its place when it is whole
         "judge/packs/export/tools.py",  # what a tool may remember of one run
