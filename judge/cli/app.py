@@ -60,12 +60,12 @@ class Commands(click.Group):
         name = args[0]
         if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
             meant = nearest(name, COMMANDS)
-            advice = f"did you mean '{meant}'?" if meant else "the commands are " + ", ".join(COMMANDS)
+            advice = f"; did you mean '{meant}'?" if meant else ""
             if os.path.isfile(name):  # noqa: PTH113 - of any name
                 from judge.report.names import shown_command  # only for the one who is told
 
-                advice = f"to judge that file: {shown_command('judge', 'run', file=name)}"
-            raise click.UsageError(f"no such command '{name}'; {advice}", ctx)
+                advice = f"; to judge that file: {shown_command('judge', 'run', file=name)}"
+            raise click.UsageError(f"no such command '{name}'{advice}", ctx)
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:

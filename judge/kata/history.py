@@ -18,7 +18,7 @@ import hashlib
 import json
 import os
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -40,7 +40,6 @@ Clock = Callable[[], datetime]
 _Found = TypeVar("_Found")
 
 _MOST = 2**63 - 1  # what SQLite can be asked for
-_RUNS = ", ".join(COLUMNS["runs"])
 
 
 def now() -> datetime:
@@ -94,10 +93,7 @@ class History:
 
     def runs(self, problem: str | None = None, limit: int | None = None) -> list[Run]:
         """The last `limit` runs (all of them without one), of one problem or of all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        most = -1 if limit is None else min(limit, _MOST)
-        rows = self._rows(f"SELECT {_RUNS} FROM runs {where} ORDER BY id DESC LIMIT ?", (*values, most))
-        return list(self._sound("runs", reversed(rows)))
+        return self._all("runs", problem, limit)
 
     def with_results(self, runs: Iterable[Run]) -> list[Run]:
         """Those of the runs whose results can be read; the others are left out."""
@@ -112,7 +108,7 @@ class History:
 
     def run(self, number: int) -> Run:
         """The run of that number. Raises UsageError if there is none."""
-        rows = self._rows(f"SELECT {_RUNS} FROM runs WHERE id = ?", (number,)) if _stored(number) else []
+        rows = self._select("runs", "WHERE id = ?", (number,)) if 0 < number <= _MOST else []
         if not rows:
             raise UsageError(f"there is no run {number}", remedy=self._numbers())
         try:
@@ -124,7 +120,7 @@ class History:
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        rows = self._rows("SELECT hash, body FROM sources WHERE hash = ?", (digest,))
+        rows = self._select("sources", "WHERE hash = ?", (digest,))
         try:
             source: bytes = read("sources", rows[0])
         except (IndexError, *DAMAGE) as fault:  # it is not there, or no judge wrote it
@@ -138,8 +134,7 @@ class History:
 
     def current(self) -> Current | None:
         """The kata in hand, if one was taken up."""
-        found = self._sound("current", self._rows("SELECT id, problem, path, problems FROM current"))
-        return next(found, None)
+        return next(iter(self._all("current")), None)
 
     def take_up(self, problem: str, path: str, problems: str = "") -> None:
         """Make that problem the kata in hand; the other arguments are those of `Current`."""
@@ -149,28 +144,24 @@ class History:
 
     def hints_seen(self, problem: str) -> int:
         """How many of the problem's hints have been seen."""
-        query = "SELECT max(hints) FROM help WHERE problem = ? AND typeof(hints) = 'integer' AND hints > 0"
-        ((seen,),) = self._rows(query, (problem,))
-        return int(seen or 0)
+        return max((each.hints for each in self.helps(problem)), default=0)
 
     def see_hints(self, problem: str, count: int) -> None:
         """Note that the first `count` hints of the problem are seen, now."""
         if count > 0:
-            self._help(problem, count)
+            self._append("help", (self._time(), problem, count))
 
     def give_up(self, problem: str) -> None:
         """Note that the problem's solution was asked for before it was solved."""
-        self._help(problem, 0)
+        self._append("help", (self._time(), problem, 0))
 
     def gave_up(self, problem: str) -> bool:
         """Whether the problem was ever given up."""
-        return bool(self._rows("SELECT 1 FROM help WHERE problem = ? AND hints = 0 LIMIT 1", (problem,)))
+        return any(each.gave_up for each in self.helps(problem))
 
     def helps(self, problem: str | None = None) -> list[Help]:
         """The help taken, with one problem or with all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        rows = self._rows(f"SELECT id, time, problem, hints FROM help {where} ORDER BY id", values)
-        return list(self._sound("help", rows))
+        return self._all("help", problem)
 
     def add_hack(self, problem: str, mistake: str, case: str, outcome: Outcome) -> None:
         """Note an attempt to break the wrong program that makes the mistake; `case` is that of `Hack`."""
@@ -178,9 +169,7 @@ class History:
 
     def hacks(self, problem: str | None = None) -> list[Hack]:
         """The attempts to break wrong programs, of one problem or of all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        query = f"SELECT id, time, problem, mistake, line, outcome FROM hacks {where} ORDER BY id"
-        return list(self._sound("hacks", self._rows(query, values)))
+        return self._all("hacks", problem)
 
     def answer(self, card: str, form: str, rating: Rating, *, judged: bool, given: str = "") -> None:
         """Keep an answer to a card, now."""
@@ -188,11 +177,7 @@ class History:
 
     def answers(self) -> list[Answered]:
         """Every answer to a card, oldest first."""
-        query = "SELECT id, time, card, form, rating, judged, given FROM answers ORDER BY id"
-        return list(self._sound("answers", self._rows(query)))
-
-    def _help(self, problem: str, hints: int) -> None:
-        self._append("help", (self._time(), problem, hints))
+        return self._all("answers")
 
     def _append(self, table: str, row: Sequence[Any], source: Sequence[Any] | None = None) -> int:
         """Add a row without its number; its number, or 0 where the file is locked for too long."""
@@ -217,13 +202,20 @@ class History:
     def _time(self) -> int:
         return microseconds(self._clock())
 
-    def _sound(self, table: str, rows: Iterable[Sequence[Any]]) -> Iterator[Any]:
-        """What the rows say; those that are damaged are left out."""
-        for row in rows:
+    def _all(self, table: str, problem: str | None = None, limit: int | None = None) -> list[Any]:
+        """What the last `limit` rows say, those of one problem or all; the damaged ones are left out."""
+        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
+        most = -1 if limit is None else min(limit, _MOST)
+        found = []
+        for row in reversed(self._select(table, f"{where} ORDER BY id DESC LIMIT ?", (*values, most))):
             try:
-                yield read(table, row)
+                found.append(read(table, row))
             except DAMAGE:
                 self.left_out.add((table, row[0]))
+        return found
+
+    def _select(self, table: str, which: str, values: Sequence[object]) -> list[Any]:
+        return self._rows(f"SELECT {', '.join(COLUMNS[table])} FROM {table} {which}", values)
 
     def _rows(self, query: str, values: Sequence[object] = ()) -> list[Any]:
         from judge.database import faults
@@ -280,10 +272,6 @@ class History:
             self.set_aside = set_aside(self.path, self._file) or self.set_aside
         except OSError:
             raise fault from None
-
-
-def _stored(number: int) -> bool:
-    return 0 < number <= _MOST
 
 
 def add_beside(path: Path | None, result: Result, source: bytes, file: str, fault: HistoryError) -> None:
