@@ -127,7 +127,7 @@ def test_a_schema_takes_what_its_command_writes_and_nothing_that_differs(command
         refuses(validator, shortened(value), command)
 
 
-@pytest.mark.parametrize("name", daily(RECORDED, ("json/hint", "json/diff")))
+@pytest.mark.parametrize("name", daily(RECORDED, ("json/hint", "json/due")))
 def test_a_schema_refuses_what_differs_from_the_record(name, tmp_path, built, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(built))
     found = []
