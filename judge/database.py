@@ -26,7 +26,6 @@ from judge.reading import read_ordinary
 
 _PATIENCE = 5.0  # seconds to wait for another process that writes
 _MAGIC = b"SQLite format 3\0"
-_MOVE_AWAY = "move it away, and a new one begins"
 _UNWRITABLE = ("SQLITE_READONLY", "SQLITE_CANTOPEN", "SQLITE_PERM", "SQLITE_AUTH")
 _DAMAGE = (
     "SQLITE_ERROR",
@@ -34,12 +33,13 @@ _DAMAGE = (
     "SQLITE_CONSTRAINT",
     "SQLITE_MISMATCH",
 )  # tables that are not ours
-_REMEDIES = {  # SQLite's names of faults begin with these; {noun}, {elsewhere} and {damaged} are the kind's
+_MOVE_AWAY = "move it away, and a new one begins"
+_REMEDIES = {  # SQLite's names of faults begin with these; {noun} and {elsewhere} are the kind's
     "SQLITE_FULL": ("the disk is full", "make room: the {noun} is as it was before"),
     "SQLITE_BUSY": ("another program is writing to it", "try again when that has ended"),
     "SQLITE_LOCKED": ("another program is writing to it", "try again when that has ended"),
     "SQLITE_NOTADB": ("this is no {noun} of the judge", "{elsewhere}"),
-    "SQLITE_CORRUPT": ("the {noun} is damaged", "{damaged}"),
+    "SQLITE_CORRUPT": ("the {noun} is damaged", _MOVE_AWAY),
     "SQLITE_IOERR": (
         "the {noun} cannot be written or read (disk full or failing?)",
         "make room: nothing in it is lost",
@@ -52,8 +52,7 @@ class Kind(Struct, frozen=True):
 
     A file at version n has had the first n of `steps`, each of some statements; the version is its
     `user_version`. A step is never changed once it was released: a file that had it would not get the change.
-    `elsewhere` is what to do instead of using a file that cannot be used, `damaged` what to do with one that
-    is damaged; `error` is what is raised.
+    `elsewhere` is what to do instead of using a file that cannot be used; `error` is what is raised.
     """
 
     noun: str
@@ -62,7 +61,6 @@ class Kind(Struct, frozen=True):
     elsewhere: str
     error: type[JudgeError]
     synchronous: str = "NORMAL"
-    damaged: str = _MOVE_AWAY
 
 
 def connect(kind: Kind, path: Path, *, reading: bool) -> sqlite3.Connection:
@@ -100,7 +98,7 @@ def faults(kind: Kind, path: Path) -> Iterator[None]:
         what, remedy = _told(kind, fault)
         raise kind.error(what, where=str(path), remedy=remedy) from fault
     except UnicodeDecodeError as fault:  # of what SQLite says of a damaged table
-        raise kind.error(f"the {kind.noun} is damaged", where=str(path), remedy=kind.damaged) from fault
+        raise kind.error(f"the {kind.noun} is damaged", where=str(path), remedy=_MOVE_AWAY) from fault
     except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
         reason = (getattr(fault, "strerror", None) or "no name for a file").lower()
         what = f"the {kind.noun} cannot be opened ({reason})"
@@ -126,18 +124,22 @@ def _told(kind: Kind, fault: sqlite3.Error) -> tuple[str, str]:
     name = _name(fault)
     known = next((said for start, said in _REMEDIES.items() if name.startswith(start)), None)
     if known is not None:
-        places = {"noun": kind.noun, "elsewhere": kind.elsewhere, "damaged": kind.damaged}
-        what, remedy = (text.format(**places) for text in known)
+        what, remedy = (text.format(noun=kind.noun, elsewhere=kind.elsewhere) for text in known)
         return what, remedy
     # Text that is no UTF-8 has no name.
     if name.startswith(_DAMAGE) or (not name and isinstance(fault, sqlite3.OperationalError)):
-        return f"the {kind.noun} is damaged ({fault})", kind.damaged
+        return f"the {kind.noun} is damaged ({fault})", _MOVE_AWAY
     return f"the {kind.noun} cannot be used ({fault})", kind.elsewhere
 
 
 def is_busy(fault: JudgeError) -> bool:
     """Whether it is another program that denied the file, or has put another in its place meanwhile."""
     return _name(fault.__cause__).startswith(("SQLITE_BUSY", "SQLITE_LOCKED", "SQLITE_READONLY_DBMOVED"))
+
+
+def is_damaged(fault: JudgeError) -> bool:
+    """Whether SQLite found the file's own pages damaged."""
+    return _name(fault.__cause__).startswith(("SQLITE_CORRUPT", "SQLITE_NOTADB"))
 
 
 def _name(fault: BaseException | None) -> str:
@@ -172,7 +174,7 @@ def _look_at(kind: Kind, path: Path) -> None:
 
 def _check_version(kind: Kind, version: int, path: Path) -> None:
     if not 0 <= version < 1 << 31:  # it is a number of 32 bits with a sign
-        raise kind.error(f"the {kind.noun} is damaged", where=str(path), remedy=kind.damaged)
+        raise kind.error(f"the {kind.noun} is damaged", where=str(path), remedy=_MOVE_AWAY)
     if version <= len(kind.steps):
         return
     raise kind.error(

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 _DEBUG = "--debug"
-_COMPLETE = "_JUDGE_COMPLETE"  # the variable by which a shell asks what a word may become
 _NARROWEST, _USUAL_WIDTH, _WIDEST = 30, 80, 100  # columns of help
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
@@ -49,9 +48,9 @@ class Commands(click.Group):
         assert isinstance(command, click.Command)
         command.epilog = _epilog(cmd_name)
         if ctx is not None and ctx.resilient_parsing:
-            from judge.cli.complete import offering  # only where a shell asks
+            from judge.cli.complete import offer_names  # only where a shell asks
 
-            return offering(command)
+            offer_names(command)
         return command
 
     def resolve_command(
@@ -61,19 +60,19 @@ class Commands(click.Group):
         name = args[0]
         if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
             meant = nearest(name, COMMANDS)
-            advice = f"did you mean '{meant}'?" if meant else "the commands are " + ", ".join(COMMANDS)
+            advice = f"; did you mean '{meant}'?" if meant else ""
             if os.path.isfile(name):  # noqa: PTH113 - of any name
                 from judge.report.names import shown_command  # only for the one who is told
 
-                advice = f"to judge that file: {shown_command('judge', 'run', file=name)}"
-            raise click.UsageError(f"no such command '{name}'; {advice}", ctx)
+                advice = f"; to judge that file: {shown_command('judge', 'run', file=name)}"
+            raise click.UsageError(f"no such command '{name}'{advice}", ctx)
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
         """What a shell may offer for the first word: from the table, without importing any command."""
-        from judge.cli.complete import among
+        from judge.cli.complete import commands
 
-        return [*among(COMMANDS.items(), incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
+        return [*commands(incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """The commands by what a person wants to do, the further ones by name, the options on a line.
@@ -99,13 +98,6 @@ class Commands(click.Group):
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **settings: Any
     ) -> NoReturn:
         """Run the command line and leave with its status; nothing but `--debug` shows a traceback."""
-        if os.environ.get(_COMPLETE):
-            from judge.cli.complete import answer
-
-            status = answer(self, os.environ[_COMPLETE])
-            if status:
-                _hush()
-            sys.exit(status)
         words = list(sys.argv[1:] if args is None else args)
         words, debug = _without_debug(words)
         settings["standalone_mode"] = False

@@ -12,16 +12,16 @@ from judge.problem.find import problem_folders
 
 if TYPE_CHECKING:
     from judge.kata.quiz.cards import Card
-    from judge.kata.review import CardReview
+    from judge.kata.review import Review
 
 
-def known_cards(found: Sequence[CardReview], folders: Sequence[Path]) -> list[CardReview]:
+def known_cards(found: Sequence[Review], folders: Sequence[Path]) -> list[Review]:
     """Those reviews whose card is in a deck that can be read; a broken one is told of by `judge quiz`."""
     from judge.kata.quiz.cards import sound_decks
 
     decks, _ = sound_decks(folders)
     keys = {card.key for deck in decks for card in deck.cards}
-    return [review for review in found if review.card in keys]
+    return [review for review in found if review.name in keys]
 
 
 def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
@@ -33,7 +33,7 @@ def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
     with history_at(db, reading=True) as history:
         answers = history.answers()
     today = now().astimezone()
-    found = card_reviews(answers, today) if answers else []
+    found = card_reviews(answers)
     return sum(review.is_due(today) for review in known_cards(found, folders)) if found else 0
 
 

@@ -89,12 +89,12 @@ def assigned(
     return [Task(problems[name], tuple(own)) for name, own in mine.items()], unfit
 
 
-def problem_meant(word: str, command: str, folders: Sequence[Path], db: Path | None) -> Problem:
+def problem_meant(word: str, folders: Sequence[Path], db: Path | None) -> Problem:
     """The problem of that name, or the one that the file of that name is to solve. Raises UsageError."""
     if is_problem(word, folders) or not (is_program(word) or _is_file(word)):
         return find_problem(word, folders)
     (submission, *_) = read_submissions([word])
-    return problem_of_file(submission, command, folders, db)
+    return problem_of_file(submission, "hint", folders, db)
 
 
 def problem_of_file(

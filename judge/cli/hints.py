@@ -13,7 +13,7 @@ def hints_of(problem: Problem) -> tuple[Hint, ...]:
     """The problem's hints. Raises UsageError if it has none, ProblemError if they are broken."""
     hints = read_hints(problem)
     if not hints:
-        remedy = f"'judge why {problem.id}' says what its test groups probe"
+        remedy = f"'judge show {problem.id} --groups' says what its test groups show"
         raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
     return hints
 

@@ -104,7 +104,7 @@ def _chosen(wanted: Interview, cards: Sequence[Card], history: History) -> tuple
         before = wanted.cards - after
     if not before + after:
         return [], []
-    known = card_reviews(history.answers(), now())
+    known = card_reviews(history.answers())
     pool = next_cards(cards, known, now(), len(cards), ahead=True)
     found = rising(pool, before + after, [tier.value for tier in Tier])
     return found[:before], found[before:]
@@ -126,9 +126,9 @@ def _usual_kata(wanted: Interview, folders: Sequence[Path], history: History) ->
         problems = find_set(USUAL, folders).problems
     named = {problem.id: problem for problem in problems}
     runs = history.runs()
-    for review in reviews(runs, history.helps(), now()):
-        if review.problem in named and review.is_due(now().astimezone()):
-            return named[review.problem]
+    for review in reviews(runs, history.helps()):
+        if review.name in named and review.is_due(now().astimezone()):
+            return named[review.name]
     found = standings(runs)
     new = [each for each in problems if found.get(each.id, Standing()).state is not State.PASSED]
     later = [each for each in new if FIRST not in each.sets]

@@ -1,4 +1,4 @@
-"""The history as commands open it: what is damaged in it is said once, in the end."""
+"""The history as commands open it: what is damaged in it is said once, at the end."""
 
 from __future__ import annotations
 
@@ -11,12 +11,10 @@ import click
 from judge.kata.history import History
 from judge.report.screen import note
 
-_NAMED = 5
-
 
 @contextmanager
 def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]:
-    """As `History.open`; afterwards a note says what was left out, and what is kept beside it."""
+    """As `History.open`; afterwards a note says what was left out, set aside, or kept beside it."""
     with History.open(path, reading=reading) as history:
         try:
             yield history
@@ -25,16 +23,19 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
 
 
 def tell(history: History) -> None:
-    """Say what was left out, and what is kept beside the history; each once a command."""
+    """Say what was left out, set aside, or kept beside the history; each once a command."""
     context = click.get_current_context(silent=True)
-    said: list[str] = [] if context is None else context.meta.setdefault(__name__, [])
-    found = [text for text in history.left_out if text not in said]
-    said += found
+    said: set[object] = set() if context is None else context.meta.setdefault(__name__, set())
+    found = history.left_out - said
+    said |= history.left_out
     if found:
-        more = f" and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
-        named = f"{', '.join(found[:_NAMED])}{more}"
-        what = "is damaged and left out" if len(found) == 1 else "are damaged and left out"
-        note(f"{named} in the history {what}; 'judge history --repair' keeps the rest")
+        what = "1 damaged row is" if len(found) == 1 else f"{len(found)} damaged rows are"
+        note(f"{what} left out of the history")
+    if history.set_aside is not None:
+        from judge.report.names import shown_name  # only for the one who is told
+
+        name = shown_name(str(history.set_aside))
+        note(f"the history was damaged: it is kept as {name}, and a new one is begun")
     if history.waiting:
         note(LOCKED)
 

@@ -83,8 +83,7 @@ class OnScreen(Struct, frozen=True):
         result = drawing.result
         if result.failure is None or not result.groups:
             return []
-        group = f" {result.failure.group}" if result.failure.group else ""
-        commands = [f"judge why {result.problem}{group}"]
+        commands = [f"judge show {result.problem} --groups"]
         if drawing.problem.has_hints:
             commands.append(f"judge hint {result.problem}")
         return [

@@ -37,7 +37,10 @@ class Recording:
 
     def __exit__(self, *exc: object) -> None:
         if self._history is not None:
+            from judge.cli.kept import tell
+
             self._history.__exit__(*exc)
+            tell(self._history)
 
     def open(self) -> None:
         """Open the history, which takes longer than all that is added to it."""
@@ -67,12 +70,13 @@ class Recording:
         """Keep what is to come beside the history. Raises the fault where it is another one than a lock."""
         from judge.database import is_busy
 
-        if self._history is None and not is_busy(fault):
-            raise fault
-        from judge.cli.kept import LOCKED
-
         self._locked = fault
-        note(LOCKED)
+        if self._history is None:  # else it is said at the end
+            if not is_busy(fault):
+                raise fault
+            from judge.cli.kept import LOCKED
+
+            note(LOCKED)
 
     @contextmanager
     def _spared(self) -> Iterator[None]:

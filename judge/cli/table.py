@@ -25,7 +25,6 @@ _FIRST = {
     },
 }
 _FURTHER = {
-    "why": ("Say what the test groups probe, and which mistakes they should catch.", "failure"),
     "try": ("Answer a case of your own, exactly.", "failure"),
     "hack": ("Break a wrong program with one case.", "hack"),
     "explore": ("Write a page on which a case can be moved about.", "explore"),
@@ -35,11 +34,9 @@ _FURTHER = {
         "failure",
     ),
     "class": ("Judge what a class has handed in.", "class"),
-    "practice": ("Go through a set of katas in order.", "katas"),
     "quiz": ("Ask cards, or hold a mock interview.", "quiz"),
     "due": ("Say what to do again today.", "katas"),
     "history": ("Show the runs so far.", "privacy"),
-    "diff": ("Show what changed from one run to another.", "privacy"),
     "report": ("Write the history as one HTML page.", "privacy"),
     "new": ("Write a kata of your own to begin with.", "new-kata"),
     "verify": ("Check problems from the setter's side.", "problem-toml"),
@@ -47,7 +44,6 @@ _FURTHER = {
     "export": ("Write problems as packages that other judges read.", "packages"),
     "doctor": ("Say how well submissions are contained on this machine.", "containment"),
     "schema": ("Print the JSON Schema of what a command writes with --json.", "scripts"),
-    "completion": ("Print the script that lets a shell complete judge's words.", "scripts"),
 }
 
 # name -> what `judge --help` says of it
@@ -70,9 +66,8 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "next": ("judge next", "judge next --init"),
     "progress": ("judge progress", "judge progress junior", "judge progress --row Q7"),
     "list": ("judge list", "judge list --json"),
-    "show": ("judge show count",),
+    "show": ("judge show count", "judge show count --groups"),
     "help": ("judge help quiz", "judge help --search tolerance"),
-    "why": ("judge why count", "judge why count close-points"),
     "try": (
         'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
         'judge try count "0 0 1 -1 1 1 1" count.py',
@@ -86,11 +81,9 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "judge class homework --students students.csv --json",
         "judge class homework --shard 3/20",
     ),
-    "practice": ("judge practice", "judge practice middle"),
     "quiz": ("judge quiz middle --cards 5", "judge quiz --row Q6", "judge quiz --interview --minutes 20"),
     "due": ("judge due",),
     "history": ("judge history count --limit 5", "judge history --restore 3"),
-    "diff": ("judge diff 3 5",),
     "report": ("judge report --out me.html --name Ada",),
     "new": ("judge new . two-points",),
     "verify": ("judge verify count", "judge verify --problems problems two-points"),
@@ -101,5 +94,4 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     ),
     "doctor": ("judge doctor",),
     "schema": ("judge schema run",),
-    "completion": ("judge completion bash",),
 }

@@ -17,7 +17,8 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
-from judge.mistakes.told import aimed_groups, told_mistakes
+from judge.mistakes.told import aimed_groups
+from judge.report.groups import group_lines
 from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
@@ -26,7 +27,6 @@ from judge.report.results import verdict_lines
 from judge.report.screen import Screen, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.watch import note_text, prompt_text, report_lines
-from judge.report.why import why_lines
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
@@ -177,17 +177,15 @@ class _WatchScreen:
         return lambda screen: screen.text(practice_lines(path, katas, in_hand, screen.width))
 
     def why(self) -> View:
-        """What the failing group probes, and the mistakes that it should catch."""
+        """What the failing group shows, and the mistakes that it rejects."""
         problem = self._kata.problem
         failure = None if isinstance(self._found, str) else self._found.result.failure
         group = problem.group(failure.group) if failure and failure.group else None
         if group is None:
-            return lambda screen: note_text(
-                f"no test group fails; judge why {problem.id} has them all", screen
-            )
+            text = f"no test group fails; judge show {problem.id} --groups lists them all"
+            return lambda screen: note_text(text, screen)
         (group,) = aimed_groups(problem, (group,))
-        mistakes = told_mistakes(problem)
-        return lambda screen: screen.text(why_lines(problem, [group], mistakes, screen.width))
+        return lambda screen: screen.text(group_lines(problem, [group], screen.width))
 
     def picture(self) -> View:
         """The failing case, drawn."""

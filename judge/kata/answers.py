@@ -9,7 +9,7 @@ from msgspec import Struct
 
 
 class Rating(IntEnum):
-    """How well something was remembered, in the numbers that FSRS has for it."""
+    """How well something was remembered."""
 
     AGAIN = 1
     HARD = 2

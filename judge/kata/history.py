@@ -3,10 +3,11 @@
     with History.open() as history:
         history.add(result, source, path)
         history.runs("count")                        # oldest first
-        history.left_out                             # the rows that are damaged, in words
+        history.left_out                             # the rows that are damaged
 
-A row that is damaged is left out of what is read, and costs nothing else. Where another program locks the
-file for long, what is to be kept is kept beside it (`judge.kata.beside`), and goes in when it is next opened.
+A row that is damaged is left out of what is read, and costs nothing else. A file that cannot be read is set
+aside, and a new one is begun. Where another program locks the file for long, what is to be kept is kept
+beside it (`judge.kata.beside`), and goes in when it is next opened.
 
 Importing this module imports no SQLite; opening a history does.
 """
@@ -17,16 +18,15 @@ import hashlib
 import json
 import os
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from judge.errors import HistoryError, UsageError
 from judge.kata.answers import Answered, Rating
 from judge.kata.hacks import Hack, Outcome
-from judge.kata.rows import COLUMNS, DAMAGE, NOUNS, microseconds, one_by_one, read, text_of
+from judge.kata.rows import COLUMNS, DAMAGE, microseconds, read, text_of
 from judge.kata.rows import Current as Current
 from judge.kata.rows import Help as Help
 from judge.kata.rows import Run as Run
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     import sqlite3
 
 Clock = Callable[[], datetime]
+_Found = TypeVar("_Found")
 
 _MOST = 2**63 - 1  # what SQLite can be asked for
-_RUNS = ", ".join(COLUMNS["runs"])
 
 
 def now() -> datetime:
@@ -50,13 +50,15 @@ def now() -> datetime:
 class History:
     """The history in one file; a context manager. Every method raises HistoryError where the file fails."""
 
-    def __init__(self, connection: sqlite3.Connection, path: Path, clock: Clock = now) -> None:
+    def __init__(self, path: Path, *, reading: bool, clock: Clock = now) -> None:
         self.path = path
-        self.left_out: list[str] = []  # the rows that are damaged, in words, each once
+        self.left_out: set[tuple[str, object]] = set()  # the rows that are damaged: table and number
+        self.set_aside: Path | None = None  # where the file is that could not be read
         self.waiting = 0  # how many rows are kept beside it, for it is locked
-        self._connection = connection
-        self._connection.text_factory = text_of
+        self._reading = reading
         self._clock = clock
+        self._connection: sqlite3.Connection = None  # type: ignore[assignment] # until it is open
+        self._open()
 
     @classmethod
     def open(cls, path: Path | None = None, *, reading: bool = False, clock: Clock = now) -> History:
@@ -68,14 +70,15 @@ class History:
             HistoryError: it cannot be opened, is newer than this judge, or is no history.
         """
         try:
-            from judge.database import connect
-            from judge.kata.database import HISTORY, history_path
+            import sqlite3  # noqa: F401
         except ImportError as fault:  # an interpreter that was built without it
             what = f"this Python cannot keep a history: {fault}"
             raise HistoryError(what, remedy="install its sqlite3 module") from fault
-        path = history_path() if path is None else path
-        history = cls(connect(HISTORY, path, reading=reading), path, clock)
-        history._take_in()
+        from judge.kata import beside
+        from judge.kata.database import history_path
+
+        history = cls(history_path() if path is None else path, reading=reading, clock=clock)
+        beside.take_in(history.path, history._connection)
         return history
 
     def __enter__(self) -> History:
@@ -90,14 +93,7 @@ class History:
 
     def runs(self, problem: str | None = None, limit: int | None = None) -> list[Run]:
         """The last `limit` runs (all of them without one), of one problem or of all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        most = -1 if limit is None else min(limit, _MOST)
-        try:
-            query = f"SELECT {_RUNS} FROM runs {where} ORDER BY id DESC LIMIT ?"
-            rows = self._rows(query, (*values, most))
-        except HistoryError as fault:
-            rows = self._one_by_one(fault, problem)[: None if most < 0 else most]
-        return list(self._sound("runs", reversed(rows)))
+        return self._all("runs", problem, limit)
 
     def with_results(self, runs: Iterable[Run]) -> list[Run]:
         """Those of the runs whose results can be read; the others are left out."""
@@ -107,21 +103,24 @@ class History:
                 run.levels  # noqa: B018 - which reads the result
                 found.append(run)
             except HistoryError:
-                self._leave_out("runs", run.id)
+                self.left_out.add(("runs", run.id))
         return found
 
     def run(self, number: int) -> Run:
         """The run of that number. Raises UsageError if there is none."""
-        rows = self._rows(f"SELECT {_RUNS} FROM runs WHERE id = ?", (number,)) if _stored(number) else []
+        rows = self._select("runs", "WHERE id = ?", (number,)) if 0 < number <= _MOST else []
         if not rows:
             raise UsageError(f"there is no run {number}", remedy=self._numbers())
-        run: Run = self._said("runs", rows[0])
+        try:
+            run: Run = read("runs", rows[0])
+        except DAMAGE as fault:  # no judge wrote this
+            raise HistoryError(f"run {number} is damaged", where=str(self.path)) from fault
         return run
 
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        rows = self._rows("SELECT hash, body FROM sources WHERE hash = ?", (digest,))
+        rows = self._select("sources", "WHERE hash = ?", (digest,))
         try:
             source: bytes = read("sources", rows[0])
         except (IndexError, *DAMAGE) as fault:  # it is not there, or no judge wrote it
@@ -135,39 +134,34 @@ class History:
 
     def current(self) -> Current | None:
         """The kata in hand, if one was taken up."""
-        found = self._sound("current", self._rows("SELECT id, problem, path, problems FROM current"))
-        return next(found, None)
+        return next(iter(self._all("current")), None)
 
     def take_up(self, problem: str, path: str, problems: str = "") -> None:
         """Make that problem the kata in hand; the other arguments are those of `Current`."""
         row = (problem, os.fsencode(path), os.fsencode(problems))
-        with self._writing() as connection:
-            connection.execute("REPLACE INTO current (id, problem, path, problems) VALUES (1, ?, ?, ?)", row)
+        query = "REPLACE INTO current (id, problem, path, problems) VALUES (1, ?, ?, ?)"
+        self._change(lambda connection: connection.execute(query, row))
 
     def hints_seen(self, problem: str) -> int:
         """How many of the problem's hints have been seen."""
-        query = "SELECT max(hints) FROM help WHERE problem = ? AND typeof(hints) = 'integer' AND hints > 0"
-        ((seen,),) = self._rows(query, (problem,))
-        return int(seen or 0)
+        return max((each.hints for each in self.helps(problem)), default=0)
 
     def see_hints(self, problem: str, count: int) -> None:
         """Note that the first `count` hints of the problem are seen, now."""
         if count > 0:
-            self._help(problem, count)
+            self._append("help", (self._time(), problem, count))
 
     def give_up(self, problem: str) -> None:
         """Note that the problem's solution was asked for before it was solved."""
-        self._help(problem, 0)
+        self._append("help", (self._time(), problem, 0))
 
     def gave_up(self, problem: str) -> bool:
         """Whether the problem was ever given up."""
-        return bool(self._rows("SELECT 1 FROM help WHERE problem = ? AND hints = 0 LIMIT 1", (problem,)))
+        return any(each.gave_up for each in self.helps(problem))
 
     def helps(self, problem: str | None = None) -> list[Help]:
         """The help taken, with one problem or with all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        rows = self._rows(f"SELECT id, time, problem, hints FROM help {where} ORDER BY id", values)
-        return list(self._sound("help", rows))
+        return self._all("help", problem)
 
     def add_hack(self, problem: str, mistake: str, case: str, outcome: Outcome) -> None:
         """Note an attempt to break the wrong program that makes the mistake; `case` is that of `Hack`."""
@@ -175,9 +169,7 @@ class History:
 
     def hacks(self, problem: str | None = None) -> list[Hack]:
         """The attempts to break wrong programs, of one problem or of all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        query = f"SELECT id, time, problem, mistake, line, outcome FROM hacks {where} ORDER BY id"
-        return list(self._sound("hacks", self._rows(query, values)))
+        return self._all("hacks", problem)
 
     def answer(self, card: str, form: str, rating: Rating, *, judged: bool, given: str = "") -> None:
         """Keep an answer to a card, now."""
@@ -185,11 +177,7 @@ class History:
 
     def answers(self) -> list[Answered]:
         """Every answer to a card, oldest first."""
-        query = "SELECT id, time, card, form, rating, judged, given FROM answers ORDER BY id"
-        return list(self._sound("answers", self._rows(query)))
-
-    def _help(self, problem: str, hints: int) -> None:
-        self._append("help", (self._time(), problem, hints))
+        return self._all("answers")
 
     def _append(self, table: str, row: Sequence[Any], source: Sequence[Any] | None = None) -> int:
         """Add a row without its number; its number, or 0 where the file is locked for too long."""
@@ -197,34 +185,13 @@ class History:
         from judge.kata import beside
 
         try:
-            with self._writing() as connection:
-                return beside.inserted(connection, table, row, source)
+            return self._change(lambda connection: beside.inserted(connection, table, row, source))
         except HistoryError as fault:
             if not is_busy(fault):
                 raise
             beside.keep(self.path, table, row, source, fault)
             self.waiting += 1
             return 0
-
-    def _take_in(self) -> None:
-        """Add what is kept beside the file, unless it is still locked."""
-        from judge.kata import beside
-
-        beside.take_in(self.path, self._connection)
-
-    def _one_by_one(self, fault: HistoryError, problem: str | None) -> list[Any]:
-        """The runs that can be read where some lie in a part of the file that cannot; the latest first.
-
-        Raises that fault where none can be.
-        """
-        from judge.database import faults
-        from judge.kata.database import HISTORY
-
-        with faults(HISTORY, self.path):
-            found = list(one_by_one(self._connection, "runs", self._name_left_out))
-        if not found:
-            raise fault
-        return [row for row in reversed(found) if problem in (None, row[2])]
 
     def _numbers(self) -> str:
         ((first, last),) = self._rows("SELECT min(id), max(id) FROM runs")
@@ -235,45 +202,76 @@ class History:
     def _time(self) -> int:
         return microseconds(self._clock())
 
-    def _sound(self, table: str, rows: Iterable[Sequence[Any]]) -> Iterator[Any]:
-        """What the rows say; those that are damaged are left out."""
-        for row in rows:
+    def _all(self, table: str, problem: str | None = None, limit: int | None = None) -> list[Any]:
+        """What the last `limit` rows say, those of one problem or all; the damaged ones are left out."""
+        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
+        most = -1 if limit is None else min(limit, _MOST)
+        found = []
+        for row in reversed(self._select(table, f"{where} ORDER BY id DESC LIMIT ?", (*values, most))):
             try:
-                yield read(table, row)
+                found.append(read(table, row))
             except DAMAGE:
-                self._leave_out(table, row[0])
+                self.left_out.add((table, row[0]))
+        return found
 
-    def _leave_out(self, table: str, number: object) -> None:
-        self._name_left_out(NOUNS[table] if table == "current" else f"{NOUNS[table]} {number}")
-
-    def _name_left_out(self, text: str) -> None:
-        if text not in self.left_out:
-            self.left_out.append(text)
-
-    def _said(self, table: str, row: Sequence[Any]) -> Any:
-        try:
-            return read(table, row)
-        except DAMAGE as fault:  # no judge wrote this
-            what = f"{NOUNS[table]} {row[0]} is damaged"
-            remedy = "'judge history --repair' takes it away"
-            raise HistoryError(what, where=str(self.path), remedy=remedy) from fault
+    def _select(self, table: str, which: str, values: Sequence[object]) -> list[Any]:
+        return self._rows(f"SELECT {', '.join(COLUMNS[table])} FROM {table} {which}", values)
 
     def _rows(self, query: str, values: Sequence[object] = ()) -> list[Any]:
         from judge.database import faults
         from judge.kata.database import HISTORY
 
-        with faults(HISTORY, self.path):
-            return self._connection.execute(query, values).fetchall()
+        def rows() -> list[Any]:
+            with faults(HISTORY, self.path):
+                return self._connection.execute(query, values).fetchall()
 
-    def _writing(self) -> AbstractContextManager[sqlite3.Connection]:
+        return self._again(rows)
+
+    def _change(self, work: Callable[[sqlite3.Connection], _Found]) -> _Found:
         from judge.database import writing
         from judge.kata.database import HISTORY
 
-        return writing(HISTORY, self._connection, self.path)
+        def changed() -> _Found:
+            with writing(HISTORY, self._connection, self.path) as connection:
+                return work(connection)
 
+        return self._again(changed)
 
-def _stored(number: int) -> bool:
-    return 0 < number <= _MOST
+    def _open(self) -> None:
+        """Open the file; one that is damaged is set aside, and a new one is begun."""
+        from judge.database import connect
+        from judge.kata.database import HISTORY, identity
+
+        self._file = identity(self.path)
+        try:
+            self._connection = connect(HISTORY, self.path, reading=self._reading)
+        except HistoryError as fault:
+            self._set_aside(fault)
+            self._connection = connect(HISTORY, self.path, reading=self._reading)
+        self._connection.text_factory = text_of
+
+    def _again(self, work: Callable[[], _Found]) -> _Found:
+        """What `work` returns; on a new file, if the old one is found to be damaged."""
+        try:
+            return work()
+        except HistoryError as fault:
+            self._set_aside(fault)
+            self._open()
+            return work()
+
+    def _set_aside(self, fault: HistoryError) -> None:
+        """Set the file aside; raises `fault` where that does not say that our file is damaged."""
+        from judge.database import is_damaged
+        from judge.kata.database import is_ours, set_aside
+
+        if not is_damaged(fault) or not is_ours(self.path):
+            raise fault
+        if self._connection is not None:
+            self._connection.close()
+        try:
+            self.set_aside = set_aside(self.path, self._file) or self.set_aside
+        except OSError:
+            raise fault from None
 
 
 def add_beside(path: Path | None, result: Result, source: bytes, file: str, fault: HistoryError) -> None:

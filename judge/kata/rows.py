@@ -10,9 +10,9 @@ import json
 import math
 import os
 import zlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime, timedelta
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 from msgspec import Struct
 
@@ -24,34 +24,11 @@ from judge.problem.solutions import is_solution
 from judge.problem.verdict import FULL_SCORE
 from judge.run.result import Mode
 
-if TYPE_CHECKING:
-    import sqlite3
-
-COLUMNS: Mapping[str, tuple[str, ...]] = {
-    "sources": ("hash", "body"),
-    "runs": (
-        *("id", "time", "problem", "submission", "path", "verdict", "score", "mode", "mistake", "ratio"),
-        *("passed", "failed", "source", "result"),
-    ),
-    "help": ("id", "time", "problem", "hints"),
-    "hacks": ("id", "time", "problem", "mistake", "line", "outcome"),
-    "answers": ("id", "time", "card", "form", "rating", "judged", "given"),
-    "current": ("id", "problem", "path", "problems"),
-}
-"""The columns of each table, in the order in which rows are read; the first one names a row."""
-
-NOUNS = {
-    "sources": "source",
-    "runs": "run",
-    "help": "hint",
-    "hacks": "attempt of judge hack",
-    "answers": "answer",
-    "current": "kata in hand",
-}
-DAMAGE = (ValueError, TypeError, OverflowError, AttributeError)
+_Kind = TypeVar("_Kind")
+DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error)
 _START = datetime(1970, 1, 1, tzinfo=UTC)
-_LEAST_BYTES = 32  # that a row takes in the file, at the very least
 _MICROSECOND = timedelta(microseconds=1)
+_LATEST = 2**57  # microseconds: in the year 6537
 
 
 class Run(Struct, frozen=True):
@@ -69,11 +46,11 @@ class Run(Struct, frozen=True):
     verdict: Verdict
     score: int
     mode: Mode
-    source_hash: str
     mistake: str | None
     ratio: float | None
     passed: tuple[str, ...]
     failed: tuple[str, ...]
+    source_hash: str
     packed: bytes  # the result, compressed: of thousands of runs few are looked into
 
     @property
@@ -91,9 +68,7 @@ class Run(Struct, frozen=True):
     def levels(self) -> tuple[str, ...]:
         """The levels of the kata that it passed whole. Raises HistoryError where its result is damaged."""
         try:
-            found = tuple(each["level"] for each in self.result.get("levels", ()) if each["passed"])
-            _are(str, *found)
-            return found
+            return tuple(_text(each["level"]) for each in self.result.get("levels", ()) if each["passed"])
         except (TypeError, KeyError) as fault:
             raise HistoryError(f"the result of run {self.id} is damaged") from fault
 
@@ -144,43 +119,6 @@ class Help(Struct, frozen=True):
         return self.hints == 0
 
 
-def one_by_one(
-    connection: sqlite3.Connection, table: str, lost: Callable[[str], None]
-) -> Iterator[Sequence[Any]]:
-    """The rows of a table that is damaged in places, in order; `lost` is told of those that cannot be read.
-
-    Not more numbers are tried than rows have room in the file. Raises sqlite3.DatabaseError where nothing at
-    all can be read.
-    """
-    import sqlite3
-
-    ((pages,), (size,)) = (connection.execute(f"PRAGMA page_{what}").fetchone() for what in ("count", "size"))
-    most, last, unread = pages * size // _LEAST_BYTES, 0, list[int]()
-    try:
-        query = "SELECT max(seq) FROM sqlite_sequence WHERE name = ? AND typeof(seq) = 'integer'"
-        (end,) = connection.execute(query, (table,)).fetchone()
-    except sqlite3.DatabaseError:
-        end = None
-    known = end is not None and 0 < end <= most
-    query = f"SELECT {', '.join(COLUMNS[table])} FROM {table} WHERE id = ?"
-    for number in range(1, (end if known else most) + 1):
-        try:
-            row = connection.execute(query, (number,)).fetchone()
-        except sqlite3.DatabaseError:
-            unread.append(number)
-            continue
-        if row is not None:
-            last = number
-            yield row
-        elif known:  # half of its page is gone
-            unread.append(number)
-    for number in unread:
-        if known or number < last:
-            lost(f"{NOUNS[table]} {number}")
-    if not known and unread and unread[-1] > last:
-        lost(f"each {NOUNS[table]} after {last}")
-
-
 def text_of(content: bytes) -> str | bytes:
     """A text of the file; what is none stays bytes, so that it costs its own row alone."""
     try:
@@ -196,82 +134,13 @@ def microseconds(when: datetime) -> int:
 
 def read(table: str, row: Sequence[Any]) -> Any:
     """What a row of a table says. Raises one of DAMAGE."""
-    return _READERS[table](row)
-
-
-def _run(row: Sequence[Any]) -> Run:
-    number, time, problem, submission, path, verdict, score, mode, mistake, ratio, *rest = row
-    passed, failed, source, packed = rest
-    _are(str, problem, passed, failed, source, "" if mistake is None else mistake)
-    _are(int, number, score)
-    _are(float, 0.0 if ratio is None else ratio)
-    _finite(ratio or 0.0)
-    _are(bytes, packed)
-    return Run(
-        number,
-        _when(time),
-        problem,
-        os.fsdecode(submission),
-        os.fsdecode(path),
-        Verdict(verdict),
-        score,
-        Mode(mode),
-        source,
-        mistake,
-        ratio,
-        tuple(passed.split()),
-        tuple(failed.split()),
-        packed,
-    )
-
-
-def _help(row: Sequence[Any]) -> Help:
-    _, time, problem, hints = row
-    _are(str, problem)
-    _are(int, hints)
-    if hints < 0:
-        raise ValueError(f"{hints} hints")
-    return Help(_when(time), problem, hints)
-
-
-def _hack(row: Sequence[Any]) -> Hack:
-    _, time, problem, mistake, line, outcome = row
-    _are(str, problem, mistake, line)
-    return Hack(_when(time), problem, mistake, line, Outcome(outcome))
-
-
-def _answer(row: Sequence[Any]) -> Answered:
-    _, time, card, form, rating, judged, given = row
-    _are(str, card, form, given)
-    return Answered(_when(time), card, form, Rating(rating), bool(judged), given)
-
-
-def _current(row: Sequence[Any]) -> Current:
-    _, problem, path, problems = row
-    _are(str, problem)
-    return Current(problem, os.fsdecode(path), os.fsdecode(problems))
-
-
-def _source(row: Sequence[Any]) -> bytes:
-    digest, body = row
-    _are(str, digest)
-    try:
-        return zlib.decompress(body)
-    except zlib.error as fault:
-        raise ValueError(str(fault)) from fault
-
-
-_READERS: Mapping[str, Callable[[Sequence[Any]], Any]] = {
-    "sources": _source,
-    "runs": _run,
-    "help": _help,
-    "hacks": _hack,
-    "answers": _answer,
-    "current": _current,
-}
+    make, readers = _TABLES[table]
+    return make(*(reader(value) for reader, value in zip(readers.values(), row, strict=True) if reader))
 
 
 def _when(time: int) -> datetime:
+    if not 0 <= time < _LATEST:
+        raise ValueError(f"{time} is no time of a run")
     return _START + time * _MICROSECOND
 
 
@@ -283,7 +152,71 @@ def _finite(number: str | float) -> float:
     return found
 
 
-def _are(kind: type, *values: object) -> None:
-    """Raise TypeError unless these are of that kind."""
-    if not all(isinstance(each, kind) for each in values):
+def _text(value: object) -> str:
+    return _of(str, value)
+
+
+def _number(value: object) -> int:
+    found = _of(int, value)
+    if found < 0:
+        raise ValueError(f"{found} is less than 0")
+    return found
+
+
+def _of(kind: type[_Kind], value: object) -> _Kind:
+    if not isinstance(value, kind):
         raise TypeError(f"{kind.__name__} is meant")
+    return value
+
+
+def _names(value: object) -> tuple[str, ...]:
+    return tuple(_text(value).split())
+
+
+def _packed(value: object) -> bytes:
+    return _of(bytes, value)
+
+
+_Readers = Mapping[str, Callable[[Any], Any] | None]
+_TABLES: Mapping[str, tuple[Callable[..., Any], _Readers]] = {
+    "sources": (zlib.decompress, {"hash": None, "body": _packed}),
+    "runs": (
+        Run,
+        {
+            "id": _number,
+            "time": _when,
+            "problem": _text,
+            "submission": os.fsdecode,
+            "path": os.fsdecode,
+            "verdict": Verdict,
+            "score": _number,
+            "mode": Mode,
+            "mistake": lambda value: None if value is None else _text(value),
+            "ratio": lambda value: None if value is None else _finite(_of(float, value)),
+            "passed": _names,
+            "failed": _names,
+            "source": _text,
+            "result": _packed,
+        },
+    ),
+    "help": (Help, {"id": None, "time": _when, "problem": _text, "hints": _number}),
+    "hacks": (
+        Hack,
+        {"id": None, "time": _when, "problem": _text, "mistake": _text, "line": _text, "outcome": Outcome},
+    ),
+    "answers": (
+        Answered,
+        {
+            "id": None,
+            "time": _when,
+            "card": _text,
+            "form": _text,
+            "rating": Rating,
+            "judged": bool,
+            "given": _text,
+        },
+    ),
+    "current": (Current, {"id": None, "problem": _text, "path": os.fsdecode, "problems": os.fsdecode}),
+}
+COLUMNS: Mapping[str, tuple[str, ...]] = {name: tuple(readers) for name, (_, readers) in _TABLES.items()}
+"""The columns of each table, in the order in which rows are read; the first one names a row."""

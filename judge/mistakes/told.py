@@ -8,17 +8,15 @@ from msgspec import Struct
 
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import read_catalogue, with_kills
-from judge.mistakes.family import Family, Line
 from judge.problem import Group, Problem
 from judge.problem.solutions import known_mistakes
 
 
 class Told(Struct, frozen=True):
-    """One mistake: its first sentence, the whole advice, and a line that it spoils, where one says it all."""
+    """One mistake: its first sentence, and the whole advice."""
 
     sentence: str
     advice: str
-    line: Line | None = None
 
 
 def told_mistakes(problem: Problem) -> Mapping[str, Told]:
@@ -32,12 +30,11 @@ def told_mistakes(problem: Problem) -> Mapping[str, Told]:
     try:
         catalogue = read_catalogue(problem)
         aimed = {name for group in with_kills(problem, catalogue).groups for name in group.kills}
-        lines = _lines(problem)
     except ProblemError:
         return found
     for name, words in catalogue.items():
         if name in aimed and words.told:
-            found[name] = Told(words.why, words.told, lines.get(name))
+            found[name] = Told(words.why, words.told)
     return found
 
 
@@ -49,13 +46,3 @@ def aimed_groups(problem: Problem, groups: tuple[Group, ...]) -> tuple[Group, ..
         return groups
     kills = {group.name: group for group in whole.groups}
     return tuple(kills[group.name] for group in groups)
-
-
-def _lines(problem: Problem) -> Mapping[str, Line]:
-    """The first line that is known of each mistake."""
-    family = Family.of(problem)
-    found: dict[str, Line] = {}
-    for choice, name in family.named if family else ():
-        for line in family.lines(choice) if family else ():
-            found.setdefault(name, line)
-    return found

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 
-from judge.kata.review import CardReview, Memory, Rating, Review
+from judge.kata.answers import Rating
+from judge.kata.review import Review
 from judge.languages import file_name
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, hanging, line
@@ -29,7 +30,7 @@ def due_lines(
         yield line()
         text = "Write it again from an empty file: a file that was accepted before counts for nothing."
         yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=2, column=2)
-        first = due[0].problem
+        first = due[0].name
         yield line("  next  ", Span(f"judge init {first} {_fresh(first, now)}", Style.STRONG))
     else:
         yield line(Span("Nothing today.", Style.GOOD))
@@ -43,7 +44,7 @@ def due_lines(
         yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
 
 
-def card_lines(found: Sequence[CardReview], now: datetime, width: int | None) -> Iterator[Line]:
+def card_lines(found: Sequence[Review], now: datetime, width: int | None) -> Iterator[Line]:
     """How many cards are due, and when the next one is; nothing where none was ever answered."""
     if not found:
         return
@@ -68,7 +69,7 @@ def waiting_lines(due: int, width: int | None) -> Iterator[Line]:
 def nothing_lines(width: int | None, *, tried: bool) -> Iterator[Line]:
     """No kata is kept in mind yet; runs of a problem's own solutions are no tries."""
     none = "No run of yours has passed a test group yet" if tried else "You have tried no kata yet"
-    text = f"{none}, so none comes again; 'judge practice' takes up the first kata."
+    text = f"{none}, so none comes again; 'judge next' takes up the first kata."
     yield from hanging(Span(""), Span(text), width, indent=0, column=0)
 
 
@@ -76,26 +77,22 @@ def _table(found: Sequence[Review], now: datetime) -> Table:
     columns = (
         Column("kata"),
         Column("due"),
-        Column("recall", right=True),
         Column("last"),
-        Column("it went"),
-        Column("sittings", right=True),
+        Column("why then", flexible=True),
     )
     return Table(columns, [_row(review, now) for review in found])
 
 
 def _row(review: Review, now: datetime) -> list[Cell]:
     return [
-        Span(review.problem, Style.STRONG),
+        Span(review.name, Style.STRONG),
         due_words(review, now),
-        Span(f"{review.recall:.0%}", Style.FAINT),
         Span(day(review.last), Style.FAINT),
-        Span(_went(review), _STYLES.get(review.rating, Style.PLAIN)),
-        Span(str(review.sittings), Style.FAINT),
+        Span(_why(review), _STYLES.get(review.rating, Style.PLAIN)),
     ]
 
 
-def due_words(review: Memory, now: datetime) -> str:
+def due_words(review: Review, now: datetime) -> str:
     """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
     days = (review.due.astimezone(now.tzinfo).date() - now.date()).days
     if days < 0:
@@ -103,12 +100,16 @@ def due_words(review: Memory, now: datetime) -> str:
     return "today" if days == 0 else f"in {counted(days, 'day')}"
 
 
-def _went(review: Review) -> str:
-    if not review.solved:
-        return "never passed"
-    return {Rating.AGAIN: "badly", Rating.HARD: "hard", Rating.GOOD: "well", Rating.EASY: "easily"}[
-        review.rating
-    ]
+def _why(review: Review) -> str:
+    """What happened, and after how many days it therefore comes again."""
+    if review.rating is Rating.AGAIN:
+        how = "not solved this time" if review.solved else "never solved"
+    elif review.rating is Rating.HARD:
+        how = "solved, but not at once"
+    else:
+        times = {1: "", 2: " twice in a row"}.get(review.in_a_row, f" {review.in_a_row} times in a row")
+        how = f"solved at once{times}"
+    return f"{how}: after {counted(review.days, 'day')}"
 
 
 def _fresh(problem: str, now: datetime) -> str:

@@ -1,13 +1,11 @@
-"""Past runs for the screen: the list of them, and what changed from one to another."""
+"""Past runs for the screen."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from datetime import date, datetime
-from pathlib import Path
 
 from judge.errors import HistoryError
-from judge.kata.changes import Change
 from judge.kata.history import Run
 from judge.kata.stub import usual_name
 from judge.problem.verdict import Verdict
@@ -15,10 +13,6 @@ from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, 
 from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import counted, score_text, times
-
-_LABELS = 12  # the column where what follows a label begins
-_TAB = "→   "  # a tab and four spaces are not the same to Python, and must not look the same
-_STYLES = {"+": Style.GOOD, "-": Style.BAD, "@": Style.STRONG, "\\": Style.FAINT}
 
 
 def moment(when: datetime) -> str:
@@ -87,19 +81,6 @@ def _left_out(run: Run) -> str:
     return f"only {', '.join(run.passed)}" if partial else ""
 
 
-def repaired_lines(
-    runs: int, left_out: Sequence[str], before: Path | None, width: int | None
-) -> Iterator[Line]:
-    """What a repair has kept and left out, and where the file as it was is."""
-    if before is None:
-        yield line(f"Nothing is damaged: {counted(runs, 'run')}.")
-        return
-    yield line(Span(f"{counted(runs, 'run')} kept", Style.STRONG))
-    what = ", ".join(left_out) or "nothing that a run needs"
-    yield from hanging(Span("left out"), Span(what), width, indent=2, column=_LABELS)
-    yield from hanging(Span("as it was"), Span(shown_name(str(before))), width, indent=2, column=_LABELS)
-
-
 def restored_lines(run: Run, file: str, became: str, width: int | None) -> Iterator[Line]:
     """Where a run's source is again, and what became of the file that was there."""
     what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
@@ -121,62 +102,3 @@ def _result(run: Run) -> str:
 
 def _score(run: Run) -> str:
     return score_text(run.score, accepted=run.verdict is Verdict.AC)
-
-
-def change_lines(change: Change, width: int | None) -> Iterator[Line]:
-    """Which runs, what changed in what they came to, and the difference of their sources."""
-    old, new = change.old, change.new
-    yield from Table((Column(""),) * 6, [_short(old), _short(new)], indent=0).lines(width)
-    yield line()
-    for label, text, style in _outcome(change):
-        yield from hanging(Span(label, Style.FAINT), Span(text, style), width, indent=2, column=_LABELS)
-    yield line()
-    if change.same_source:
-        yield line("The source is the same.")
-    elif change.diff is None:
-        yield line("The sources are too long to compare.")
-    else:
-        yield from (_diff_line(text, place) for place, text in enumerate(change.diff))
-
-
-def _short(run: Run) -> list[Cell]:
-    return [
-        Span(f"run {run.id}", Style.STRONG),
-        Span(moment(run.when), Style.FAINT),
-        run.problem,
-        shown_name(run.submission),
-        verdict_span(run.verdict),
-        Span(counted(run.score, "point") if _score(run).isdigit() else _score(run), Style.FAINT),
-    ]
-
-
-def _outcome(change: Change) -> Iterator[tuple[str, str, Style]]:
-    """What changed, each with its label; all that stayed as it was in one line."""
-    old, new = change.old, change.new
-    pairs = [
-        ("verdict", old.verdict.value, new.verdict.value),
-        ("points", _score(old), _score(new)),
-        ("mistake", old.mistake or "none named", new.mistake or "none named"),
-        ("× ref.", _times(old.ratio) or "not measured", _times(new.ratio) or "not measured"),
-    ]
-    for label, before, after in pairs:
-        if before != after:
-            yield label, f"{before} → {after}", Style.PLAIN
-    if change.gained:
-        yield "gained", ", ".join(change.gained), Style.GOOD
-    if change.lost:
-        yield "lost", ", ".join(change.lost), Style.BAD
-    if old.problem != new.problem:
-        yield "problem", "not the same: their test groups are not compared", Style.WARNING
-    elif not (change.gained or change.lost):
-        yield "groups", "none gained, none lost", Style.PLAIN
-
-
-def _diff_line(text: str, place: int) -> Line:
-    """One line of the diff, never broken, so that it can be copied; the first two are the names."""
-    style = Style.STRONG if place < 2 else _STYLES.get(text[:1], Style.PLAIN)
-    return line(Span(text.replace("\t", _TAB), style))
-
-
-def _times(ratio: float | None) -> str:
-    return "" if ratio is None else times(ratio)

@@ -28,7 +28,7 @@ def show_page(text: str, screen: Screen) -> None:
     if is_terminal(screen.stream) and shown.count("\n") >= height(screen):
         import click
 
-        click.echo_via_pager(shown, color=screen.colour)
+        click.echo_via_pager(shown, color=None if screen.colour else False)  # None has `less` show colours
     else:
         screen.write(shown)
 

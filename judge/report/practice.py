@@ -1,4 +1,4 @@
-"""A practice set for the screen: its katas, how each stands, which one is in hand, and what to do next."""
+"""A practice set for the screen: its katas, how each stands, and which one is in hand."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from judge.kata.standing import Standing, State
 from judge.problem import Problem
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
-from judge.report.names import shown_name
 from judge.report.values import counted, score_text
 
 Katas = Sequence[tuple[Problem, Standing]]
@@ -79,16 +78,3 @@ def _row(problem: Problem, standing: Standing, in_hand: bool) -> list[Cell]:
 
 def _best(standing: Standing) -> str:
     return score_text(standing.best, accepted=standing.state is State.PASSED)
-
-
-def next_lines(problem: str, file: str, command: str, *, made: bool, width: int | None) -> Iterator[Line]:
-    """Which file the kata in hand is, and the command that judges it."""
-    text = f"{problem} is in hand; {'begin with' if made else 'its file is'} {shown_name(file)}."
-    yield from hanging(Span(""), Span(text), width, indent=0, column=0)
-    yield line("  next  ", Span(command, Style.STRONG))
-
-
-def all_passed_lines(width: int | None) -> Iterator[Line]:
-    """Nothing is left to take up."""
-    text = "All of it is passed. 'judge due' says what to do again, 'judge progress' what that has shown."
-    yield from hanging(Span(""), Span(text, Style.GOOD), width, indent=0, column=0)

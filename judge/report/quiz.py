@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from judge.kata.checklist import Row
     from judge.kata.quiz.cards import Card
     from judge.kata.quiz.question import Question, Reply
-    from judge.kata.review import CardReview
+    from judge.kata.review import Review
     from judge.report.screen import Screen
 
 _PANEL = 31  # columns of a picture of one panel
@@ -126,7 +126,7 @@ def drill_lines(drill: Sequence[tuple[Row, Sequence[str]]], width: int | None) -
 
 
 def list_lines(
-    cards: Sequence[Card], reviews: Mapping[str, CardReview], now: datetime, width: int | None
+    cards: Sequence[Card], reviews: Mapping[str, Review], now: datetime, width: int | None
 ) -> Iterator[Line]:
     """The cards, a row each, with when each is due; `reviews` are those that were answered, by their keys.
 

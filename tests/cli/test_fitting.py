@@ -42,7 +42,7 @@ def test_two_that_fit_are_named_and_how_to_choose(judge, submit, twice):
 
 
 def test_nothing_of_the_file_is_run_to_find_out(judge, submit):
-    assert judge("why", submit("open('mark', 'w')\ndef anything(): pass\n")).status == 2
+    assert judge("hint", submit("open('mark', 'w')\ndef anything(): pass\n")).status == 2
     assert not Path("mark").exists()
 
 

@@ -22,11 +22,10 @@ QUIET = (  # need no file of one's own, no history, and no time
     "judge show count",
     "judge help quiz",
     "judge help --search tolerance",
-    "judge why count close-points",
+    "judge show count --groups",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
     "judge schema run",
-    "judge completion bash",
     'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
 )
 

@@ -1,6 +1,6 @@
 """`judge run` keeps its runs, whatever they are of; `judge history` brings their sources back.
 
-What `judge history` and `judge diff` show is in the transcripts of `history/`.
+What `judge history` shows is in the transcripts of `history/`.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def test_a_problem_that_can_no_longer_be_found(judge, submit, monkeypatch):
 
 def test_a_name_that_steers_the_terminal(judge, submit):
     judge("run", "-q", "middle", submit(MEAN, "a\x1b[31m\nb.py"))
-    for words in (("history",), ("history", "--csv"), ("history", "--json"), ("diff", 1, 1)):
+    for words in (("history",), ("history", "--csv"), ("history", "--json")):
         shown = judge(*words)
         assert shown.status == 0
         assert "\x1b" not in shown.out

@@ -118,12 +118,3 @@ def test_a_wrong_program_that_cannot_be_a_known_mistake_is_told(judge, submit, p
     ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", problems)
     assert json.loads(ended.out)["pitfall"] is None
     assert f"a known mistake is left out: middle/wrong/{program.name}: it has no docstring; " in ended.err
-
-
-@pytest.mark.parametrize("width", [24, 60])
-def test_why_fits_the_screen(judge, monkeypatch, width):
-    monkeypatch.setenv("COLUMNS", str(width))
-    for problem in ("count", "ray-nearest"):
-        ended = judge("why", problem)
-        assert max(map(len, ended.lines)) <= width
-        assert "no-degenerate" in ended.out

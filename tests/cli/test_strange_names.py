@@ -57,7 +57,6 @@ def test_no_line_of_the_output_begins_with_a_name_that_is_a_command(
         ("run", "-q", "middle", "."),
         ("stress", "middle", "--for", "1s", "--no-name", "--", name),
         ("history",),
-        ("diff", "1", "2"),
     ):
         ended = judge(*words)
         assert ended.status in (0, 1), ended
@@ -85,7 +84,6 @@ def test_other_files_of_such_names(name, judge, submit):
         ("init", "middle", "--", name),
         ("report", "--no-matrix", "--out", f"{name}.html"),
         ("data", "middle", "--out", f"{name}.d"),
-        ("practice", "junior"),
         ("run",),
     ):
         ended = judge(*words)

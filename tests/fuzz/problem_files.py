@@ -161,8 +161,8 @@ def _write(path: Path, content: bytes) -> None:
 
 
 _CHEAP = (
-    *("list", "show {problem}", "why {problem}", "why {problem} {group}", "init {problem}", "hint {problem}"),
-    *("hint {problem} --all", "next --init", "practice", "practice junior", "progress", "progress junior"),
+    *("list", "show {problem}", "show {problem} --groups", "init {problem}", "hint {problem}"),
+    *("hint {problem} --all", "next --init", "progress", "progress junior"),
     *("solution {problem} --give-up", "due"),
 )
 _DEAR = (

@@ -43,7 +43,7 @@ _CHANGES = {  # audited events, and which of their arguments are paths that are 
     "os.symlink": (1,),
 }
 _OF_LINKS = ("os.rename", "os.remove", "os.link", "os.symlink")
-_AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich.progress", "sqlite3", "fsrs")
+_AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich.progress", "sqlite3")
 
 
 def main() -> None:

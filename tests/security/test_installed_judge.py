@@ -20,7 +20,7 @@ from attackers import HERE, PLAIN_BY_DAY, SECONDS, USERS, Attacker, by_turns
 from sampling import daily
 
 ROOT = HERE.parents[1]
-DEPENDENCIES = ("click", "fsrs", "hypothesis", "jinja2", "msgspec", "platformdirs", "rich", "watchfiles")
+DEPENDENCIES = ("click", "hypothesis", "jinja2", "msgspec", "platformdirs", "rich", "watchfiles")
 
 
 class Installed(NamedTuple):

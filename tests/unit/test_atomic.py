@@ -249,7 +249,7 @@ def test_there_is_no_other_way():
         "judge/sandbox/recipe.py",  # for a compiler that starts when all is there
         "judge/sandbox/temporary.py",  # where that is; it goes with the judge
         "judge/sandbox/attacking.py",  # what an attack looks for, in a folder of its own that goes
-        "judge/kata/repair.py",  # a copy that must not be there yet, and the history behind a lock
+        "judge/kata/database.py",  # a damaged history is renamed
         "judge/packs/export/place.py",  # a package is renamed to its place when it is whole
         "judge/packs/export/validators/output_validator.py",  # runs elsewhere, as the format has it
     }

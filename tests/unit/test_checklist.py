@@ -140,42 +140,18 @@ def quizzed():
         yield answer
 
 
-def reviews_of(quizzed):
-    return card_reviews(quizzed.history.answers(), quizzed.clock())
-
-
-def test_the_first_answer_of_a_sitting_rates_it_and_what_is_known_comes_ever_later(quizzed):
-    quizzed.history.answer("deck/x", "number", Rating.GOOD, judged=False, given="4 — vier")
-    (kept,) = quizzed.history.answers()
-    assert kept == Answered(START, "deck/x", "number", Rating.GOOD, False, "4 — vier")
-    quizzed("a", Rating.AGAIN)
-    quizzed("a", Rating.GOOD)
-    quizzed("b", Rating.GOOD)
-    found = {review.card: review for review in reviews_of(quizzed)}
-    assert found["deck/a"].rating is Rating.AGAIN
-    assert found["deck/a"].sittings == 1
-    assert found["deck/a"].due < found["deck/b"].due
-    intervals = [found["deck/b"].interval]
-    for _ in range(3):
-        quizzed.clock.forward(days=intervals[-1])
-        quizzed("b", Rating.GOOD)
-        intervals += [review.interval for review in reviews_of(quizzed) if review.card == "deck/b"]
-    assert intervals == sorted(intervals)
-    assert intervals[0] < intervals[-1]
-
-
 def test_what_is_due_comes_first_then_what_is_new(quizzed):
     cards = [card("new"), card("good"), card("bad"), card("drawn", form="count")]
     quizzed("good", Rating.GOOD)
     quizzed("bad", Rating.AGAIN)
     quizzed("drawn", Rating.EASY, days=1, hours=1)
-    found, now = reviews_of(quizzed), quizzed.clock()
+    found, now = card_reviews(quizzed.history.answers()), quizzed.clock()
     assert [each.id for each in due_cards(cards, found, now)] == ["bad"]
     assert [each.id for each in new_cards(cards, found)] == ["new"]
     assert [each.id for each in next_cards(cards, found, now, 5)] == ["bad", "new"]
     ahead = [each.id for each in next_cards(cards, found, now, 7, ahead=True)]
     assert ahead == ["bad", "new", "good", "drawn", "drawn", "drawn", "drawn"]
-    assert next_due(cards[1:2], found) == next(each.due for each in found if each.card == "deck/good")
+    assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None
 
 

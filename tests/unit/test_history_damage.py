@@ -1,4 +1,4 @@
-"""A history of which a part is damaged: the rest of it works, and a repair keeps that."""
+"""A history of which a part is damaged: a row costs itself, a file that cannot be read is set aside."""
 
 from __future__ import annotations
 
@@ -8,40 +8,29 @@ import sqlite3
 import zlib
 
 import pytest
-from histories import ended, filled, started
+from histories import filled
 from past_runs import past_result
-from sampling import nightly
 
 from judge.errors import HistoryError
 from judge.kata.answers import Rating
-from judge.kata.beside import inserted
 from judge.kata.hacks import Outcome
-from judge.kata.history import History, run_rows
-from judge.kata.repair import repair
+from judge.kata.history import History
 
 CHANGES = {
     "runs": [
         "verdict = 'XX'",
-        "mode = x'00'",
         "time = 9223372036854775807",
-        "time = 'now'",
-        "problem = x'ff'",
         "problem = CAST(x'ff' AS TEXT)",  # a text that is no UTF-8
         "submission = 5",
         "score = 'many'",
-        "ratio = 'much'",
-        "ratio = ''",
         "ratio = 9e999",
         "source = x'ff'",
         "result = 'text'",
     ],
-    "help": ["time = 'then'", "hints = 'all'", "hints = -1", "problem = x'00'"],
-    "hacks": ["outcome = 'odd'", "time = 'then'", "line = x'ff'"],
-    "answers": ["rating = 9", "card = x'ff'", "time = 9223372036854775807"],
+    "help": ["time = 'then'", "hints = -1"],
+    "hacks": ["outcome = 'odd'"],
+    "answers": ["rating = 9"],
 }
-EACH = [(table, change) for table, changes in CHANGES.items() for change in changes]
-FIRST = [(table, changes[0]) for table, changes in CHANGES.items()]
-NAMES = {"runs": "run 2", "help": "hint 2", "hacks": "attempt of judge hack 2", "answers": "answer 2"}
 
 
 @pytest.fixture
@@ -57,26 +46,33 @@ def whole(own_history):
     return own_history
 
 
-def changed(path, *statements):
+def changed(path, statement, *values):
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
-        for statement in statements:
-            connection.execute(statement)
+        connection.execute(statement, values)
 
 
-def all_of(history):
-    read = {"runs": history.runs, "help": history.helps, "hacks": history.hacks, "answers": history.answers}
-    return {table: reader() for table, reader in read.items()}
+def damaged(path, share):
+    """The file with its end written over; what it then holds."""
+    content = path.read_bytes()
+    kept = int(len(content) * share)
+    path.write_bytes(content[:kept] + b"\xee" * (len(content) - kept))
+    return path.read_bytes()
 
 
-@pytest.mark.parametrize(("table", "change"), EACH)
+@pytest.mark.parametrize(("table", "change"), [(name, each) for name in CHANGES for each in CHANGES[name]])
 def test_one_damaged_row_is_one_row(table, change, whole):
     changed(whole, f"UPDATE {table} SET {change} WHERE id = 2")
     with History.open(reading=True) as history:
-        counts = {name: len(rows) for name, rows in all_of(history).items()}
-        assert counts == {name: 2 if name == table else 3 for name in CHANGES}
-        assert history.left_out == [NAMES[table]]
-        history.hints_seen("segment")
-        history.gave_up("segment")
+        read = {
+            "runs": history.runs,
+            "help": history.helps,
+            "hacks": history.hacks,
+            "answers": history.answers,
+        }
+        assert {name: len(rows()) for name, rows in read.items()} == {
+            name: 2 if name == table else 3 for name in CHANGES
+        }
+        assert history.left_out == {(table, 2)}
         assert history.current().problem == "segment"
         if table == "runs":
             with pytest.raises(HistoryError, match="run 2 is damaged"):
@@ -84,180 +80,66 @@ def test_one_damaged_row_is_one_row(table, change, whole):
             assert history.source(3) == b"2"
 
 
-@pytest.mark.parametrize("change", ["problem = x'05'", "path = 5", "problem = CAST(x'ff' AS TEXT)"])
-def test_a_kata_in_hand_that_is_damaged_is_none(change, whole):
-    changed(whole, f"UPDATE current SET {change}")
+def test_a_kata_in_hand_that_is_damaged_is_none(whole):
+    changed(whole, "UPDATE current SET problem = CAST(x'ff' AS TEXT)")
     with History.open(reading=True) as history:
-        assert (history.current(), history.left_out) == (None, ["kata in hand"])
+        assert history.current() is None
 
 
 @pytest.mark.parametrize(
-    "packed",
-    [
-        b"",
-        zlib.compress(b"[]"),
-        zlib.compress(b'{"levels": 5}'),
-        zlib.compress(b'{"levels": [{"level": 5, "passed": true}]}'),
-        zlib.compress(b'{"score": NaN}'),
-        zlib.compress(b'{"score": 1e999}'),
-    ],
+    "content", [b"[]", b'{"levels": [{"level": 5, "passed": true}]}', b'{"score": 1e999}']
 )
-def test_a_result_that_is_damaged_costs_its_run_where_results_are_asked_for(packed, whole):
-    with contextlib.closing(sqlite3.connect(whole)) as connection, connection:
-        connection.execute("UPDATE runs SET result = ? WHERE id = 2", (packed,))
+def test_a_result_that_is_damaged_costs_its_run_where_results_are_asked_for(content, whole):
+    changed(whole, "UPDATE runs SET result = ? WHERE id = 2", zlib.compress(content))
     with History.open(reading=True) as history:
         assert len(history.runs()) == 3
         assert [run.id for run in history.with_results(history.runs())] == [1, 3]
-        assert history.left_out == ["run 2"]
 
 
-def spoiled(path, table):
-    """Write over a leaf in the middle of a table or an index."""
-    with contextlib.closing(sqlite3.connect(path)) as connection:
-        if not connection.execute("SELECT 1 FROM pragma_module_list WHERE name = 'dbstat'").fetchone():
-            pytest.skip("this SQLite does not say where its pages are")
-        connection.execute("PRAGMA journal_mode = DELETE")
-        query = "SELECT pageno FROM dbstat WHERE name = ? AND pagetype = 'leaf'"
-        rows = connection.execute(query, (table,)).fetchall()
-    content = bytearray(path.read_bytes())
-    page = int.from_bytes(content[16:18], "big")
-    place = rows[len(rows) // 2][0]
-    content[(place - 1) * page : place * page] = b"\xee" * page
-    path.write_bytes(content)
-
-
-def many_runs(path, count):
-    """A history of so many runs, each of a source of its own."""
-    rows = [run_rows(past_result(), f"# {number}".encode() * 9, "", number) for number in range(count)]
-    with History.open(path):
-        pass
-    with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as connection:
-        connection.execute("BEGIN")
-        for row, source in rows:
-            inserted(connection, "runs", row, source)
-        connection.execute("COMMIT")
-        connection.execute("PRAGMA journal_mode = DELETE")
-
-
-@pytest.mark.parametrize("table", ["runs_of_a_problem", "sqlite_sequence"])
-def test_what_only_writing_meets_is_repaired_too(table, own_history):
-    many_runs(own_history, 300)
-    spoiled(own_history, table)
-    done = repair(own_history)
-    assert (done.runs, done.left_out) == (300, ())
-    assert done.before is not None
-    with History.open() as history:
-        assert history.add(past_result(), b"new", "") == 301
-
-
-def test_a_part_of_the_sources_costs_those_that_lie_there(own_history):
-    many_runs(own_history, 400)
-    spoiled(own_history, "sources")
-    done = repair(own_history)
-    assert done.runs == 400
-    assert 0 < len(done.left_out) < 250
-    assert all(text.startswith("source ") for text in done.left_out)
-
-
-@pytest.mark.parametrize("last", [10**15, nightly(-1), nightly("x"), nightly(None)])
-def test_the_number_of_the_last_run_may_be_damaged_as_well(last, own_history):
-    many_runs(own_history, 300)
-    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
-        connection.execute("UPDATE sqlite_sequence SET seq = ?", (last,))
-    spoiled(own_history, "runs")
-    with History.open(reading=True) as history:
-        found = [run.id for run in history.runs()]
-        assert found[0] == 1
-        assert found[-1] == 300
-        assert len(history.left_out) == 300 - len(found)
-    assert repair(own_history).runs == len(found)
-
-
-@pytest.mark.parametrize("share", [0.5, 0.9, 0.99])
-def test_of_a_file_whose_end_is_gone_the_beginning_is_kept(share, own_history):
-    many_runs(own_history, 300)
-    length = int(own_history.stat().st_size * share)
-    os.truncate(own_history, length)
-    done = repair(own_history)
-    assert done.before is not None
-    assert done.before.stat().st_size == length
-    named = [text for text in done.left_out if text.startswith("run ")]
-    assert done.runs > 0
-    assert done.runs + len(named) == 300
-    with History.open() as history:
-        assert len(history.runs()) == done.runs
-        assert history.left_out == []
-
-
-def test_a_part_of_the_file_that_is_damaged_costs_what_lies_there(own_history):
-    filled(own_history, runs=300)
-    spoiled(own_history, "runs")
-    with History.open(reading=True) as history:
-        found = [run.id for run in history.runs()]
-        assert 200 < len(found) < 300
-        assert found == sorted(found)
-        assert len(history.left_out) == 300 - len(found)
-    done = repair(own_history)
-    assert (done.runs, len(done.left_out)) == (len(found), 300 - len(found))
-    with History.open() as history:
-        assert [run.id for run in history.runs()] == found
-        assert history.add(past_result(), b"new", "") > 290
-
-
-@pytest.mark.parametrize(("table", "change"), [each if each in FIRST else nightly(*each) for each in EACH])
-def test_a_repair_keeps_all_else_and_the_file_as_it_was(table, change, whole):
-    changed(whole, f"UPDATE {table} SET {change} WHERE id = 2")
-    before = whole.read_bytes()
-    done = repair(whole)
-    assert done.left_out == (NAMES[table],)
-    assert done.runs == (2 if table == "runs" else 3)
-    assert done.before.read_bytes()[100:] == before[100:]  # but for how SQLite keeps its log
-    assert done.before.stat().st_mode & 0o777 == 0o600
-    with History.open() as history:
-        counts = {name: len(rows) for name, rows in all_of(history).items()}
-        assert counts == {name: 2 if name == table else 3 for name in CHANGES}
-        assert history.left_out == []
-        assert history.current().path == "/mine.py"
-        assert history.source(3) == b"2"
-    assert repair(whole).before is None
-    assert sorted(path.name for path in whole.parent.iterdir()) == [whole.name, f"{whole.name}.damaged-1"]
-
-
-def test_a_second_repair_writes_over_no_first_one(whole):
+@pytest.mark.parametrize("share", [0.02, 0.3])
+@pytest.mark.parametrize("reading", [False, True])
+def test_a_file_that_cannot_be_read_is_set_aside(reading, share, own_history):
     for number in (1, 2):
-        changed(whole, f"UPDATE runs SET verdict = 'XX' WHERE id = {number}")
-        assert repair(whole).before.name.endswith(f".damaged-{number}")
+        filled(own_history, runs=200)
+        before = damaged(own_history, share)
+        aside = own_history.with_name(f"{own_history.name}.damaged-{number}")
+        with History.open(reading=reading) as history:
+            assert history.runs() == []
+            assert history.set_aside == aside
+        assert aside.read_bytes() == before
+        with History.open() as history:
+            assert history.add(past_result(), b"new", "") == 1
+            assert history.set_aside is None
+    with History.open() as history:
+        assert len(history.runs()) == 1
 
 
-HOLD = """
-history = History.open(reading=sys.argv[1] == "reading")
-history.runs()
-if sys.argv[1] == "writing":
-    history._connection.execute("BEGIN IMMEDIATE")
-print("open", flush=True)
-sys.stdin.readline()
-"""
+def test_one_whose_end_was_cut_off_is_set_aside_when_it_is_written(own_history):
+    filled(own_history, runs=200)
+    os.truncate(own_history, own_history.stat().st_size // 2)
+    with History.open() as history:
+        assert history.add(past_result(), b"new", "") == 1
+        assert history.set_aside is not None
 
 
-@pytest.mark.parametrize("how", ["reading", "writing", "open"])
-def test_nothing_is_repaired_while_another_judge_has_it_open(how, whole, monkeypatch):
-    monkeypatch.setattr("judge.database._PATIENCE", 0.05)
-    changed(whole, "UPDATE runs SET verdict = 'XX' WHERE id = 2")
-    holder = started(HOLD, how)
-    assert holder.stdout.readline() == "open\n"
-    before = sorted(path.name for path in whole.parent.iterdir())
-    with pytest.raises(
-        HistoryError, match=r"another program has the history open; try again|is writing to it"
-    ):
-        repair(whole)
-    assert sorted(path.name for path in whole.parent.iterdir()) == before
-    ended(holder)
-    assert repair(whole).left_out == ("run 2",)
+def test_two_judges_meet_it_and_the_new_one_stays(own_history):
+    filled(own_history, runs=200)
+    damaged(own_history, 0.3)
+    with History.open() as first, History.open() as second:
+        assert first.add(past_result(), b"new", "") == 1
+        assert len(second.runs()) == 1
+        assert second.set_aside is None
+    assert own_history.with_name(f"{own_history.name}.damaged-1").exists()
+    assert not own_history.with_name(f"{own_history.name}.damaged-2").exists()
+    with History.open() as history:
+        assert len(history.runs()) == 1
 
 
-def test_there_is_nothing_to_repair(tmp_path, own_history):
-    with pytest.raises(HistoryError, match="there is no history yet"):
-        repair(own_history)
-    (tmp_path / "diary").write_text("Dear diary")
-    with pytest.raises(HistoryError, match="no history of the judge"):
-        repair(tmp_path / "diary")
+def test_another_programs_damaged_file_is_left_as_it_is(tmp_path):
+    path = tmp_path / "theirs.db"
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute("CREATE TABLE theirs (id INTEGER)")
+    before = damaged(path, 0.02)
+    with pytest.raises(HistoryError), History.open(path) as history:
+        history.runs()
+    assert (path.read_bytes(), list(tmp_path.iterdir())) == (before, [path])

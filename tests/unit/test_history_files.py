@@ -9,7 +9,6 @@ import shutil
 import sqlite3
 import subprocess
 import sys
-import zlib
 from pathlib import Path
 
 import pytest
@@ -92,9 +91,10 @@ def test_bytes_changed_at_random_are_told_as_damage(own_history):
                 for run in history.runs():
                     history.source(run.id)
                     run.result  # noqa: B018
+            assert history.set_aside is None or history.set_aside.read_bytes() == damaged
         except HistoryError as fault:
             told.append(str(fault))
-    assert len(told) > 10
+    assert list(own_history.parent.glob("*.damaged-1"))
     assert [text for text in told if "damaged" not in text] == []
 
 
@@ -102,38 +102,6 @@ def test_an_empty_file_becomes_a_history(tmp_path):
     path = tmp_path / "new.db"
     path.touch()
     assert filled(path)
-
-
-def test_a_damaged_history_says_so(own_history):
-    whole = filled(own_history, runs=200)
-    own_history.write_bytes(whole[:8192] + b"\xee" * (len(whole) - 8192))
-    with History.open() as history, pytest.raises(HistoryError, match="move it away"):
-        history.runs()
-
-
-RESULTS = [b"", zlib.compress(b"[]"), zlib.compress(b"[" * 100_000), "text"]
-DAMAGED = ["verdict = 'XX'", "mode = 'none'", "time = 9223372036854775807", "time = 'now'"]
-DAMAGED += ["problem = x'ff'", "passed = x'ff'"]
-
-
-@pytest.mark.parametrize("change", DAMAGED)
-def test_a_run_that_no_judge_wrote_is_left_out(change, own_history):
-    filled(own_history, runs=3)
-    changed(own_history, f"UPDATE runs SET {change} WHERE id = 2")
-    with History.open(reading=True) as history:
-        assert [run.id for run in history.runs()] == [1, 3]
-        assert history.left_out == ["run 2"]
-        with pytest.raises(HistoryError, match="run 2 is damaged; 'judge history --repair'"):
-            history.run(2)
-
-
-@pytest.mark.parametrize("packed", RESULTS, ids=range(4))
-def test_a_result_that_no_judge_wrote_is_told_in_a_line(packed, own_history):
-    filled(own_history, runs=1)
-    value = repr(packed) if type(packed) is str else f"x'{packed.hex()}'"
-    changed(own_history, f"UPDATE runs SET result = {value}")
-    with History.open(reading=True) as history, pytest.raises(HistoryError, match="run 1 is damaged"):
-        history.run(1).result  # noqa: B018
 
 
 def test_nobody_else_can_read_it(tmp_path):

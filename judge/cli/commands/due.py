@@ -12,7 +12,7 @@ from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
 from judge.kata import history as kept
-from judge.kata.review import CardReview, Memory, Review, card_reviews, reviews
+from judge.kata.review import Review, card_reviews, reviews
 from judge.problem.find import problem_folders
 from judge.report.due import card_lines, due_lines, nothing_lines
 from judge.report.screen import out
@@ -27,31 +27,33 @@ SCHEMA = 1
 def command(as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCode:
     """Say what to do again today.
 
-    A kata comes again shortly before it would be forgotten. How long that takes is worked out from your runs:
-    how many failed before one was accepted, whether you took hints or gave up, and how long ago that was.
-    Judging a file that was accepted before counts for nothing. Cards (judge quiz) come again in the same way.
+    A kata that you solve at once comes again after 1, 3, 8, 21, 60, then 180 days. If you needed failed runs
+    or hints, it goes down a step; if you did not solve it, it comes again the next day. Running an already
+    accepted file again changes nothing. Cards (judge quiz) come again in the same way.
     """
     now = kept.now().astimezone()
     with history_at(db, reading=True) as history:
         runs = history.runs()
-        found = reviews(runs, history.helps(), now)
-        cards = card_reviews(history.answers(), now)
+        found = reviews(runs, history.helps())
+        cards = card_reviews(history.answers())
     if cards:  # whoever has answered none waits for no deck
         cards = known_cards(cards, folders)
     here = {folder.name for folder in problem_folders(folders)}
-    known = [review for review in found if review.problem in here]
-    elsewhere = [review.problem for review in found if review.problem not in here]
+    known = [review for review in found if review.name in here]
+    elsewhere = [review.name for review in found if review.name not in here]
     if as_json:
+        katas = [(review, {"problem": review.name, "solved": review.solved}) for review in known]
+        asked = [(review, {"card": review.name}) for review in cards]
         write_json(
             {
                 "schema": SCHEMA,
                 "time": now.isoformat(),
-                "due": [_as_object(review) for review in known if review.is_due(now)],
-                "later": [_as_object(review) for review in known if not review.is_due(now)],
+                "due": [_as_object(*each) for each in katas if each[0].is_due(now)],
+                "later": [_as_object(*each) for each in katas if not each[0].is_due(now)],
                 "elsewhere": sorted(elsewhere),
                 "cards": {
-                    "due": [_card(review) for review in cards if review.is_due(now)],
-                    "later": [_card(review) for review in cards if not review.is_due(now)],
+                    "due": [_as_object(*each) for each in asked if each[0].is_due(now)],
+                    "later": [_as_object(*each) for each in asked if not each[0].is_due(now)],
                 },
             }
         )
@@ -64,20 +66,12 @@ def command(as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCo
     return ExitCode.ACCEPTED
 
 
-def _as_object(review: Review) -> dict[str, Any]:
-    return {"problem": review.problem, **_memory(review), "solved": review.solved}
-
-
-def _card(review: CardReview) -> dict[str, Any]:
-    return {"card": review.card, **_memory(review)}
-
-
-def _memory(memory: Memory) -> dict[str, Any]:
-    return {
-        "due": memory.due.isoformat(),
-        "last": memory.last.isoformat(),
-        "rating": memory.rating.name.lower(),
-        "sittings": memory.sittings,
-        "interval_days": memory.interval,
-        "recall": round(memory.recall, 4),
+def _as_object(review: Review, named: dict[str, Any]) -> dict[str, Any]:
+    return named | {
+        "due": review.due.isoformat(),
+        "last": review.last.isoformat(),
+        "rating": review.rating.name.lower(),
+        "sittings": review.sittings,
+        "in_a_row": review.in_a_row,
+        "interval_days": review.days,
     }

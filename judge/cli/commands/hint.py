@@ -43,7 +43,7 @@ def command(
     """
     if again + every + (step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
-    problem = problem_in_hand(name, folders, db) if name is None else problem_meant(name, "hint", folders, db)
+    problem = problem_in_hand(name, folders, db) if name is None else problem_meant(name, folders, db)
     hints = hints_of(problem)
     if again:
         chosen = [hints[_last_seen(problem, hints, db) - 1]]

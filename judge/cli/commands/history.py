@@ -14,7 +14,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode, UsageError
 from judge.kata.history import Run
 from judge.problem.find import find_problem
-from judge.report.history import history_lines, repaired_lines, restored_lines
+from judge.report.history import history_lines, restored_lines
 from judge.report.layout import line
 from judge.report.screen import out
 
@@ -43,7 +43,6 @@ _ON_SCREEN = 20  # runs, unless it is said how many
     help="Restore it to this file instead.",
 )
 @click.option("--force", is_flag=True, help="Restore it over another source.")
-@click.option("--repair", "repairs", is_flag=True, help="Take what is damaged out of the history.")
 @json_option
 @click.option("--csv", "as_csv", is_flag=True, help="Write CSV, a run a line below the columns' names.")
 @db_option
@@ -54,7 +53,6 @@ def command(
     number: int | None,
     target: Path | None,
     force: bool,
-    repairs: bool,
     as_json: bool,
     as_csv: bool,
     db: Path | None,
@@ -68,15 +66,11 @@ def command(
     With --restore, nothing is shown but where the source that a run judged is again. A file that holds
     something else by now is left as it is, unless you say --force; then you are told whether a run keeps it.
 
-    A run that is damaged is left out, and a note says so. With --repair, a history without what is damaged
-    takes the place of the old one, which is kept beside it.
+    A run that is damaged is left out, and a note says so. If the file cannot be read, it is renamed to
+    FILE.damaged-1, a new one is begun, and a note says that.
     """
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", remedy="give one of them")
-    if repairs:
-        if as_csv or limit is not None or name is not None or number is not None or target or force:
-            raise UsageError("--repair takes no other choice", remedy="leave the rest out")
-        return _repair(db, as_json=as_json)
     if number is not None:
         if as_csv or limit is not None or name is not None:
             raise UsageError(
@@ -104,22 +98,6 @@ def command(
         screen.show(history_lines(shown, screen.width, more=len(shown) < len(runs)))
     else:
         out().show([line(f"No runs yet; 'judge run {name or 'PROBLEM'} FILE' adds one.")])
-    return ExitCode.ACCEPTED
-
-
-def _repair(db: Path | None, *, as_json: bool) -> ExitCode:
-    from judge.kata.database import history_path
-    from judge.kata.repair import repair  # only who asks for it waits for it
-
-    path = history_path() if db is None else db
-    done = repair(path)
-    if as_json:
-        before = None if done.before is None else str(done.before)
-        left_out = list(done.left_out)
-        write_json({"schema": SCHEMA, "kept": done.runs, "left_out": left_out, "before": before})
-    else:
-        screen = out()
-        screen.show(repaired_lines(done.runs, done.left_out, done.before, screen.width))
     return ExitCode.ACCEPTED
 
 

@@ -19,7 +19,7 @@ from judge.kata import history as kept
 from judge.kata.quiz.cards import Card, all_cards, cards_of
 from judge.kata.quiz.choose import next_cards, next_due
 from judge.kata.quiz.sources import Sources
-from judge.kata.review import CardReview, card_reviews
+from judge.kata.review import Review, card_reviews
 from judge.kata.sets import USUAL
 from judge.report.progress import progress
 from judge.report.screen import note, out
@@ -102,7 +102,7 @@ def command(
 
             wanted = Interview(name, minutes or _MINUTES, kata, file, count, db)
             return hold(wanted, cards, asking)
-        reviews = card_reviews(history.answers(), _now())
+        reviews = card_reviews(history.answers())
         chosen = next_cards(cards, reviews, _now(), count or _COUNT, ahead=ahead or narrowed)
         if not chosen:
             _tell_nothing(cards, reviews, voice, as_json=as_json)
@@ -175,9 +175,7 @@ def _here(cards: Sequence[Card], folders: Sequence[Path], *, told: bool) -> list
     return [card for card in cards if card.problem not in missing]
 
 
-def _tell_nothing(
-    cards: Sequence[Card], reviews: Sequence[CardReview], voice: Voice, *, as_json: bool
-) -> None:
+def _tell_nothing(cards: Sequence[Card], reviews: Sequence[Review], voice: Voice, *, as_json: bool) -> None:
     if as_json:
         voice.end([], [])
         return
@@ -194,7 +192,7 @@ def _list(cards: Sequence[Card], db: Path | None, *, as_json: bool) -> ExitCode:
 
     now = _now()
     with history_at(db, reading=True) as history:
-        reviews = {review.card: review for review in card_reviews(history.answers(), now)}
+        reviews = {review.name: review for review in card_reviews(history.answers())}
     if as_json:
         for card in cards:
             write_json({"schema": SCHEMA, "event": "card", **_as_object(card, reviews.get(card.key))})
@@ -204,7 +202,7 @@ def _list(cards: Sequence[Card], db: Path | None, *, as_json: bool) -> ExitCode:
     return ExitCode.ACCEPTED
 
 
-def _as_object(card: Card, review: CardReview | None) -> dict[str, object]:
+def _as_object(card: Card, review: Review | None) -> dict[str, object]:
     """The published object of a card, without its answer; what is kept of it is null where there is none."""
     return {
         "card": card.key,

@@ -11,6 +11,7 @@ import click
 from judge.cli.allowed import growth_rule, limits_object, own_rules
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
+from judge.mistakes.told import aimed_groups
 from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.problem.find import find_problem
 from judge.report.layout import line
@@ -23,18 +24,28 @@ SCHEMA = 1
 
 @click.command("show")
 @click.argument("name", metavar="PROBLEM")
+@click.option(
+    "--groups", "listing", is_flag=True, help="What each test group shows, and the mistakes it rejects."
+)
 @json_option
 @problems_option
-def command(name: str, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
+def command(name: str, listing: bool, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
     """Show a problem: its statement, parameters and test groups.
 
-    Parameters come with their bounds, test groups with what they probe, their points and tolerances.
+    Parameters come with their bounds, test groups with what they show, their points and tolerances. With
+    --groups you see the test groups alone, each with the names of the mistakes that it rejects.
     """
     problem = find_problem(name, folders)
     if as_json:
         write_json(as_object(problem))
         return ExitCode.ACCEPTED
     screen = out()
+    if listing:
+        from judge.report.groups import group_lines
+
+        groups = aimed_groups(problem, problem.groups)
+        screen.show(group_lines(problem, groups, screen.width))
+        return ExitCode.ACCEPTED
     show_statement(problem.statement, screen)
     screen.show([line(), *detail_lines(problem, screen.width)])
     return ExitCode.ACCEPTED
@@ -54,7 +65,7 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "bands": {name: str(width) for name, width in problem.bands.items()},
         "limits": limits_object(problem.limits),
         **growth_rule(problem.growth, problem.groups),
-        "groups": [_group(group) for group in problem.groups],
+        "groups": [_group(group) for group in aimed_groups(problem, problem.groups)],
         "examples": [
             {"input": _named(problem, example.case), "answer": example.wanted} for example in problem.examples
         ],

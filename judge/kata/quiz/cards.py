@@ -158,12 +158,6 @@ def sound_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemErr
     return decks, faults
 
 
-def deck_names(extra: Sequence[Path] = ()) -> list[str]:
-    """The names of all decks; none of them is read."""
-    roots = problem_roots(extra)
-    return sorted({path.stem for root in roots for path in (root / _FOLDER).glob("*.toml")})
-
-
 def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> list[Card]:
     """The cards of a practice set, or of a deck. Raises UsageError where nothing is called so."""
     from judge.kata.sets import USUAL

@@ -6,26 +6,26 @@ from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 
 from judge.kata.quiz.cards import Card
-from judge.kata.review import CardReview
+from judge.kata.review import Review
 
 REPEATED = ("count", "first-hit", "order", "tags", "spot")  # forms with something new each time
 
 
-def due_cards(cards: Iterable[Card], reviews: Iterable[CardReview], now: datetime) -> list[Card]:
+def due_cards(cards: Iterable[Card], reviews: Iterable[Review], now: datetime) -> list[Card]:
     """The cards that are due, the longest overdue first."""
     named = {card.key: card for card in cards}
-    found = [review for review in reviews if review.card in named and review.is_due(now)]
-    return [named[review.card] for review in sorted(found, key=lambda review: (review.due, review.card))]
+    found = [review for review in reviews if review.name in named and review.is_due(now)]
+    return [named[review.name] for review in sorted(found, key=lambda review: (review.due, review.name))]
 
 
-def new_cards(cards: Iterable[Card], reviews: Iterable[CardReview]) -> list[Card]:
+def new_cards(cards: Iterable[Card], reviews: Iterable[Review]) -> list[Card]:
     """The cards that were never answered, in their order."""
-    known = {review.card for review in reviews}
+    known = {review.name for review in reviews}
     return [card for card in cards if card.key not in known]
 
 
 def next_cards(
-    cards: Sequence[Card], reviews: Sequence[CardReview], now: datetime, count: int, *, ahead: bool = False
+    cards: Sequence[Card], reviews: Sequence[Review], now: datetime, count: int, *, ahead: bool = False
 ) -> list[Card]:
     """So many cards at most: what is due, then new ones; `ahead` takes the others too, the next due first.
 
@@ -33,7 +33,7 @@ def next_cards(
     """
     found = [*due_cards(cards, reviews, now), *new_cards(cards, reviews)]
     if ahead:
-        dates: Mapping[str, datetime] = {review.card: review.due for review in reviews}
+        dates: Mapping[str, datetime] = {review.name: review.due for review in reviews}
         later = [card for card in cards if card not in found]
         found += sorted(later, key=lambda card: dates[card.key])
         again = [card for card in found if card.form in REPEATED]
@@ -42,10 +42,10 @@ def next_cards(
     return found[:count]
 
 
-def next_due(cards: Iterable[Card], reviews: Iterable[CardReview]) -> datetime | None:
+def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:
     """When the next of these cards is due."""
     keys = {card.key for card in cards}
-    return min((review.due for review in reviews if review.card in keys), default=None)
+    return min((review.due for review in reviews if review.name in keys), default=None)
 
 
 def rising(cards: Sequence[Card], count: int, tiers: Sequence[str]) -> list[Card]:

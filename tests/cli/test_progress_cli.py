@@ -1,22 +1,17 @@
-"""`judge practice`, `judge progress` and `judge due` after weeks of runs, which are kept here, not judged.
-
-What they show of a first kata is in the transcripts of `practice/`.
-"""
+"""`judge progress` and `judge due` after weeks of runs, which are kept here, not judged."""
 
 from __future__ import annotations
 
 import json
 import shutil
 from datetime import UTC, datetime, timedelta
-from pathlib import Path
 
 import pytest
-from cli_support import MEAN, ROOT
+from cli_support import ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
 from judge.kata.sets import find_set
-from judge.kata.stub import file_name
 from judge.problem import Verdict
 from judge.problem.find import all_problems, find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
@@ -67,64 +62,14 @@ def passed(*problems, without=(), mistake=None, when=None):
             history.add(result, source, "/a.py")
 
 
-def current():
-    with History.open(reading=True) as history:
-        return history.current()
-
-
-# -- judge practice ---------------------------------------------------------------------------------------
-
-
-def test_it_takes_up_the_first_that_is_not_passed(judge):
-    first, second, third = [each.id for each in find_set("path").problems][:3]
-    passed(first)
-    judge("practice")
-    assert current().problem == second
-    passed(second)
-    assert current().problem == second, "nothing moves on by itself"
-    judge("practice")
-    assert current().problem == third
-    assert Path(file_name(find_problem(third))).is_file()
-
-
-def test_a_kata_of_the_set_that_is_in_hand_stays_in_hand(judge, tmp_path):
-    (tmp_path / "my-ray.py").write_text(MEAN)
-    with History.open() as history:
-        history.take_up("ray-nearest", str(tmp_path / "my-ray.py"))
-    found = json.loads(judge("practice", "--json").out)
-    assert found["current"] == {"problem": "ray-nearest", "file": "my-ray.py", "new": False}
-    judge("practice", "junior")  # which does not hold it
-    assert current().problem == find_set("junior").problems[0].id
-
-
-def test_a_folder_where_no_file_can_be_begun(judge, own_pack, tmp_path):
-    (tmp_path / "middle.py").symlink_to("/proc/none/middle.py")
-    ended = judge("practice", "means")
-    assert (ended.status, ended.err.count("\n")) == (2, 1)
-    assert current() is None
-
-
-def test_practice_shows_what_is_near(judge):
-    passed("distance-squared", "which-side", "csg")
-    passed("adaptive", without=("examples",))
-    shown = judge("practice")
-    rows = [line.split()[0] for line in shown.lines if " new" in line or "tried" in line]
-    assert rows[0] == "circle-side"
-    assert (len(rows), rows[-1]) == (9, "adaptive")
-    assert "  passed  distance-squared, which-side, csg" in shown.lines
-    count = len(find_set("path").problems) - 3 - 9
-    assert f"  later   {count} more katas; judge list has them all" in shown.lines
-    assert len(shown.lines) <= 23
+# -- judge progress ---------------------------------------------------------------------------------------
 
 
 def test_the_shipped_solutions_are_nobodys_progress(judge):
     solution = next((ROOT / "solutions" / "which-side" / "accepted").glob("*.py"))
     assert judge("run", "-q", "which-side", solution).status == 0
-    assert f"0 of {len(find_set('path').problems)} passed" in judge("practice").out
+    assert "0 of 6" in judge("progress").out
     assert "which-side" in judge("history").out
-
-
-# -- judge progress ---------------------------------------------------------------------------------------
 
 
 def test_the_checklist(judge, own_pack):
@@ -194,17 +139,16 @@ def test_what_is_due(judge, monkeypatch):
     shown = judge("due")
     assert shown.lines[0] == "Nothing today."
     assert shown.lines[4].split()[:4] == ["count", "in", "1", "day"]
-    monkeypatch.setattr(kept, "now", lambda: START + timedelta(days=3))
+    monkeypatch.setattr(kept, "now", lambda: START + timedelta(days=2, hours=1))
     shown = judge("due")
     assert shown.lines[0] == "Today  1 kata"
-    assert shown.lines[2].split()[:4] == ["count", "2", "days", "ago"]
-    assert "never passed" in shown.lines[2]
-    assert "  next  judge init count count_0304.py" in shown.lines
+    assert shown.lines[2].split()[:4] == ["count", "1", "day", "ago"]
+    assert "never solved: after 1 day" in shown.lines[2]
+    assert "  next  judge init count count_0303.py" in shown.lines
     found = json.loads(judge("due", "--json").out)
     assert [review["problem"] for review in found["due"]] == ["count"]
     assert [review["problem"] for review in found["later"]] == ["middle"]
     assert found["due"][0]["rating"] == "again"
-    assert 0 < found["due"][0]["recall"] < 1
 
 
 def test_a_kata_that_cannot_be_found_from_here(judge, monkeypatch):
