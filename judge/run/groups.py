@@ -91,7 +91,7 @@ class _Progress:
     def _broken_down(self, breakdown: Breakdown, replies: Replies) -> None:
         group = self.group
         if breakdown.verdict is Verdict.WA:
-            group.failed_whole(breakdown.verdict, breakdown.detail)
+            group.failed_whole(breakdown.verdict, breakdown.detail + breakdown.so_far)
         if group.failure is not None:  # a wrong line says more than what came of the run afterwards
             return
         culprit = self._culprit(replies)

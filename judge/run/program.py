@@ -161,7 +161,7 @@ def _replies(result: ProgramResult, count: int) -> Replies:
     breakdown = _breakdown(result, lines, count)
     told_apart = breakdown is None or breakdown.verdict is not Verdict.WA  # which line is which case's answer
     return Replies(
-        [Reply(Stop.ANSWERED, line) for line in lines] if told_apart else [],
+        [Reply(Stop.ANSWERED, line) for line in lines[:count]] if told_apart else [],
         result.usage,
         result.stop,
         result.stop not in _OWN_ENDS,
@@ -178,8 +178,11 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
         what = f"{_counted(len(lines), 'line')} printed, {count} expected: one for each case"
         if not all(line.strip(" \t") for line in lines):
             what += ", and no blank lines between"
-        got = f"more lines: {lines[count][:SHOWN]!r}" if len(lines) > count else "no line"
-        return Breakdown(Verdict.WA, what, 0, got)
+        if len(lines) < count:
+            return Breakdown(Verdict.WA, what, 0, "no line")
+        surplus = repr(lines[count][:SHOWN])
+        last = f"; the last is {surplus}" if len(lines) == count + 1 else ""
+        return Breakdown(Verdict.WA, what, 0, f"more lines: {surplus}", last)
     if complete:
         return None
     so_far = f", after {_counted(len(lines), 'line')} of {count}"

@@ -27,6 +27,7 @@ import time
 from judge.sandbox.inside import again, child, unseen, wire
 from judge.sandbox.inside.confine import Confinement
 from judge.sandbox.inside.series import Series
+from judge.sandbox.inside.source import sealed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,17 +55,17 @@ def start(
     channel: int, memory: int, config: dict[str, Any], source: bytes, kind: type[Server] | None = None
 ) -> NoReturn:
     """Confine this process, say so, and serve until the judge hangs up, as a server of that kind."""
+    config["source"] = sealed(source)
     line = wire.Channel(_socket.socket(fileno=channel))
     region = wire.Region(memory)
     os.close(memory)
     try:
         sys.path[:] = config["path"]
         _fill_finders()
-        config["source"] = _sealed(source)
         confinement = Confinement(config)
         _look_around(region, line, config)
-        builtins.exit = _sitebuiltins.Quitter("exit", "Ctrl-D")  # -S leaves them out
-        builtins.quit = _sitebuiltins.Quitter("quit", "Ctrl-D")
+        for word in ("exit", "quit"):  # -S leaves them out
+            setattr(builtins, word, _sitebuiltins.Quitter(word, "Ctrl-D"))
         for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
             del sys.modules[name]
     except (OSError, ValueError, LookupError) as error:
@@ -95,20 +96,6 @@ def _fill_finders() -> None:
                 entries.discard("judge")  # where it lies among the modules that may be imported
 
 
-def _sealed(source: bytes) -> list[int]:
-    """The descriptor of a nameless file that holds the source and that nobody can change; none elsewhere."""
-    if sys.platform != "linux":
-        return []
-    import fcntl
-
-    number = os.memfd_create("source", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-    with open(number, "wb", closefd=False) as file:
-        file.write(source)
-    seals = fcntl.F_SEAL_SEAL | fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_WRITE
-    fcntl.fcntl(number, fcntl.F_ADD_SEALS, seals)
-    return [number]
-
-
 class Server:
     """The state of one fork server: the compiled source and what an idle child costs."""
 
@@ -123,8 +110,7 @@ class Server:
         self._line = line
         self._region = region
         self._confinement = confinement
-        self._source = source
-        self._own_source: list[int] = config["source"]
+        self._source, self._own_source = source, config["source"]
         self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
         self._code: CodeType | None = None
@@ -390,8 +376,7 @@ def _drain(number: int) -> None:
 def _kill_all(group: int) -> None:
     """Kill what is left of a child's group and every process that has become ours."""
     me = os.getpid()
-    targets = [-1] if me == 1 else [-group, *_children_of(me)]
-    for target in targets:
+    for target in [-1] if me == 1 else [-group, *_children_of(me)]:
         try:
             os.kill(target, signal.SIGKILL)
         except (ProcessLookupError, PermissionError):
