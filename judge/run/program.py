@@ -176,13 +176,14 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
         return Breakdown(VERDICTS[result.stop], result.detail, 0)
     if len(lines) > count or (complete and len(lines) < count):
         what = f"{_counted(len(lines), 'line')} printed, {count} expected: one for each case"
-        if not all(line.strip(" \t") for line in lines):
-            what += ", and no blank lines between"
         if len(lines) < count:
             return Breakdown(Verdict.WA, what, 0, "no line")
-        surplus = repr(lines[count][:SHOWN])
-        last = f"; the last is {surplus}" if len(lines) == count + 1 else ""
-        return Breakdown(Verdict.WA, what, 0, f"more lines: {surplus}", last)
+        surplus, hint = repr(lines[count][:SHOWN]), ""
+        if not all(line.strip(" \t") for line in lines):
+            hint = ", and no blank lines between"
+        elif len(lines) == count + 1:
+            hint = f"; the last is {surplus}"
+        return Breakdown(Verdict.WA, what, 0, f"more lines: {surplus}", so_far=hint)
     if complete:
         return None
     so_far = f", after {_counted(len(lines), 'line')} of {count}"
