@@ -18,6 +18,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import skips
 
 _OWN = "JUDGE_DB"
 _LEFT = re.compile(r"judge-(tests|suite|attacked|home)-\w{8}")  # folders that tests make and take away
@@ -26,8 +27,10 @@ _SLOW = ("security", "packaging", "mutation", "fuzz")
 _A_DAY = 24 * 3600  # longer than any run of the tests
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """Let the processes that tests start hear Ctrl-C where we do not, in the background or under nohup."""
+    if "SKIPPED" in os.environ:
+        config.pluginmanager.register(skips)
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited; we stay as we were
 
