@@ -47,13 +47,7 @@ def folders() -> list[Path]:
 
 def is_described(language: str) -> bool:
     """Whether there is a language of that id; none is read for that."""
-    if not language.isidentifier():
-        return False
-    if any((each / f"{language}.toml").is_file() for each in folders()):
-        return True
-    from judge.languages.installed import installed_folders  # slow, and hardly ever needed
-
-    return any((each / f"{language}.toml").is_file() for each in installed_folders())
+    return language.isidentifier() and any((each / f"{language}.toml").is_file() for each in folders())
 
 
 def described() -> list[str]:

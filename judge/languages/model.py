@@ -11,7 +11,6 @@ or one of the places that the sandbox fills in when it knows them.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Annotated
@@ -125,45 +124,27 @@ class Language(
 
 
 @cache
-def near_languages() -> tuple[Language, ...]:
-    """The judge's own languages and those of `$JUDGE_LANGUAGES`, the usual order first.
+def languages() -> tuple[Language, ...]:
+    """The judge's own languages and those of `$JUDGE_LANGUAGES`; of two with one id the later counts.
 
     Raises JudgeError for a broken description.
     """
-    return _sorted(folders())
-
-
-@cache
-def languages() -> tuple[Language, ...]:
-    """Those, and the languages that other distributions install. Raises JudgeError as `near_languages`."""
-    from judge.languages.installed import installed_folders  # it asks for what is installed, which is slow
-
-    return _sorted([*installed_folders(), *folders()])
+    found = {language.id: language for folder in folders() for language in _read_all(folder)}
+    return tuple(sorted(found.values(), key=lambda each: (each.order, each.id)))
 
 
 def language_of_file(name: str) -> Language | None:
-    """The language whose suffix ends that name; what is installed is asked where no near one has it."""
-    for known in (near_languages, languages):
-        for each in known():
-            if name.endswith(each.suffixes):
-                return each
-    return None
+    """The language whose suffix ends that name."""
+    return next((each for each in languages() if name.endswith(each.suffixes)), None)
 
 
 def language_called(name: str) -> Language | None:
     """The language of that name or id, however it is capitalised; also by its suffix, with or without dot."""
     word = name.casefold()
-    for known in (near_languages, languages):
-        for each in known():
-            if word in (each.id, each.name.casefold()) or f".{word.lstrip('.')}" in each.suffixes:
-                return each
+    for each in languages():
+        if word in (each.id, each.name.casefold()) or f".{word.lstrip('.')}" in each.suffixes:
+            return each
     return None
-
-
-def _sorted(places: Sequence[Path]) -> tuple[Language, ...]:
-    """The languages of all folders; of two with one id the later one counts."""
-    found = {language.id: language for folder in places for language in _read_all(folder)}
-    return tuple(sorted(found.values(), key=lambda each: (each.order, each.id)))
 
 
 def named_language(name: str) -> Language | None:
@@ -182,7 +163,7 @@ def named_language(name: str) -> Language | None:
 def _read_all(folder: Path) -> list[Language]:
     paths = sorted(folder.glob("*.toml"))
     if not paths:
-        remedy = f"correct ${VARIABLE}, or uninstall what brought the folder"
+        remedy = f"correct ${VARIABLE}"
         raise JudgeError("no language is described here", where=str(folder), remedy=remedy)
     return [_read(path) for path in paths]
 
