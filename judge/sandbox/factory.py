@@ -91,8 +91,10 @@ class Boxes:
             UsageError: it was demanded, or was found here before.
             JudgeError: it was had in this command, or there is none below it.
         """
-        from judge.sandbox import probe
+        from judge.sandbox import launch, probe
 
+        if level == "full" and launch.bind_proc(reason):
+            return level
         if level in self._had:
             raise JudgeError(
                 f"isolation {level} was had and is now refused: {reason}", remedy=probe.remedy(level, reason)

@@ -40,6 +40,7 @@ _STREAMS = {  # as every Linux has them
     "/dev/stdout": "/proc/self/fd/1",
     "/dev/stderr": "/proc/self/fd/2",
 }
+_proc = ["--proc"]  # of the box's own processes alone
 _UIDS = 0x7000_0000  # where no real user lives
 _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PYTHONHASHSEED
 
@@ -135,6 +136,17 @@ def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, .
     return ((), ()) if level == "limits" else (roots.unseen, roots.searched)
 
 
+def bind_proc(refusal: str) -> bool:
+    """Whether `full` may be tried again, from now on with this machine's /proc.
+
+    So it is where a container around the judge lets nobody mount one.
+    """
+    if "Can't mount proc" not in refusal or _proc != ["--proc"]:
+        return False
+    _proc[:] = ["--ro-bind", "/proc"]
+    return True
+
+
 def bubblewrap_path() -> str | None:
     """Where bubblewrap is installed."""
     for folder in os.get_exec_path():
@@ -171,7 +183,7 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     arguments += _parents("/dev/null", made)
     for device in ("/dev/null", _RANDOM) if place is None or place.random else ("/dev/null",):
         arguments += ["--dev-bind", device, device]
-    arguments += ["--proc", "/proc"]  # of the box's own processes; landlock lets nobody list or read it
+    arguments += [*_proc, "/proc"]  # landlock lets nobody list or read it
     for name, target in _STREAMS.items():
         arguments += ["--symlink", target, name]
     for name, folder in place.shown if place else ():
