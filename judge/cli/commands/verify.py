@@ -45,13 +45,10 @@ def command(
     ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
     made. Without a name: all problems of the folders that --problems gives, or of all there are.
 
-    That there are cases of every kind: numbers in ints, in floats and mixed, and whatever the topic says that
-    the answers turn on, from either side and at the edges of the bands. A wrong program that fewer than five
-    cases reject is a warning.
+    A wrong program that fewer than five cases reject is a warning.
 
-    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
-    groups that are the only ones to reject no program; a small set of cases that rejects all programs;
-    and how many cases there are of every kind.
+    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; and the
+    groups that are the only ones to reject no program.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
