@@ -15,7 +15,7 @@ from judge.batch import work
 from judge.batch.model import Done, Handin, Standard, Task
 from judge.batch.plan import planned
 from judge.batch.run import ground_of, learnt
-from judge.batch.standard import differing, level_here, standard_of
+from judge.batch.standard import level_here, standard_of
 from judge.batch.work import fault_done, judge_task, learn_task
 from judge.errors import UsageError
 from judge.judging.executors import Here
@@ -75,25 +75,6 @@ def test_what_is_not_known_yet_is_learnt_once_before_the_work(tmp_path, monkeypa
     work.release()
 
 
-def test_what_a_problem_needs_is_kept_for_a_few_problems(task, monkeypatch):
-    monkeypatch.setattr(work, "_WARM", 2)
-    benches = work._Benches()
-    others = [replace(task, folders=(*task.folders, str(PACK.parent))[: 1 + at]) for at in range(2)]
-    sessions = [benches.session(each) for each in others]
-    assert benches.session(others[0]) is sessions[0]
-    ended = []
-    monkeypatch.setattr(type(sessions[0]), "__exit__", lambda session, *exc: ended.append(session))
-    third = replace(task, terms=msgspec.json.encode(Terms(timed=False)).decode(), standard="{}")
-    with pytest.raises(msgspec.ValidationError):  # nothing is ended for what cannot be opened
-        benches.session(third)
-    assert ended == []
-    empty = msgspec.json.encode(Standard("", "", "", "", "")).decode()
-    benches.session(replace(third, standard=empty))
-    assert ended == [sessions[1]]
-    benches.close()
-    assert len(ended) == 3
-
-
 @pytest.mark.parametrize(
     ("part", "words"),
     [
@@ -110,13 +91,6 @@ def test_another_standard_is_refused_in_one_line(task, part, words):
     assert words in str(refused.value)
     assert "\n" not in str(refused.value)
     assert "middle on " in str(refused.value)
-
-
-def test_standards_that_agree_differ_in_nothing():
-    one = Standard("1", "2", "3", "full", "5")
-    assert differing(one, one) == ""
-    assert differing(one, replace(one, isolation="")) == ""
-    assert differing(one, replace(one, isolation="strong")) == "the isolation (full → strong)"
 
 
 def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):

@@ -77,20 +77,7 @@ def test_pins_notice_drift_new_groups_and_old_ones(copy):
     ]
 
 
-def test_a_hash_covers_cases_and_targets():
-    groups = load_data(load_problem(SOUND), cache=False).groups
-    small = groups[1]
-    hashes = {hash_of(small)}
-    small.cases.reverse()
-    hashes.add(hash_of(small))
-    small.targets.pop()
-    hashes.add(hash_of(small))
-    assert len(hashes) == 3
-
-
-@pytest.mark.parametrize(
-    "text", ["", "[]", '{"schema": 2, "groups": {}}', '{"schema": 1, "groups": {"a": 1}}']
-)
+@pytest.mark.parametrize("text", ["", '{"schema": 1, "groups": {"a": 1}}'])
 def test_a_broken_file_of_pins_is_a_fault(copy, text):
     (copy / "hashes.json").write_text(text)
     with pytest.raises(ProblemError, match=r"^root-count/hashes.json: .*judge verify root-count --pin"):
@@ -122,7 +109,6 @@ def test_a_valid_case_has_no_fault():
         ((float("nan"), 1, (1, 1), (1, 1)), "p0 has nan, which is not finite"),
         ((1, 1.0, (1, 1), (1, 1)), "p1 has the float 1.0 where an int is meant"),
         ((1, 1, [1, 1], (1, 1)), "p2 must be a pair of numbers, not [1, 1]"),
-        ((1, 1, (1, 1, 1), (1, 1)), "p2 must be a pair of numbers, not (1, 1, 1)"),
         ((1, 1, (1, float("inf")), (1, 1)), "p2 has inf, which is not finite"),
         ((1, 1, (1, 1), (1, 1.5)), "p3 has the float 1.5 where an int is meant"),
         ((5.500000000000001, 1, (1, 1), (1, 1)), "p0 has 5.500000000000001, outside -5 to 11/2"),
