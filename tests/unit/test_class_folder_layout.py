@@ -126,33 +126,25 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
     assert all(each.source == b"" for each in found(place).handins if each.why)
 
 
-def test_a_file_that_may_not_be_read_is_a_row(place, monkeypatch):
-    write(place, "ada/middle.py")
-
-    def refused(*_):
-        raise PermissionError(13, "Permission denied")
-
-    monkeypatch.setattr(folder_module, "read_inside", refused)
-    (only,) = found(place).handins
-    assert (only.problem, only.why) == ("middle", "cannot be read (permission denied)")
-
-
-def test_a_folder_that_may_not_be_read_is_named_with_the_reason(place, monkeypatch):
-    """As it is for a plain user: the superuser, who may test here too, may read everything."""
+def test_a_file_or_a_folder_that_may_not_be_read_is_named_with_the_reason(place, monkeypatch):
     write(place, "ada/middle.py", "ada/locked/root_count.py")
     own = os.scandir
 
-    def scanned(path):
-        if str(path).endswith("locked"):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        return own(path)
+    def refused(path, *_):
+        if not isinstance(path, str | Path) or not str(path).endswith("locked"):
+            return own(path)
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr(os, "scandir", scanned)
+    def unread(*_):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(os, "scandir", refused)
+    monkeypatch.setattr(folder_module, "read_inside", unread)
     seen = found(place)
+    (only,) = seen.handins
+    assert (only.problem, only.why) == ("middle", "cannot be read (permission denied)")
     (left_out,) = seen.unplaced
     assert (left_out.file, left_out.why) == ("ada/locked", "this folder cannot be read (permission denied)")
-    assert [each.file for each in seen.handins] == ["ada/middle.py"]
-    assert seen.others == ()
 
 
 def test_names_that_are_no_text_are_made_legible(place):
@@ -191,9 +183,7 @@ def students(tmp_path, content):
 @pytest.mark.parametrize(
     "content",
     [
-        "id,name,group\nada,Ada L,a\nbob,Bob,\n",
         "\ufeffid;name;group\r\nada;Ada L;a\r\n\r\nbob;Bob;\r\n",
-        "Name\tID\tgroup\nAda L\tada\ta\nBob\tbob\n",
         "sep=;\r\nid;name;group\r\nada;Ada L;a\r\nbob;Bob;\r\n",
         '"sep=\t"\nid\tname\tgroup\nada\tAda L\ta\nbob\tBob\t\n',
         '\n"id","Name","Group"\n"ada","Ada L","a"\nbob,Bob\n,,\n',

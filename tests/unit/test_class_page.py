@@ -54,33 +54,6 @@ def test_the_table(html):
     assert text(lines[6]).startswith("zoe not on the list")
 
 
-def test_the_cohort_and_a_case_of_each_mistake(html):
-    count = section(html, "problem-2")
-    assert "4 of 6 handed in, 1 accepted" in text(count)
-    assert "forgotten-abs Bob\\x1b[31m, =HYPERLINK(1) 2 of 4" in text(count)
-    assert 'width="50.00%"' in count
-    assert count.count("<article") == 2
-    assert "Take its absolute value." in count
-    assert "wanted 1 got 2" in text(count)
-    assert '<figure class="drawing">' in count
-    segment = section(html, "problem-1")
-    assert segment.count("<article") == 3
-    assert "Wrong answer in grid" in segment
-    assert "<figure" not in segment  # nothing is known of this problem
-
-
-def test_who_needs_a_word_what_is_equal_and_where_it_was_judged(html):
-    people = text(section(html, "people"))
-    assert "count , forgotten-abs: Bob" in people
-    assert "Nothing handed in: 1" in people
-    equal = text(section(html, "equal"))
-    assert "count , identical after removing names, spacing and comments: Bob" in equal
-    assert "Short solutions are often alike" in equal
-    machines = text(section(html, "machines"))
-    assert "box full 8 lab strong 1" in machines
-    assert "its time was measured on a loaded machine: busy" in machines
-
-
 def test_the_same_class_gives_the_same_page(html):
     assert page(small_class()).decode() == html
     assert is_class_page(html.encode()[:2000])
@@ -109,7 +82,7 @@ def test_markup_is_text(hostile):
     assert not re.findall(r'(?:src|href)="(?!#)', html)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_smallest_case_of_one_hand_in_of_each_mistake():
     middle = find_problem("count")
     source = b"def line_count(cx, cy, r, A, B):\n    return 2\n"

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from decimal import Context, localcontext
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from judging import make_data
-from sampling import nightly
 
 from judge.data.load import load_data
 from judge.mistakes import computed as module
 from judge.mistakes.computed import Computer, Program, computed
 from judge.mistakes.makers import read_makers
 from judge.problem.find import find_problem
+from judge.problem.load import load_problem
 from judge.sandbox.encode import encode
 from judge.values import parse
 from judge.values.rightness import is_right, wrong_outline
 
+GROWTH = Path(__file__).parents[1] / "fixtures" / "growth" / "problems"
 RIGHT = "def answer(n, P):\n    return int(n + P[0] + P[1])\n"
 
 
@@ -66,16 +68,15 @@ def test_answers_of_other_types_are_others():
     ]  # fmt: skip
 
 
-@pytest.mark.slow
 def test_a_program_that_changes_its_lists_changes_no_other_ones():
-    data = load_data(find_problem("enter-exit"))
-    spoils = b"def all_hits(circles, O, D):\n    circles.clear()\n    return []\n"
-    keeps = b"def all_hits(circles, O, D):\n    return [(0.5, len(circles), 'touch')]\n"
+    data = load_data(load_problem(GROWTH / "inversions"))
+    spoils = b"def inversions(numbers):\n    numbers.clear()\n    return []\n"
+    keeps = b"def inversions(numbers):\n    return 10**9 + len(numbers)\n"
     computer = Computer(data)
     alone = Computer(data).behaviour(Program(keeps, "keeps"))
     computer.behaviour(Program(spoils, "spoils"))
     assert computer.behaviour(Program(keeps, "keeps")) == alone
-    assert all(outline[1][1] > 0 for each in alone.values() for outline in each.wrong.values())
+    assert all(values[0] > 10**9 for _, values in alone["few"].wrong.values())
 
 
 def test_a_callers_precision_changes_no_answer():
@@ -97,10 +98,9 @@ def test_some_cases_alone_are_answered_as_among_all():
     assert {*raising["one"].wrong.values()} == {("raised ZeroDivisionError", ())}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["crossings", nightly("count"), nightly("exact-segment")])
-def test_mistakes_of_a_kata_answer_as_each_does_by_itself(name):
-    problem = find_problem(name)
+@pytest.mark.nightly
+def test_mistakes_of_a_kata_answer_as_each_does_by_itself():
+    problem = find_problem("crossings")
     data = load_data(problem)
     computer = Computer(data)
     for maker in [each for each in read_makers(problem).all if each.program.trusted][::7]:
@@ -137,6 +137,3 @@ def test_the_outline_is_that_of_an_answer_that_is_not_right(text):
         raw = encode(value)
         wanted = None if is_right(type_, raw, target, exact) else type_.outline(raw)
         assert wrong_outline(type_, raw, target, exact) == wanted, value
-
-
-# -- in one container: alike there and here to the bit, or judged by themselves --------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import MappingProxyType
 
 import pytest
-from foreign_boxes import START, Paper, raced
+from foreign_boxes import Paper, raced
 from judging import make_data
 
 from judge.errors import JudgeError
@@ -35,7 +35,7 @@ def race(mine, reference=None, rule=RULE, **more):
     return raced(make_data("one"), rule, mine, {"reference.go": reference or Paper(steady())}, **more)
 
 
-@pytest.mark.parametrize("start", [0.0, START, 0.5])
+@pytest.mark.parametrize("start", [0.0, 0.5])
 @pytest.mark.parametrize("cost", [steady, warming])
 def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, start):
     reference = Paper(cost(), start=start)
@@ -44,11 +44,6 @@ def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, s
     assert (decision.too_slow, decision.borderline, run.verdict) == (False, False, Verdict.AC)
     assert cost()(max(reference.runs)) >= LONG_SECONDS
     assert (decision.against.language, decision.against.why) == ("Go", "")
-
-
-def test_a_start_that_has_changed_since_it_was_first_measured_does_no_harm():
-    decision, _ = race(Paper(steady(3), start=0.2), Paper(steady(), start=0.2))
-    assert decision.ratio.median == pytest.approx(3.0, abs=0.01)
 
 
 @pytest.mark.parametrize(("factor", "too_slow"), [(0.1, False), (7.9, False), (14, True), (1000, True)])
@@ -72,13 +67,6 @@ def test_long_answers_have_room_in_every_pass():
     wrote = max(reference.runs) * len(run.cases) * width
     assert wrote > 2 * data.problem.limits.output_bytes
     assert decision.ratio.median == pytest.approx(2.0, abs=0.1)
-
-
-def test_a_slow_one_makes_fewer_passes():
-    mine = Paper(steady(100))
-    decision, _ = race(mine)
-    assert decision.too_slow
-    assert max(mine.runs) * 100 * ONE < 3
 
 
 @pytest.mark.parametrize("first", [0.1, 0.4, 0.9])

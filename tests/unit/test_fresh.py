@@ -29,21 +29,13 @@ def cases(source, series):
     return [(each.round, each.data.group.name, each.data.cases) for each in islice(source.series(), series)]
 
 
-def test_a_seed_stands_for_its_cases():
-    assert cases(fresh("count", 5), 20) == cases(fresh("count", 5), 20)
-    assert cases(fresh("count", 5), 1) != cases(fresh("count", 6), 1)
-
-
 def test_the_groups_take_turns_and_every_round_is_new():
     names = [each.name for each in find_problem("count").groups if each.builder != EXAMPLES]
     found = cases(fresh("count"), 2 * len(names))
+    assert found[:3] == cases(fresh("count"), 3)
+    assert found[:1] != cases(fresh("count", 6), 1)
     assert [(number, name) for number, name, _ in found] == [(n, name) for n in (1, 2) for name in names]
     assert found[1][2] != found[1 + len(names)][2]
-
-
-def test_a_groups_cases_do_not_depend_on_which_groups_are_wanted():
-    alone = cases(fresh("count", groups=["tangent"]), 1)
-    assert alone[0] in cases(fresh("count"), 19)
 
 
 def test_the_examples_have_no_fresh_ones():
@@ -51,9 +43,7 @@ def test_the_examples_have_no_fresh_ones():
         fresh("count", groups=["examples"])
 
 
-@pytest.mark.parametrize(
-    ("name", "group"), [("segment", "short"), ("exact-count", "just-hit"), ("count", "near-hit")]
-)
+@pytest.mark.parametrize(("name", "group"), [("count", "near-hit")])
 def test_the_choices_of_a_case_make_it_again_also_where_attempts_were_rejected(name, group):
     source = fresh(name, groups=[group])
     _, series = islice(source.series(), 2)

@@ -140,28 +140,6 @@ def test_only_what_is_near_its_limit_is_run_again():
     assert not grown.too_steep
 
 
-def test_the_published_form():
-    growth = grow(law(1.9), SLOPE).growth
-    assert growth.as_json() == {
-        "exponent": pytest.approx(1.9),
-        "reference": pytest.approx(1.2),
-        "slope": SLOPE,
-        "groups": ["n-2000", "n-8000", "n-32000"],
-        "pairs": 2,
-        "borderline": False,
-        "points": [
-            {
-                "group": f"n-{size}",
-                "size": size,
-                "cpu_seconds": pytest.approx(0.02 * (size / 2000) ** 1.9),
-                "reference_seconds": pytest.approx(0.02 * (size / 2000) ** 1.2),
-                "ended": True,
-            }
-            for size in SIZES
-        ],
-    }
-
-
 def test_turns_that_say_little():
     grown = grow([course(2_000, 0.02, 0.02), course(8_000, None, 0.08)], SLOPE)  # one does not end well
     assert (grown.growth, grown.too_steep, grown.decisions) == (None, False, {})

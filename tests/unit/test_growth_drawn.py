@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -12,16 +11,12 @@ from msgspec.structs import replace
 from past_runs import StoppedClock, past_result
 
 from judge.data import load_data
-from judge.drawing.braille import to_braille
-from judge.drawing.svg import to_svg
 from judge.errors import UsageError
 from judge.kata.history import History
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
-from judge.report.growth import growth_picture
 from judge.report.page.growth import growth_plot
-from judge.report.problems import detail_lines
 from judge.run.execute import run_submission
 from judge.run.reference import check_needs
 from judge.run.result import Growth, GrowthPoint, Timing
@@ -32,29 +27,6 @@ POINTS = (
     GrowthPoint("n-8000", 8_000, 4.0, 0.16, ended=False),
 )
 GROWTH = Growth(2.0, 1.0, 0.4, ("n-500", "n-2000"), 2, points=POINTS)
-
-
-def test_a_law_is_a_straight_line_that_ends_higher_the_steeper_it_is():
-    picture = growth_picture(GROWTH, "Nearest of many")
-    reference, own = (
-        [mark.at for mark in picture.whole.marks if mark.text in words]
-        for words in ({"10 ms", "40 ms", "160 ms"}, {"20 ms", "320 ms", "stopped after 4.00 s"})
-    )
-    slopes = [(y2 - y1) / (x2 - x1) for (x1, y1), (x2, y2) in pairwise(reference)]
-    assert slopes[0] == pytest.approx(slopes[1])
-    assert [x for x, _ in own] == [x for x, _ in reference]
-    assert all(mine[1] > theirs[1] for mine, theirs in zip(own, reference, strict=True))
-    assert "it grows like n^2.0, the reference like n^1.0" in picture.description
-    rows = ["".join(piece.text for piece in row) for row in to_braille(picture)]
-    assert (sum(row.count("x") for row in rows[1:-1]), sum(row.count("o") for row in rows[1:-1])) == (3, 3)
-    assert rows[-1] == "o reference  x yours  * both"
-    svg = to_svg(picture)
-    assert "stopped after 4.00 s" in svg
-    assert ">reference</text>" in svg
-
-
-def test_one_size_shows_no_growth():
-    assert growth_picture(replace(GROWTH, points=POINTS[:1]), "") is None
 
 
 @pytest.fixture
@@ -134,9 +106,3 @@ def check_too_steep(result):
 @pytest.mark.parametrize("name", ["nearest", "beams"])
 def test_the_naive_loop_is_too_slow_by_how_it_grows(name, judged):
     check_too_steep(judged(name, (ROOT / "solutions" / name / "slow" / "quadratic.py").read_bytes()))
-
-
-def test_a_kata_is_shown_with_its_rule():
-    lines = ["".join(span.text for span in each) for each in detail_lines(find_problem("nearest"), None)]
-    rule = "at most n^0.4 faster than the reference, over n-500, n-2000, n-8000, n-32000"
-    assert f"growth      {rule}" in [line.strip() for line in lines]

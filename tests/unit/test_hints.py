@@ -47,12 +47,9 @@ def test_a_comment_in_a_code_block_is_no_step(hinting):
     ("text", "where", "words"),
     [
         ("", "hints.md", "it has no step; begin each with a line '## Its title'"),
-        ("# Hints\n", "hints.md", "no step"),
-        ("Think.\n\n## One\nx\n", "hints.md:1", "belongs to no step"),
         ("# Hints\n\nThink.\n", "hints.md:3", "belongs to no step"),
         ("## One\nx\n##\ny\n", "hints.md:3", "no title"),
         ("## One\n\n## Two\ny\n", "hints.md:1", "'One' says nothing"),
-        ("## One\nx\n## Two\n \n", "hints.md:3", "'Two' says nothing"),
         ("## One\n{{c.hihg}}\n", "hints.md:2", "did you mean {{c.high}}?"),
         (b"## One\n\xff\n", "hints.md", "byte 7 is not UTF-8"),
     ],
