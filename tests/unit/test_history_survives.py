@@ -84,28 +84,6 @@ def test_a_judge_that_is_killed_while_it_writes_leaves_the_file_as_it_was(own_hi
         assert history._rows("PRAGMA integrity_check") == [("ok",)]
 
 
-SLAUGHTER = """
-history = History.open()
-print("begun", flush=True)
-while True:
-    history.add(past_result(), os.urandom(20_000), "")
-"""
-
-
-def test_killed_at_any_moment(own_history):
-    for _ in range(3):
-        judge = started(SLAUGHTER)
-        assert judge.stdout.readline() == "begun\n"
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            judge.wait(0.15)
-        judge.kill()
-        judge.communicate(timeout=60)
-    with History.open() as history:
-        assert history._rows("PRAGMA integrity_check") == [("ok",)]
-        for run in history.runs()[-5:]:
-            assert len(history.source(run.id)) == 20_000
-
-
 HALT = """
 real = sqlite3.connect
 class Connection(sqlite3.Connection):
@@ -139,24 +117,6 @@ def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
         assert len(history.runs()) == 3
         history._rows("PRAGMA max_page_count = 1000000")
         assert history.add(past_result(), os.urandom(100_000), "") == 4
-
-
-def test_a_file_that_may_not_grow(own_history):
-    filled(own_history)
-    size = own_history.stat().st_size
-    judge = started(
-        "import resource\n"
-        "resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))\n"
-        "try:\n"
-        "    with History.open() as history:\n        history.add(past_result(), os.urandom(200_000), '')\n"
-        "except Exception as fault:\n    print(type(fault).__name__, fault)\n",
-        size,
-    )
-    told = ended(judge)
-    assert told.startswith(f"HistoryError {own_history}: ")
-    assert "nothing in it is lost" in told or "make room" in told
-    with History.open() as history:
-        assert [history.source(run.id) for run in history.runs()] == [b"0", b"1", b"2"]
 
 
 @pytest.fixture
