@@ -153,7 +153,11 @@ def test_a_file_that_is_replaced_keeps_its_permissions(mode, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "name", [".judge-0123.tmp", "judge-0123456789abcdef.tmp", ".judge-0123456789abcdef.tmp.py", "mine.tmp"]
+    "name",
+    [
+        ".judge-0123.tmp",
+        ".judge-0123456789abcdef.tmp.py",
+    ],
 )
 def test_a_file_of_another_name_stays_and_one_that_was_begun_just_now(name, left):
     other = left.with_name(name)

@@ -78,10 +78,8 @@ def test_what_is_not_known_yet_is_learnt_once_before_the_work(tmp_path, monkeypa
 @pytest.mark.parametrize(
     ("part", "words"),
     [
-        ("judge", "the judge (else → "),
         ("data", "the problem's files (else → "),
         ("python", "Python (else → cpython 3."),
-        ("terms", "the options (else → "),
     ],
 )
 def test_another_standard_is_refused_in_one_line(task, part, words):

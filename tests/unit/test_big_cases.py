@@ -14,10 +14,8 @@ from msgspec.structs import replace
 from sandboxed import call, limits
 
 from judge.data import load_data
-from judge.data.fresh import Fresh
 from judge.data.load import _from_plain
-from judge.data.module import load_module
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError
 from judge.problem import GrowthRule, Verdict
 from judge.problem.growing import MOST_INPUT_MB
 from judge.problem.load import load_problem
@@ -155,23 +153,7 @@ def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     assert _from_plain(kept, problem, None) is None
 
 
-def test_stress_leaves_big_cases_out():
-    problem = problem_of("inversions")
-    fresh = Fresh(problem, load_module(problem), problem.groups, 1)
-    assert [group.name for group in fresh.groups] == ["few"]
-    with pytest.raises(UsageError, match="no fresh cases"):
-        Fresh(problem, load_module(problem), problem.groups[-1:], 1)
-
-
 # -- the sandbox ----------------------------------------------------------------------------------------
-
-
-def test_a_scene_of_32_000_circles_and_rays_is_one_call():
-    circles = tuple((at, -at, at % 7 + 1) for at in range(32_000))
-    rays = tuple(((at, 0.5), (1, at)) for at in range(32_000))
-    source = "def f(circles, rays):\n    return [len(circles), circles[-1][0], len(rays), rays[-1][1][1]]"
-    (reply,) = call(source, [(circles, rays)]).replies
-    assert reply.answer == [32_000, 31_999, 32_000, 31_999]
 
 
 def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():

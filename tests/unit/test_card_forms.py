@@ -6,14 +6,13 @@ import re
 from contextlib import nullcontext
 from fractions import Fraction
 from itertools import pairwise
-from math import hypot, sqrt
+from math import sqrt
 
 import pytest
 
 from judge.errors import ProblemError
 from judge.kata.quiz.cards import Card, WrongOption, all_cards
 from judge.kata.quiz.forms import NAMES, ask
-from judge.kata.quiz.forms.spot import shown_program
 from judge.kata.quiz.question import MistypedError
 from judge.kata.quiz.sources import Sources
 from judge.kata.quiz.typed import count, number, option, sequence
@@ -169,30 +168,6 @@ def test_what_a_ray_meets_and_what_first_is_right(sources):
     assert answers == {"A", "B", "C", "D"}
 
 
-@pytest.mark.parametrize(("problem", "ray"), [("line-points", False), ("enter-exit", True)])
-def test_what_happens_along_a_line_or_a_ray_is_right(sources, problem, ray):
-    seen, first = set(), set()
-    for question in questions(sources, card("tags", problem=problem), 60):
-        rings, (ox, oy, dx, dy) = figure(question)
-        dx, dy = (dx, dy) if ray else (dx - ox, dy - oy)
-        events = []
-        for ring in rings.values():
-            found = roots(ring, ox, oy, dx, dy)
-            close = len(found) == 2 and (found[1] - found[0]) * hypot(dx, dy) < 1e-3
-            if close or len(found) == 1:
-                events.append((found[0], "t"))
-            elif found:
-                events += [(found[0], "i"), (found[1], "o")]
-        wanted = [tag for t, tag in sorted(events) if t >= 0 or not ray]
-        assert question.answer.split() == wanted
-        assert question.check("".join(wanted)).right
-        assert not question.check("none").right
-        seen |= set(wanted)
-        first.add(wanted[0])
-    assert seen == {"i", "o", "t"}
-    assert not ray or first >= {"i", "o"}  # from outside, and from within a circle
-
-
 # -- spot --------------------------------------------------------------------------------------------------
 
 
@@ -212,18 +187,6 @@ def test_one_group_breaks_the_program_and_the_others_do_not(sources):
         assert '"""' not in question.program
         programs.add(question.program)
     assert len(programs) > 3
-
-
-def test_a_program_is_shown_without_what_nobody_calls():
-    source = (
-        "from math import hypot, sqrt\nfrom struct import pack\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
-        'def other(x):\n    return pack(x)\n\n\ndef entry(x):\n    "right"\n    return helper(x)  # so\n'
-    )
-    assert shown_program(source) == (
-        "from math import sqrt\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
-        "def entry(x):\n    return helper(x)  # so"
-    )
-    assert shown_program("def entry(x):\n    return 1\n    return 2\n") == ""
 
 
 # -- what a card may ask for and not get -------------------------------------------------------------------

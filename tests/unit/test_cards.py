@@ -9,7 +9,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from judge.errors import ProblemError, UsageError
-from judge.kata.checklist import Kind, Record, assess_rows, find_row, in_set, read_checklist
+from judge.kata.checklist import Kind, Record, assess_rows, read_checklist
 from judge.kata.quiz.cards import all_cards, cards_of, sound_decks
 from judge.kata.skills import assess, skills_of
 from judge.mistakes.puzzles import read_puzzles
@@ -107,15 +107,6 @@ def test_a_deck_of_ones_own_is_asked_by_its_name_and_with_its_sets(deck):
         cards_of("mien", cards, where)
     with pytest.raises(UsageError, match="the set 'first-steps' has no cards; cards are in junior, "):
         cards_of("first-steps", cards, where)
-
-
-def test_a_row_is_found_in_any_case_and_a_set_has_its_sections():
-    checklist = read_checklist()
-    assert find_row("j4", checklist).id == "J4"
-    with pytest.raises(UsageError, match="no row 'J40'; did you mean 'J"):
-        find_row("J40", checklist)
-    assert {row.section for row in in_set(checklist, "senior", "path").rows} == {"senior"}
-    assert in_set(checklist, "path", "path") == checklist
 
 
 # -- every question of the topic can be drilled with what is here ----------------------------------

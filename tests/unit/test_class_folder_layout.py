@@ -14,7 +14,7 @@ import pytest
 from judge.batch import folder as folder_module
 from judge.batch.folder import legible, read_class
 from judge.batch.model import Student
-from judge.batch.roster import everyone, read_students
+from judge.batch.roster import read_students
 from judge.errors import UsageError
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
@@ -192,11 +192,3 @@ def students(tmp_path, content):
 def test_the_list_is_read_as_spreadsheets_write_it(tmp_path, content):
     assert students(tmp_path, content) == [Student("ada", "Ada L", "a"), Student("bob", "Bob")]
     assert students(tmp_path, "login,mail\nada,a@b.c\n") == [Student("ada")]  # without an id the first column
-
-
-def test_who_is_in_no_list_comes_after_those_who_are(place):
-    write(place, "zoe/middle.py", "ada/middle.py")
-    handins = found(place).handins
-    listed = [Student("bob", "Bob"), Student("zoe")]
-    assert everyone(listed, handins) == [*listed, Student("ada", known=False)]
-    assert everyone([], handins) == [Student("ada"), Student("zoe")]

@@ -6,7 +6,7 @@ import csv
 import io
 
 import pytest
-from classes import DEE, class_of, row, small_class
+from classes import class_of, row, small_class
 
 from judge.batch.model import Student
 from judge.report.cohort.gradebook import gradebook, is_gradebook
@@ -21,23 +21,6 @@ def text(width, **asked):
     stream = io.StringIO()
     Screen(stream, colour=False, width=width).show(cohort_lines(small_class(), width, **asked))
     return stream.getvalue()
-
-
-def test_the_table_and_who_is_in_it():
-    found = small_class()
-    assert [each.id for each in found.people] == ["ann", "bob", "cid", DEE, "eve", "zoe"]
-    assert [each.known for each in found.people] == [True] * 5 + [False]
-    assert found.problems == ("segment", "count")
-    mark = found.marks["ann", "count"]
-    assert (mark.accepted, mark.handins, mark.file, mark.score) == (True, 2, "ann/count-2.py", 90)
-    assert ("eve", "count") not in found.marks
-    assert found.marks["cid", "count"].doubt == "busy"
-    assert found.total("ann") == 90 + 30
-    assert (found.handins, found.unaccepted, found.silent) == (9, ("bob", "cid", DEE, "zoe"), ("eve",))
-    assert [(each.name, each.isolation, each.handins) for each in found.machines] == [
-        ("box", "full", 8),
-        ("lab", "strong", 1),
-    ]
 
 
 def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():

@@ -173,16 +173,6 @@ def test_many_writers_and_readers_at_once(folder):
     assert len(files(folder)) == 1
 
 
-def test_a_failed_write_leaves_no_temporary_file(folder, monkeypatch):
-    def no_space(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", no_space)
-    data, _ = built(load_problem(SOUND))
-    assert "No space left on device" in data.notes[0]
-    assert files(folder) == []
-
-
 @pytest.mark.slow
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (

@@ -18,6 +18,7 @@ from types import ModuleType
 
 import pytest
 from executed import work
+from sampling import nightly
 
 from judge.errors import ShortageError, UsageError
 from judge.judging import processes
@@ -55,7 +56,7 @@ PLACES = {
 }
 
 
-@pytest.fixture(scope="module", params=PLACES)
+@pytest.fixture(scope="module", params=["here", "processes", nightly("cluster")])
 def place(request):
     return request.param
 

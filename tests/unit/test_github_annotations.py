@@ -43,7 +43,11 @@ def plain(text: str) -> str:
 
 @pytest.mark.parametrize(
     "evil",
-    ["a::error file=x::b", "100%, 5%0A", "x\n::stop-commands::y", "\r::warning::", "##[error]", "\x1b[31m"],
+    [
+        "a::error file=x::b",
+        "100%, 5%0A",
+        "x\n::stop-commands::y",
+    ],
 )
 def test_nothing_of_a_submission_becomes_a_command(evil):
     text = annotation(result(Verdict.RTE, evil, name=evil), SOURCE, "solve", {})

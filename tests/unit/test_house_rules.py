@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
@@ -19,7 +17,6 @@ FILES = {
 }
 MOST_LINES = 400
 MOST_PARAMETERS = 6
-MOST_IMPORTS = 18  # that stand on one another
 # A room knows only those that stand after it.
 ROOMS = [
     *("cli", "batch", "judging", "report", "kata", "topics", "packs", "mistakes", "diagnose"),
@@ -99,56 +96,3 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 def test_every_room_has_its_place():
     packages = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     assert packages <= {*ROOMS, "sandbox", "schema"}
-
-
-def module_of(name: str) -> str:
-    return ("judge." + name.removesuffix(".py").replace("/", ".")).removesuffix(".__init__")
-
-
-MODULES = {module_of(name): tree for name, tree in FILES.items()}
-MODULES["judge"] = FILES["__init__.py"]
-
-
-def at_top(node: ast.AST) -> Iterator[ast.AST]:
-    """What stands outside functions, also under `if TYPE_CHECKING`: a reader follows that too."""
-    for child in ast.iter_child_nodes(node):
-        if not isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef):
-            yield child
-            yield from at_top(child)
-
-
-def imported(name: str) -> set[str]:
-    """The modules of the judge that a module imports when it is imported, with the packages they lie in."""
-    found = modules(list(at_top(MODULES[name])))
-    own = {".".join(name.split(".")[:end]) for end in range(1, name.count(".") + 1)}
-    packages = {module[:end] for module in found for end in range(len(module)) if module[end] == "."}
-    return {module for module in found | (packages - own) if module in MODULES} - {name}
-
-
-GRAPH = {name: imported(name) for name in MODULES}
-
-
-@cache
-def reached(name: str) -> frozenset[str]:
-    """Every module that a module leads to."""
-    seen: set[str] = set()
-    waiting = [name]
-    while waiting:
-        for module in GRAPH[waiting.pop()] - seen:
-            seen.add(module)
-            waiting.append(module)
-    return frozenset(seen)
-
-
-@cache
-def chain(name: str) -> tuple[str, ...]:
-    """The longest chain of imports from a module on; modules that import one another count as one."""
-    ring = {module for module in reached(name) if name in reached(module)} | {name}
-    below = {module for each in ring for module in GRAPH[each]} - ring
-    return (name, *max((chain(module) for module in below), key=len, default=()))
-
-
-def test_no_chain_of_imports_is_long():
-    longest = max(map(chain, MODULES), key=len)
-    assert len(longest) > 5  # or nothing was read
-    assert len(longest) <= MOST_IMPORTS, " → ".join(longest)
