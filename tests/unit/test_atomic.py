@@ -152,13 +152,7 @@ def test_a_file_that_is_replaced_keeps_its_permissions(mode, tmp_path):
     assert stat.S_IMODE(path.stat().st_mode) == mode
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        ".judge-0123.tmp",
-        ".judge-0123456789abcdef.tmp.py",
-    ],
-)
+@pytest.mark.parametrize("name", [".judge-0123.tmp", ".judge-0123456789abcdef.tmp.py"])
 def test_a_file_of_another_name_stays_and_one_that_was_begun_just_now(name, left):
     other = left.with_name(name)
     other.write_bytes(b"mine")

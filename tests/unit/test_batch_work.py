@@ -76,11 +76,7 @@ def test_what_is_not_known_yet_is_learnt_once_before_the_work(tmp_path, monkeypa
 
 
 @pytest.mark.parametrize(
-    ("part", "words"),
-    [
-        ("data", "the problem's files (else → "),
-        ("python", "Python (else → cpython 3."),
-    ],
+    ("part", "words"), [("data", "the problem's files (else → "), ("python", "Python (else → cpython 3.")]
 )
 def test_another_standard_is_refused_in_one_line(task, part, words):
     standard = replace(msgspec.json.decode(task.standard, type=Standard), **{part: "else"})

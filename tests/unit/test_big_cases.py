@@ -135,14 +135,7 @@ def test_big_cases_are_kept_as_seeds_and_built_again(cache):
     ]
 
 
-@pytest.mark.parametrize(
-    "spoilt",
-    [
-        {"inputs": "0" * 64},
-        {"attempts": [1, 0, 0]},
-        {"targets": []},
-    ],
-)
+@pytest.mark.parametrize("spoilt", [{"inputs": "0" * 64}, {"attempts": [1, 0, 0]}, {"targets": []}])
 def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     problem = problem_of("inversions")
     load_data(problem)

@@ -49,11 +49,7 @@ def on_a_cluster():
         yield elsewhere
 
 
-PLACES = {
-    "here": opened(Here()),
-    "processes": opened(Processes(2)),
-    "cluster": on_a_cluster,
-}
+PLACES = {"here": opened(Here()), "processes": opened(Processes(2)), "cluster": on_a_cluster}
 
 
 @pytest.fixture(scope="module", params=["here", "processes", nightly("cluster")])

@@ -69,11 +69,7 @@ def test_every_line_is_decided_as_the_judge_does():
 
 @pytest.mark.parametrize(
     ("right", "wrong"),
-    [
-        ("r, s, value) > 0", "r, s, value) >= 0"),
-        ("left.pop(found)", "pass"),
-        ("> most *", ">= most *"),
-    ],
+    [("r, s, value) > 0", "r, s, value) >= 0"), ("left.pop(found)", "pass"), ("> most *", ">= most *")],
 )
 def test_a_validator_with_a_fault_is_noticed(right, wrong, monkeypatch):
     source = (FOLDER / "output_validator.py").read_text(encoding="utf-8")

@@ -137,13 +137,7 @@ def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, s
     assert (decision.against.language, decision.against.why) == ("Go", "")
 
 
-@pytest.mark.parametrize(
-    ("factor", "too_slow"),
-    [
-        (7.9, False),
-        (14, True),
-    ],
-)
+@pytest.mark.parametrize(("factor", "too_slow"), [(7.9, False), (14, True)])
 def test_what_is_clear_is_decided(factor, too_slow):
     decision, _ = race(Paper(steady(factor)))
     assert (decision.too_slow, decision.borderline) == (too_slow, False)

@@ -41,14 +41,7 @@ def plain(text: str) -> str:
     return text
 
 
-@pytest.mark.parametrize(
-    "evil",
-    [
-        "a::error file=x::b",
-        "100%, 5%0A",
-        "x\n::stop-commands::y",
-    ],
-)
+@pytest.mark.parametrize("evil", ["a::error file=x::b", "100%, 5%0A", "x\n::stop-commands::y"])
 def test_nothing_of_a_submission_becomes_a_command(evil):
     text = annotation(result(Verdict.RTE, evil, name=evil), SOURCE, "solve", {})
     _, properties, lines = parts(text)

@@ -68,14 +68,7 @@ def test_a_source_is_kept_once(history):
     assert sources == 2
 
 
-@pytest.mark.parametrize(
-    "number",
-    [
-        0,
-        2,
-        2**63,
-    ],
-)
+@pytest.mark.parametrize("number", [0, 2, 2**63])
 def test_a_run_that_is_not_there(number, history):
     with pytest.raises(UsageError, match="there are none yet"):
         history.run(number)
@@ -94,11 +87,7 @@ def test_only_a_whole_problem_is_solved(history):
 
 @pytest.mark.parametrize(
     ("path", "counts"),
-    [
-        ("", True),
-        ("/judge/solutions/segment/accepted/a.py", False),
-        ("/judge/solutions/segment/a.py", True),
-    ],
+    [("", True), ("/judge/solutions/segment/accepted/a.py", False), ("/judge/solutions/segment/a.py", True)],
 )
 def test_a_problems_own_solution_says_nothing_of_the_person(path, counts, history):
     run = history.run(history.add(past_result("segment"), b"", path))
