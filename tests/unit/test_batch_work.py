@@ -12,13 +12,10 @@ from msgspec.structs import replace
 
 import judge
 from judge.batch import work
-from judge.batch.model import Done, Handin, Standard, Task
-from judge.batch.plan import planned
-from judge.batch.run import ground_of, learnt
+from judge.batch.model import Done, Standard, Task
 from judge.batch.standard import level_here, standard_of
 from judge.batch.work import fault_done, judge_task, learn_task
 from judge.errors import UsageError
-from judge.judging.executors import Here
 from judge.judging.job import Terms
 from judge.problem.find import find_problem
 
@@ -60,19 +57,6 @@ def test_a_task_is_judged_as_judge_run_does(task):
     assert done.result["pitfall"]["name"] == "floor-division"
     assert (done.machine, done.worker) == (os.uname().nodename, f"{os.uname().nodename}:{os.getpid()}")
     assert done.seconds > 0
-
-
-def test_what_is_not_known_yet_is_learnt_once_before_the_work(tmp_path, monkeypatch):
-    work.release()  # what is warm here has been learnt already
-    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cold"))
-    handins = [Handin(name, "middle", f"{name}/middle.py", name.encode()) for name in ("ada", "bob")]
-    ground = ground_of(["middle"], TERMS, [PACK])
-    plan = planned(handins, [], ground)
-    assert list(learnt(plan, ground, TERMS, Here())) == [("middle", 0, 1), ("middle", 1, 1)]
-    assert list(learnt(plan, ground, TERMS, Here())) == []
-    kept = {path.parent.name for path in (tmp_path / "cold").glob("*/middle-*")}
-    assert kept == {"data", "mistakes"}
-    work.release()
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from contextlib import nullcontext
 from fractions import Fraction
-from itertools import pairwise
-from math import sqrt
 
 import pytest
 
@@ -16,7 +14,6 @@ from judge.kata.quiz.forms import NAMES, ask
 from judge.kata.quiz.question import MistypedError
 from judge.kata.quiz.sources import Sources
 from judge.kata.quiz.typed import count, number, option, sequence
-from judge.mistakes.computed import Program, computed
 
 NUMBERS = re.compile(r"-?\d+")
 
@@ -42,9 +39,6 @@ def questions(sources, wanted, many):
     return [ask(wanted, sources, str(turn)) for turn in range(many)]
 
 
-# -- what is typed -----------------------------------------------------------------------------------------
-
-
 def test_a_number_a_count_and_an_option_are_read():
     assert [number(text) for text in (" −1/2 ", "1e-9", "+2.")] == [Fraction(-1, 2), Fraction(1, 10**9), 2]
     for text in ("", "1/0", "0x10", "1e9999", "9" * 50, "nan", "1_0", "²", "1 2x"):
@@ -68,9 +62,6 @@ def test_a_sequence_is_read_by_words_or_by_what_they_mean():
     for text in ("x", "i x", "", "ioxo"):
         with pytest.raises(MistypedError, match="i, o and t in their order, or none"):
             sequence(text, tags)
-
-
-# -- forms without a problem -------------------------------------------------------------------------------
 
 
 def test_a_choice_tells_which_mistake_a_wrong_option_is(sources):
@@ -99,9 +90,6 @@ def test_a_number_may_be_off_by_a_part_and_have_its_unit_and_recall_is_not_check
     assert (recalled.check, recalled.answer) == (None, "So.")
 
 
-# -- figures -----------------------------------------------------------------------------------------------
-
-
 def line_count(text):
     """How often a circle and a line meet, by another formula than the references', in whole numbers."""
     cx, cy, r, ax, ay, bx, by = map(int, NUMBERS.findall(re.sub(r"c[xy]=|[rAB]=", "", text)))
@@ -122,74 +110,6 @@ def test_the_count_of_a_figure_is_right(sources):
             assert question.check(typed).right == (typed == right)
     assert len({question.given for question in asked}) > 50
     assert {question.answer for question in asked} >= {"0", "1", "2"}
-
-
-def figure(question):
-    """The circles by letter, and the two points or the point and the direction of the last line."""
-    *circles, last = question.given
-    rings = {}
-    for text in circles:
-        x, y, r = map(int, NUMBERS.findall(text))
-        rings[text.split()[1].rstrip(":")] = (x, y, r)
-    return rings, tuple(map(int, NUMBERS.findall(last)))
-
-
-def roots(ring, ox, oy, dx, dy):
-    """Both parameters, by the quadratic formula in doubles: in these figures that tells them apart."""
-    x, y, r = ring
-    a, b, c = dx * dx + dy * dy, dx * (ox - x) + dy * (oy - y), (ox - x) ** 2 + (oy - y) ** 2 - r * r
-    delta = b * b - a * c
-    return [] if delta < 0 else sorted({(-b - sqrt(delta)) / a, (-b + sqrt(delta)) / a})
-
-
-def order_of(question):
-    rings, (ox, oy, dx, dy) = figure(question)
-    ahead = {label: [t for t in roots(ring, ox, oy, dx, dy) if t >= 0] for label, ring in rings.items()}
-    first = {label: ts[0] for label, ts in ahead.items() if ts}
-    assert all(after - before > 0.01 for before, after in pairwise(sorted(first.values())))
-    return sorted(first, key=first.get)
-
-
-def test_what_a_ray_meets_and_what_first_is_right(sources):
-    orders, answers = set(), set()
-    for question in questions(sources, card("order", problem="ray-nearest"), 40):
-        wanted = order_of(question)
-        assert question.answer.split() == wanted
-        assert question.check(" ".join(wanted).lower()).right
-        assert not question.check(" ".join(reversed(wanted))).right
-        assert len(wanted) >= 2
-        orders.add(tuple(wanted))
-    assert len(orders) > 5
-    for question in questions(sources, card("first-hit", problem="ray-nearest"), 40):
-        assert question.answer == order_of(question)[0]
-        answers.add(question.answer)
-        with pytest.raises(MistypedError):
-            question.check("E")
-    assert answers == {"A", "B", "C", "D"}
-
-
-# -- spot --------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-@pytest.mark.nightly
-def test_one_group_breaks_the_program_and_the_others_do_not(sources):
-    data = sources.data("count")
-    programs = set()
-    for question in questions(sources, card("spot", problem="count"), 6):
-        does = computed(data, Program(question.program.encode(), "shown.py", trusted=True))
-        for letter, text in question.options:
-            group = text.partition(":")[0]
-            assert bool(does[group].wrong) == question.check(letter).right
-        assert question.answer.startswith(
-            next(letter for letter, _ in question.options if question.check(letter).right)
-        )
-        assert '"""' not in question.program
-        programs.add(question.program)
-    assert len(programs) > 3
-
-
-# -- what a card may ask for and not get -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

@@ -75,18 +75,6 @@ def test_one_mistake_that_was_broken_is_enough():
     assert ticked.drills == ("judge hack count a", "judge hack count b")
 
 
-def test_a_broken_program_in_the_history_ticks_its_rows():
-    from judge.kata.assessed import assessed_rows
-    from judge.kata.hacks import Outcome
-    from judge.problem.find import find_problem
-
-    with History.open(clock=StoppedClock()) as history:
-        history.add_hack("count", "slope-intercept", "0 0 1 0 0 0 1", Outcome.WON)
-        _, rows, faults = assessed_rows(history, [find_problem("count")], (), {"hack"})
-    assert faults == []
-    assert {row.row.id for row in rows if row.state is SkillState.SHOWN} == {"J7", "F1"}
-
-
 # -- when a card comes again -------------------------------------------------------------------------------
 
 

@@ -11,8 +11,6 @@ from judging import make_data
 from judge.data.load import load_data
 from judge.mistakes import computed as module
 from judge.mistakes.computed import Computer, Program, computed
-from judge.mistakes.makers import read_makers
-from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.values.rightness import wrong_outline
 
@@ -93,13 +91,3 @@ def test_some_cases_alone_are_answered_as_among_all():
     assert some["two"].wrong == {case: whole["two"].wrong[case] for case in only["two"]}
     raising = computed(data, program("return 1 // 0"))
     assert {*raising["one"].wrong.values()} == {("raised ZeroDivisionError", ())}
-
-
-@pytest.mark.nightly
-def test_mistakes_of_a_kata_answer_as_each_does_by_itself():
-    problem = find_problem("crossings")
-    data = load_data(problem)
-    computer = Computer(data)
-    for maker in [each for each in read_makers(problem).all if each.program.trusted][::7]:
-        alone = Computer(data).behaviour(maker.program)
-        assert computer.behaviour(maker.program) == alone

@@ -215,17 +215,13 @@ HOMES = [
 ]
 
 
-@pytest.fixture(params=HOMES, ids=str)
-def _settings(request, monkeypatch):
+@pytest.mark.parametrize("home", HOMES, ids=str)
+@pytest.mark.parametrize("system", [sys.platform, "darwin"])
+def test_the_persons_folders_are_as_platformdirs_has_them(system, home, monkeypatch):
     for name in ("JUDGE_CACHE", "HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
         monkeypatch.delenv(name, raising=False)
-    for name, value in request.param.items():
+    for name, value in home.items():
         monkeypatch.setenv(name, value)
-
-
-@pytest.mark.usefixtures("_settings")
-@pytest.mark.parametrize("system", [sys.platform, "darwin"])
-def test_they_are_as_platformdirs_has_them(system, monkeypatch):
     monkeypatch.setattr("judge.folders.sys.platform", system)
     assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
     assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

@@ -10,7 +10,7 @@ from judge.batch.equal import LEAST, equal_files
 from judge.batch.model import Handin
 from judge.batch.normal import normal_form
 from judge.kata.stub import make_stub
-from judge.problem.find import find_problem, sound_problems
+from judge.problem.find import find_problem
 
 ROOT = Path(__file__).parents[2]
 ONE = b'''"""My own."""
@@ -129,22 +129,3 @@ def test_what_cannot_be_read_is_equal_to_its_own_bytes_alone(source):
     for name in ("a.py", "a.cpp", "a.java", "a.rs", "a.txt"):
         assert normal_form(source, name) == normal_form(source, name)
         assert normal_form(source + b"\nx = 1", name) != normal_form(source, name)
-
-
-def independent():
-    """By problem, programs that were written apart: accepted ones in each language, textbooks', people's."""
-    found = [
-        (path.parts[-3], f"{path.parts[-3]}/{path.name}", path.read_bytes())
-        for path in (ROOT / "solutions").glob("*/accepted/*")
-    ]
-    for kind in ("everyday", "textbook"):
-        for path in (ROOT / "tests" / "fixtures" / "programs" / kind).glob("*/*.py"):
-            found.append((path.parts[-2], f"{kind}/{path.parts[-2]}/{path.name}", path.read_bytes()))
-    return [Handin(name, problem, name, source) for problem, name, source in found]
-
-
-@pytest.mark.nightly
-def test_independent_programs_are_not_told():
-    handins = independent()
-    assert len(handins) > 300
-    assert equal_files(handins, {each.id: each for each in sound_problems([])[0]}, least=0) == []

@@ -11,7 +11,6 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
-import export_edges
 import pytest
 from export_edges import VALIDATOR, lines, theirs
 
@@ -65,19 +64,6 @@ def disagreeing(check) -> tuple[int, int]:
 
 def test_every_line_is_decided_as_the_judge_does():
     assert disagreeing(theirs) == (0, 1520)
-
-
-@pytest.mark.parametrize(
-    ("right", "wrong"),
-    [("r, s, value) > 0", "r, s, value) >= 0"), ("left.pop(found)", "pass"), ("> most *", ">= most *")],
-)
-def test_a_validator_with_a_fault_is_noticed(right, wrong, monkeypatch):
-    source = (FOLDER / "output_validator.py").read_text(encoding="utf-8")
-    assert right in source
-    names = {"__name__": "faulty"}
-    exec(compile(source.replace(right, wrong), "faulty.py", "exec"), names)
-    monkeypatch.setattr(export_edges, "VALIDATOR", names)
-    assert disagreeing(theirs)[0] > 0
 
 
 @pytest.mark.parametrize("name", ["input_validator.py", "output_validator.py"])

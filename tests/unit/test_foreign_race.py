@@ -230,16 +230,6 @@ def test_without_a_reference_in_its_language_it_is_held_to_pythons(factor, too_s
     )
 
 
-def test_the_fallback_is_generous_where_the_language_warms_up():
-    from judge.languages.model import language_called
-
-    assert {name: language_called(name).factor for name in ("go", "cpp", "java", "javascript", "pypy")} == {
-        "go": 1, "cpp": 1, "java": 5, "javascript": 3, "pypy": 5,
-    }  # fmt: skip
-    decision, _ = raced(make_data("one"), TimeRule(LIMIT, "gone.py"), Paper(steady()), {})
-    assert (decision.ratio, decision.against) == (None, None)  # without any there is no race
-
-
 @pytest.mark.parametrize(
     ("reference", "said"),
     [

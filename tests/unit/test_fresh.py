@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import islice
 from pathlib import Path
 
 import pytest
 
-from judge.data.fresh import BUILT, Fresh
+from judge.data.fresh import Fresh
 from judge.data.module import load_module
-from judge.data.strategy import HypothesisDraw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
@@ -41,19 +39,6 @@ def test_the_groups_take_turns_and_every_round_is_new():
 def test_the_examples_have_no_fresh_ones():
     with pytest.raises(UsageError, match="name one of grid"):
         fresh("count", groups=["examples"])
-
-
-@pytest.mark.parametrize(("name", "group"), [("count", "near-hit")])
-def test_the_choices_of_a_case_make_it_again_also_where_attempts_were_rejected(name, group):
-    source = fresh(name, groups=[group])
-    _, series = islice(source.series(), 2)
-    module, problem = load_module(find_problem(name)), find_problem(name)
-    parameters = dict(problem.group(group).parameters)
-    builder = module.builders[problem.group(group).builder]
-    for start in (0, 1, 2, BUILT - 1):
-        choices = source.choices_of(series, start)
-        draw = HypothesisDraw(partial(next, iter(choices)))
-        assert repr(builder(draw, **parameters)) == repr(series.data.cases[start])
 
 
 def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):

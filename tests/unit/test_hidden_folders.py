@@ -64,18 +64,6 @@ def as_it_is(top: Path) -> Site:
     return Site([str(site)], [site / "pack"], _seen(site))
 
 
-def below_a_chain_of_links(top: Path) -> Site:
-    site = _site(top / "data" / "site-packages")
-    (top / "one").symlink_to(top / "two" / "deep")
-    (top / "two").mkdir()
-    (top / "two" / "deep").symlink_to("../three")
-    (top / "three").symlink_to(top / "data")
-    name = top / "one" / "site-packages"
-    return Site(
-        [str(name)], [site / "pack"], [*_seen(name), *_seen(site), *_seen(top / "three/site-packages")]
-    )
-
-
 def through_a_link_beside_it(top: Path) -> Site:
     site = _site(top / "site-packages")
     for name, target in (("also", "pack"), ("deeper", site / "pack" / "deep"), ("loop", "."), ("up", top)):
@@ -111,22 +99,12 @@ def another_pack_that_nobody_named(top: Path) -> Site:
     return Site([str(site)], [], looks)
 
 
-def a_link_out_of_what_is_shown(top: Path) -> Site:
-    site = _site(top / "site-packages")
-    (top / "private").mkdir()
-    (top / "private" / "note.txt").write_text("secret")
-    (site / "private").symlink_to("../private")
-    return Site([str(site)], [site / "pack"], [site / "private" / "note.txt", top / "private" / "note.txt"])
-
-
 SITES: list[Callable[[Path], Site]] = [
     as_it_is,
-    below_a_chain_of_links,
     through_a_link_beside_it,
     itself_a_link_into_another_place,
     in_a_place_that_a_link_of_another_leads_to,
     another_pack_that_nobody_named,
-    a_link_out_of_what_is_shown,
 ]
 
 

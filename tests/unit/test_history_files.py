@@ -73,29 +73,6 @@ def test_what_is_no_database_is_left_as_it_is(reading, tmp_path):
     assert len(list(tmp_path.iterdir())) == len(contents)
 
 
-def test_bytes_changed_at_random_are_told_as_damage(own_history):
-    """Or not noticed, where nothing is kept there; never as a fault of ours, nor as anything but damage."""
-    whole = filled(own_history, runs=30)
-    told = []
-    for seed in range(20):
-        draw = random.Random(seed)
-        damaged = bytearray(whole)
-        for _ in range(draw.choice([1, 20, 400])):
-            damaged[draw.randrange(100, len(damaged))] = draw.randrange(256)
-        path = own_history.with_name(f"{seed}.sqlite3")
-        path.write_bytes(damaged)
-        try:
-            with History.open(path, reading=True) as history:
-                for run in history.runs():
-                    history.source(run.id)
-                    run.result  # noqa: B018
-            assert history.set_aside is None or history.set_aside.read_bytes() == damaged
-        except HistoryError as fault:
-            told.append(str(fault))
-    assert list(own_history.parent.glob("*.damaged-1"))
-    assert [text for text in told if "damaged" not in text] == []
-
-
 def test_nobody_else_can_read_it(tmp_path):
     path = tmp_path / "shared.sqlite3"
     before = os.umask(0o022)

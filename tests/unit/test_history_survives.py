@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
-import subprocess
 
 import pytest
-from histories import ended, filled, refusal, started
+from histories import ended, filled, started
 from past_runs import past_result
 
 from judge import database
@@ -84,28 +82,6 @@ def test_a_judge_that_is_killed_while_it_writes_leaves_the_file_as_it_was(own_hi
         assert history._rows("PRAGMA integrity_check") == [("ok",)]
 
 
-HALT = """
-real = sqlite3.connect
-class Connection(sqlite3.Connection):
-    def execute(self, statement, *values):
-        if "user_version =" in statement:
-            print("halfway", flush=True)
-            time.sleep(60)
-        return super().execute(statement, *values)
-sqlite3.connect = lambda *words, **settings: real(*words, factory=Connection, **settings)
-History.open()
-"""
-
-
-def test_a_first_start_that_was_killed_halfway():
-    holder = started(HALT)
-    assert holder.stdout.readline() == "halfway\n"
-    holder.kill()
-    holder.communicate(timeout=60)
-    with History.open() as history:
-        assert history.add(past_result(), b"", "") == 1
-
-
 def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
     """The file may not grow: what SQLite says is what it says of a full disk."""
     filled(own_history)
@@ -117,36 +93,3 @@ def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
         assert len(history.runs()) == 3
         history._rows("PRAGMA max_page_count = 1000000")
         assert history.add(past_result(), os.urandom(100_000), "") == 4
-
-
-@pytest.fixture
-def small_disk(tmp_path):
-    """A file system of 256 kB."""
-    disk = tmp_path / "disk"
-    disk.mkdir()
-    command = ["mount", "-t", "tmpfs", "-o", "size=256k", "judge-test", str(disk)]
-    if os.geteuid() != 0 or subprocess.run(command, capture_output=True, timeout=20).returncode:
-        pytest.skip("no file system can be mounted here")
-    yield disk
-    subprocess.run(["umount", str(disk)], check=True, timeout=20)
-
-
-def test_a_disk_that_is_really_full(small_disk):
-    path = small_disk / "history.sqlite3"
-    filled(path)
-    with (small_disk / "filler").open("wb", buffering=0) as filler, contextlib.suppress(OSError):
-        while filler.write(b"\0" * 4096):
-            pass
-    for _ in range(2):
-        with pytest.raises(HistoryError) as caught, History.open(path) as history:
-            history.add(past_result(), os.urandom(50_000), "")
-        assert "make room" in str(caught.value)
-    (small_disk / "filler").unlink()
-    with History.open(path) as history:
-        assert [history.source(run.id) for run in history.runs()] == [b"0", b"1", b"2"]
-        assert history.add(past_result(), b"", "") == 4
-    with (small_disk / "filler").open("wb", buffering=0) as filler, contextlib.suppress(OSError):
-        while filler.write(b"\0" * 4096):
-            pass
-    fresh = small_disk / "fresh.sqlite3"
-    assert "make room" in refusal(fresh) or "cannot be" in refusal(fresh)
