@@ -15,7 +15,7 @@ from sandboxed import call, limits
 from judge.data import load_data
 from judge.data.load import _from_plain
 from judge.errors import ProblemError
-from judge.problem import GrowthRule, Verdict
+from judge.problem import Verdict
 from judge.problem.growing import MOST_INPUT_MB
 from judge.problem.load import load_problem
 from judge.run import run_submission
@@ -61,19 +61,6 @@ def changed(tmp_path, *changes, name="inversions"):
 
 
 # -- problem.toml ---------------------------------------------------------------------------------------
-
-
-def test_the_keys_are_read():
-    problem = problem_of("inversions")
-    assert problem.growth == GrowthRule(("n-2000", "n-6000"), 0.4)
-    small, large = problem.groups[-2:]
-    assert (small.size, small.time_limit, small.limits) == (2_000, None, None)
-    assert (large.size, large.time_limit) == (6_000, 2_000.0)
-    assert problem.limits_of(small) == problem.limits
-    own = problem.limits_of(large)
-    assert (own.cpu_seconds, own.wall_seconds) == (40.0, 160.0)  # the wall clock in proportion
-    assert own.memory_bytes == problem.limits.memory_bytes
-    assert problem.limits.input_bytes == 1 << 20
 
 
 GROUPS = 'groups = ["n-2000", "n-6000"]'

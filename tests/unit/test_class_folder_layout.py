@@ -15,7 +15,6 @@ from judge.batch import folder as folder_module
 from judge.batch.folder import legible, read_class
 from judge.batch.model import Student
 from judge.batch.roster import read_students
-from judge.errors import UsageError
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 PROBLEMS = [FIXTURES / "pack" / "problems", FIXTURES / "problems"]  # middle, root-count
@@ -152,23 +151,6 @@ def test_names_that_are_no_text_are_made_legible(place):
     write(place, f"{os.fsdecode(bytes([255]))}/middle.py")
     assert sorted(student for student, _, _ in placed(place)) == ["Zoë", "\\xff", "a\nb"]
     assert legible(os.fsdecode(b"\xff")).encode() == b"\\xff"
-
-
-def test_a_folder_that_is_none_is_one_line(place, monkeypatch):
-    with pytest.raises(UsageError, match=r"cannot be read \(no such file"):
-        found(place)
-    with pytest.raises(UsageError, match="cannot be read"):
-        found(Path("no\0name"))
-    write(place, "ada/middle.py", "bob/middle.py")
-    with pytest.raises(UsageError, match="cannot be read"):
-        found(place / "ada" / "middle.py")
-    with monkeypatch.context() as small:
-        small.setattr(folder_module, "_MOST", 1)
-        with pytest.raises(UsageError, match="more than 1 files"):
-            found(place)
-    monkeypatch.setattr(folder_module, "_MOST_BYTES", len(MEAN))
-    with pytest.raises(UsageError, match="judge a part of the class at a time"):
-        found(place)
 
 
 # -- the list of students ------------------------------------------------------------------------------

@@ -19,6 +19,12 @@ from judge.kata.answers import Rating
 from judge.kata.hacks import Outcome
 from judge.kata.history import History, add_beside
 
+
+@pytest.fixture(autouse=True)
+def _impatient(monkeypatch):
+    monkeypatch.setattr(database, "_PATIENCE", 0.05)
+
+
 ADD = """
 sys.stdin.readline()
 for number in range(int(sys.argv[1])):
@@ -57,9 +63,8 @@ with writing(HISTORY, history._connection, history.path) as connection:
 """
 
 
-def test_a_reader_does_not_wait_for_a_writer_and_a_writer_does(own_history, monkeypatch):
+def test_a_reader_does_not_wait_for_a_writer_and_a_writer_does(own_history):
     filled(own_history)
-    monkeypatch.setattr(database, "_PATIENCE", 0.05)
     holder = started(HOLD)
     assert holder.stdout.readline() == "written\n"
     with History.open(reading=True) as history:
@@ -99,11 +104,6 @@ def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
         assert len(history.runs()) == 3
         history._rows("PRAGMA max_page_count = 1000000")
         assert history.add(past_result(), os.urandom(100_000), "") == 4
-
-
-@pytest.fixture(autouse=True)
-def _impatient(monkeypatch):
-    monkeypatch.setattr(database, "_PATIENCE", 0.05)
 
 
 @contextlib.contextmanager
