@@ -187,38 +187,38 @@ def never():
     raise AssertionError("the exact answer was asked for without need")
 
 
-def returned_points(raw: Any, answer: Any = TWO[1]):
+def points_of(raw: Any, answer: Any = TWO[1]):
     return POINTS.check(raw, POINTS.target(answer, POINTS_TOLERANCE), lambda: (answer, POINTS_TOLERANCE))
 
 
-def returned_count(raw: Any, value: int | None = 1):
+def count_of(raw: Any, value: int | None = 1):
     return COUNT.check(raw, COUNT.target(value, T_TOLERANCE), never)
 
 
-def returned_parameter(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
+def parameter_of(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
     answer = None if t is None else Real(t, 2)
     return PARAMETER.check(raw, PARAMETER.target(answer, T_TOLERANCE), lambda: (answer, T_TOLERANCE))
 
 
 def test_worst_error_is_measured_in_ulps():
-    assert returned_points([[1.0, 1.0], [3.0, 1.0]]) == Accepted(0.0)
-    assert returned_points([[1.0, 1.0], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
-    assert returned_points([[1.0, 1], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
-    assert returned_points([], []) == Accepted(None)
-    assert returned_count(1) == Accepted(None)
-    assert returned_parameter(0.5 + 2**-52) == Accepted(2.0)
-    assert returned_parameter(0.0, Surd(0)) == Accepted(0.0)
-    assert returned_parameter(1e-13, Surd(0)) == Accepted(0.0)
-    assert returned_parameter(None, None) == Accepted(None)
+    assert points_of([[1.0, 1.0], [3.0, 1.0]]) == Accepted(0.0)
+    assert points_of([[1.0, 1.0], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points_of([[1.0, 1], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points_of([], []) == Accepted(None)
+    assert count_of(1) == Accepted(None)
+    assert parameter_of(0.5 + 2**-52) == Accepted(2.0)
+    assert parameter_of(0.0, Surd(0)) == Accepted(0.0)
+    assert parameter_of(1e-13, Surd(0)) == Accepted(0.0)
+    assert parameter_of(None, None) == Accepted(None)
     # x just below 2, whose double is 2: the ulp is that of the exact number, not of its double.
     below = Surd(0, 1, 4 * 10**40 - 1, 10**20)
-    assert returned_parameter(2.0, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
-    assert returned_parameter(2.0 - 2**-52, below).worst_ulps == pytest.approx(1.0)
-    assert returned_parameter(2, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+    assert parameter_of(2.0, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+    assert parameter_of(2.0 - 2**-52, below).worst_ulps == pytest.approx(1.0)
+    assert parameter_of(2, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
 
 
 def test_a_number_that_is_off_is_named_and_measured():
-    outcome = returned_points([[1.0, 1.0], [3.0, 1.5]])
+    outcome = points_of([[1.0, 1.0], [3.0, 1.5]])
     assert isinstance(outcome, Rejection)
     assert outcome.where == "y of point 2"
     assert (outcome.absolute, outcome.relative, outcome.ulps) == (0.5, 0.5, 0.5 * 2**52)
@@ -227,10 +227,10 @@ def test_a_number_that_is_off_is_named_and_measured():
 
 
 def test_a_tangency_given_twice_is_named():
-    outcome = returned_points([[3.0, 1.0], [3.0, 1.0]], ONE)
+    outcome = points_of([[3.0, 1.0], [3.0, 1.0]], ONE)
     assert outcome.message == "1 point wanted, 2 given: the same point twice"
-    assert returned_points([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point wanted, 2 given"
-    assert returned_points([[3.0, 1.0]], []).message == "no points wanted, 1 given"
+    assert points_of([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point wanted, 2 given"
+    assert points_of([[3.0, 1.0]], []).message == "no points wanted, 1 given"
 
 
 @pytest.mark.parametrize(
@@ -246,11 +246,11 @@ def test_a_tangency_given_twice_is_named():
     ],
 )
 def test_wrong_counts_say_why(raw, message):
-    outcome = returned_count(raw)
+    outcome = count_of(raw)
     assert isinstance(outcome, Rejection)
     assert outcome.message.startswith(message)
-    assert isinstance(returned_count(None, None), Accepted)
-    assert returned_count(0, None).message == "None wanted, 0 given"
+    assert isinstance(count_of(None, None), Accepted)
+    assert count_of(0, None).message == "None wanted, 0 given"
 
 
 def deep(levels: int) -> Any:
@@ -277,12 +277,7 @@ ABSURD = [
 @pytest.mark.parametrize("raw", ABSURD, ids=range(len(ABSURD)))
 def test_absurd_answers_are_rejected_and_never_raise(raw):
     for form in (raw, [raw], [[raw, raw], [raw, raw]], [[1.0, raw], [3.0, 1.0]]):
-        for outcome in (
-            returned_points(form),
-            returned_points(form, ONE),
-            returned_count(form),
-            returned_parameter(form),
-        ):
+        for outcome in (points_of(form), points_of(form, ONE), count_of(form), parameter_of(form)):
             assert isinstance(outcome, Rejection)
             for text in (outcome.message, outcome.got, outcome.wanted):
                 assert len(text) < 800

@@ -14,7 +14,7 @@ import judge
 from judge.batch import work
 from judge.batch.model import Done, Standard, Task
 from judge.batch.standard import level_here, standard_of
-from judge.batch.work import fault_done, judge_task, learn_task
+from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
 from judge.judging.job import Terms
 from judge.problem.find import find_problem
@@ -79,9 +79,3 @@ def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):
     assert result["verdict"] == "JE"
     assert "problem.toml" in result["failure"]["message"]
     assert "problem.toml" in learn_task(broken)
-
-
-def test_a_task_that_no_worker_survives_is_the_judges_fault(task):
-    result = msgspec.json.decode(fault_done(task, "it was lost 3 times"), type=Done).result
-    assert (result["verdict"], result["submission"]) == ("JE", "ada/middle.py")
-    assert result["failure"]["message"] == "it was lost 3 times"

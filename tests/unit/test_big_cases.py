@@ -60,11 +60,7 @@ def changed(tmp_path, *changes, name="inversions"):
     return folder
 
 
-# -- problem.toml ---------------------------------------------------------------------------------------
-
-
 GROUPS = 'groups = ["n-2000", "n-6000"]'
-OWN_TIME = "[groups.time]\nlimit = 2000\n"
 TIME = '[time]\nlimit = 1000\nfunction = "tree.py"\nprogram = "program.py"\n'
 REFUSED = {  # what is changed, the line at fault, words of the complaint and of the remedy
     "unknown": ([(GROUPS, 'groups = ["n-2000", "n-600"]')], 20, "no group 'n-600'", "did you mean 'n-6000'?"),
@@ -94,9 +90,6 @@ def test_cases_beyond_the_limit_on_input_are_refused(tmp_path):
     ) as caught:
         load_data(load_problem(folder), cache=False)
     assert caught.value.where == "inversions/problem.toml:51"
-
-
-# -- data -----------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -132,9 +125,6 @@ def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     assert _from_plain(kept, problem, None) is None
 
 
-# -- the sandbox ----------------------------------------------------------------------------------------
-
-
 def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():
     room = wire.REGION_BYTES - wire.replies_at(MOST_INPUT_MB << 20)
     assert room >= 2 * wire.REPLY_BYTES
@@ -151,9 +141,6 @@ def test_a_big_case_that_fails_is_not_shown(signs):
     assert (result.failure.group, result.failure.case, result.failure.input) == ("many", 1, None)
     assert re.fullmatch(r"item \d+: 0 wanted, 1 given", result.failure.message)
     assert len(json.dumps(result.as_json())) < 3_000
-
-
-# -- judging by growth ----------------------------------------------------------------------------------
 
 
 def test_a_good_solution_passes_and_its_growth_is_published(inversions):

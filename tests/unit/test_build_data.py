@@ -109,6 +109,7 @@ def test_a_valid_case_has_no_fault():
         ((float("nan"), 1, (1, 1), (1, 1)), "p0 has nan, which is not finite"),
         ((1, 1.0, (1, 1), (1, 1)), "p1 has the float 1.0 where an int is meant"),
         ((1, 1, [1, 1], (1, 1)), "p2 must be a pair of numbers, not [1, 1]"),
+        ((1, 1, (1, 1, 1), (1, 1)), "p2 must be a pair of numbers, not (1, 1, 1)"),
         ((1, 1, (1, float("inf")), (1, 1)), "p2 has inf, which is not finite"),
         ((1, 1, (1, 1), (1, 1.5)), "p3 has the float 1.5 where an int is meant"),
         ((5.500000000000001, 1, (1, 1), (1, 1)), "p0 has 5.500000000000001, outside -5 to 11/2"),
@@ -136,9 +137,6 @@ def test_two_problems_of_one_name_keep_their_own_code(copy):
     assert other.solve(4).answer == 1
     assert own.solve(4).answer == 2
     assert not (copy / "__pycache__").exists()
-
-
-# -- broken problems -------------------------------------------------------------------------------
 
 
 def refused(folder, place, what, remedy):

@@ -109,9 +109,6 @@ def test_a_deck_of_ones_own_is_asked_by_its_name_and_with_its_sets(deck):
         cards_of("first-steps", cards, where)
 
 
-# -- every question of the topic can be drilled with what is here ----------------------------------
-
-
 @pytest.fixture(scope="module")
 def rows():
     return read_checklist().rows

@@ -11,7 +11,7 @@ from judge.kata.answers import Answered, Rating
 from judge.kata.checklist import Kind, Record, Row, assess_rows
 from judge.kata.history import History
 from judge.kata.quiz.cards import Card
-from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due, rising
+from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due
 from judge.kata.review import card_reviews
 from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress, SkillState
 from judge.kata.standing import Standing
@@ -75,9 +75,6 @@ def test_one_mistake_that_was_broken_is_enough():
     assert ticked.drills == ("judge hack count a", "judge hack count b")
 
 
-# -- when a card comes again -------------------------------------------------------------------------------
-
-
 @pytest.fixture
 def quizzed():
     clock = StoppedClock()
@@ -104,12 +101,3 @@ def test_what_is_due_comes_first_then_what_is_new(quizzed):
     assert ahead == ["bad", "new", "good", "drawn", "drawn", "drawn", "drawn"]
     assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None
-
-
-def test_an_interview_rises_through_the_tiers():
-    tiers = ["junior", "senior"]
-    cards = [card(f"{tier[:1]}{i}", sets=(tier,)) for tier in ("senior", "junior") for i in range(3)]
-    cards.append(card("none"))
-    assert [each.id for each in rising(cards, 5, tiers)] == ["j0", "j1", "s0", "s1", "none"]
-    assert [each.id for each in rising(cards, 99, tiers)] == ["j0", "j1", "j2", "s0", "s1", "s2", "none"]
-    assert rising([], 3, tiers) == []

@@ -153,9 +153,6 @@ def test_names_that_are_no_text_are_made_legible(place):
     assert legible(os.fsdecode(b"\xff")).encode() == b"\\xff"
 
 
-# -- the list of students ------------------------------------------------------------------------------
-
-
 def students(tmp_path, content):
     path = tmp_path / "list.csv"
     path.write_text(content, newline="")

@@ -117,9 +117,6 @@ def test_long_lists_are_folded_and_nobody_is_nothing():
     assert not any("--all" in span.text for each in whole for span in each)
 
 
-# -- the gradebook: every cell where it belongs, and none that a spreadsheet would calculate ------------
-
-
 def read(content, delimiter=","):
     return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline=""), delimiter=delimiter))
 

@@ -15,7 +15,6 @@ from judge.problem.load import load_problem
 from judge.values.rightness import wrong_outline
 
 GROWTH = Path(__file__).parents[1] / "fixtures" / "growth" / "problems"
-RIGHT = "def answer(n, P):\n    return int(n + P[0] + P[1])\n"
 
 
 def program(body):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import collections
 import decimal
 import enum
 import fractions
@@ -73,20 +72,18 @@ class Loud:
         ([(1, 2.5), (3.0, 4)], [[1, 2.5], [3.0, 4]]),
         (((1, 2), [3, 4]), [[1, 2], [3, 4]]),
         (Point(1, 2.0), [1, 2.0]),
-        (decimal.Decimal("1.50"), {"decimal": "1.50"}),
         (decimal.Decimal("NaN"), {"decimal": "NaN"}),
         (True, wrong("bool", "True")),
+        (float("nan"), wrong("float", "nan")),
         (float("-inf"), wrong("float", "-inf")),
         ("1", {"word": "1"}),
         ("a\nb", wrong("str", repr("a\nb"))),
-        ((2,), {"tuple": [2]}),
         (((1, 2),), {"tuple": [[1, 2]]}),
         (array("d", [1.5, 2]), [1.5, 2.0]),
-        (array("u", "ab"), wrong("array", "of characters")),
         (b"1", wrong("bytes", "b'1'")),
         (1 + 2j, wrong("complex", "(1+2j)")),
+        (Liar([1]), wrong("Liar", "a subclass of list with its own way of reading it")),
         (LyingTuple((1,)), wrong("LyingTuple", "a subclass of tuple with its own way of reading it")),
-        (collections.UserList([1]), wrong("UserList")),
         (MyFloat(1.0), wrong("MyFloat", "a subclass of float")),
         (Colour.RED, wrong("Colour", "a subclass of int")),
         ({1: 2}, wrong("dict")),
@@ -105,16 +102,15 @@ def test_forms(value, form):
         (np.float64(0.1), 0.1),
         (np.float32(0.1), float(np.float32(0.1))),
         (np.uint64(2**64 - 1), {"int": "f" * 16}),
-        (np.longdouble(0.5), 0.5),
         (np.bool_(True), wrong(np.bool_.__name__, "True")),
         (np.float64("nan"), wrong("float64", "nan")),
         (np.complex128(1j), wrong("complex128", "1j")),
         (np.str_("1"), wrong("str_", "")),
         (np.array([[1.5, 2], [3, 4]]), [[1.5, 2.0], [3.0, 4.0]]),
-        (np.zeros((0, 2)), []),
         ([np.array([1.0, 2.0]), (np.float64(3), np.int8(4))], [[1.0, 2.0], [3.0, 4]]),
-        (np.array([True]), [wrong(np.bool_.__name__, "True")]),
         (np.array([None, 0.5], dtype=object), [None, 0.5]),
+        (np.longdouble(1) / 3 * 0 + 2, 2.0),
+        (np.array(3.5), 3.5),
     ],
 )
 def test_numpy_counts_as_the_numbers_it_holds(value, form):
@@ -152,15 +148,15 @@ def test_bounds_of_depth_and_items():
     ("value", "code"),
     [
         ([3] * 2000, "b"),
-        ([3] * 2000 + [1 << 40], "q"),
         ([0.5] * 2000, "d"),
         (array("b", [3] * 2000), "b"),
-        (array("Q", [1 << 63] * 2000), "Q"),
         (array("H", [40_000] * 2000), "i"),
         (np.full(2000, 3, dtype=np.int8), "b"),
         (np.full(2000, 1 << 63, dtype=np.uint64), "Q"),
-        (np.full(2000, 0.5), "d"),
         (np.full(4000, 0.5)[::2], "d"),
+        ([3] * 2000 + [1 << 40], "q"),
+        (np.full(2000, 128), "h"),
+        (np.full(2000, 0.5, dtype=">f8"), "d"),
     ],
 )
 def test_many_numbers_of_one_type_are_sent_as_bytes(value, code):

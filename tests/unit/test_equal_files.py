@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from judge.batch.equal import LEAST, equal_files
@@ -12,7 +10,6 @@ from judge.batch.normal import normal_form
 from judge.kata.stub import make_stub
 from judge.problem.find import find_problem
 
-ROOT = Path(__file__).parents[2]
 ONE = b'''"""My own."""
 from math import hypot, sqrt
 

@@ -95,8 +95,3 @@ def test_the_place_of_a_fault(verdict, message, place):
 )
 def test_without_a_fault_it_is_the_entry_functions_line(source, line):
     assert annotated_place(result(Verdict.WA, "x"), source, "solve") == FilePlace(line)
-
-
-def test_a_line_that_the_file_does_not_have_is_not_believed():
-    assert annotated_place(result(Verdict.RTE, "x (line 99)"), SOURCE, "solve") == FilePlace(3)
-    assert annotated_place(result(Verdict.RTE, "x (line 4)"), SOURCE, "solve") == FilePlace(4)

@@ -79,14 +79,6 @@ def itself_a_link_into_another_place(top: Path) -> Site:
     return Site([str(site), str(other)], [site / "pack"], [*_seen(site), *_seen(other)])
 
 
-def in_a_place_that_a_link_of_another_leads_to(top: Path) -> Site:
-    outer, inner = _site(top / "site-packages"), _site(top / "far" / "dist-packages")
-    shutil.rmtree(outer / "pack")
-    (outer / "link").symlink_to(top / "far")
-    name = outer / "link" / "dist-packages"
-    return Site([str(outer), str(name)], [name / "pack"], [*_seen(name), *_seen(inner)])
-
-
 def another_pack_that_nobody_named(top: Path) -> Site:
     site = _site(top / "site-packages")
     for name, mark in (("problems", "problem.toml"), ("solutions", "accepted")):
@@ -103,7 +95,6 @@ SITES: list[Callable[[Path], Site]] = [
     as_it_is,
     through_a_link_beside_it,
     itself_a_link_into_another_place,
-    in_a_place_that_a_link_of_another_leads_to,
     another_pack_that_nobody_named,
 ]
 

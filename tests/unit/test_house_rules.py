@@ -60,9 +60,6 @@ def test_no_function_asks_for_much():
     assert {name: given for name, given in asked.items() if len(given) > MOST_PARAMETERS} == {}
 
 
-# -- imports point one way ----------------------------------------------------------------------------------
-
-
 def modules(found: list[ast.AST]) -> set[str]:
     """What import statements may name: modules, and what may be a name in one."""
     names = {alias.name for node in found if isinstance(node, ast.Import) for alias in node.names}
