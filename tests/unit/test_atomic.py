@@ -187,7 +187,7 @@ def test_no_link_is_followed_and_nothing_else_is_touched(left, tmp_path):
     assert len(list(tmp_path.iterdir())) == 4
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="only root can give files away")
+@pytest.mark.skipif(os.geteuid() != 0, reason="needs root, to give a file away")
 def test_another_users_file_stays(left):
     os.chown(left, 12345, 12345)
     sweep(left.parent)

@@ -69,5 +69,5 @@ def test_the_nearest_entry_is_meant():
 
 @pytest.mark.parametrize("piece", ['"""', "'", '\\"""', "import a" + ".b" * 50, "#", "f(" * 90, "\n"])
 def test_a_text_made_to_keep_the_judge_busy_is_read_like_any_other(piece):
-    found = signs(piece.encode() * 200_000 + b"\ndef one(): pass\n", "x.py")
+    found = signs(piece.encode() * 50_000 + b"\ndef one(): pass\n", "x.py")
     assert found.stem == "x"

@@ -107,7 +107,7 @@ def read_only(tmp_path):
         command = [sys.executable, "-c", PRELUDE + script, str(place / "history.sqlite3")]
         if os.geteuid() == 0:
             if not shutil.which("bwrap"):
-                pytest.skip("root may write everything, and there is no bubblewrap")
+                pytest.skip("bubblewrap is not installed, and root may write everywhere")
             command = ["bwrap", "--bind", "/", "/", "--ro-bind", str(place), str(place), *command]
         else:
             place.chmod(0o555)
