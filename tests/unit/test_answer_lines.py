@@ -122,8 +122,6 @@ def test_decimals_are_decided_as_written_not_as_doubles():
     assert float("2.00000000000000044408920985006262") == 2 + 2**-51
 
 
-# -- digits that were left out -------------------------------------------------------------------------------
-
 ROOT_2 = Surd(0, 1, 2, 1)
 
 
@@ -172,8 +170,6 @@ def test_another_number_is_not_called_rounded(line, x):
 def test_a_decimal_comma_is_told(line):
     assert why(line, ROOT_2) == f'"{line}" where a number is meant: it has a decimal comma; write a point'
 
-
-# -- what a function returned ------------------------------------------------------------------------------
 
 POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))

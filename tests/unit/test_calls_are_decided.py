@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import re
 import tomllib
 from pathlib import Path
 
@@ -13,6 +14,11 @@ from judge.sandbox.linux import bpf, profiles, seccomp, syscalls
 
 TESTS = Path(__file__).parents[1]
 MACHINES = ("x86_64", "aarch64")
+HEADERS = {
+    "x86_64": [Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h"), Path("/usr/include/asm/unistd_64.h")],
+    "aarch64": [Path("/usr/include/asm-generic/unistd.h")],
+}
+OF_32_BITS = range(403, 424)  # in the generic header, times of 64 bits for machines of 32
 REFUSED = {bpf.errno_action(errno.EPERM), bpf.errno_action(errno.ENOSYS)}
 NEWEST = 471
 ANY = ((), (1,), (0x10000,), (0, 0, 2, 2), (4711, 9))  # arguments
@@ -41,6 +47,20 @@ def test_the_numbers_are_the_kernels():
     assert {call: row[:2] for call, row in syscalls.TABLE.items()} == {
         call: listed[call] for call in syscalls.TABLE
     }
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_the_headers_of_this_machine_have_no_call_that_nobody_has_decided_about(machine):
+    path = next((path for path in HEADERS[machine] if path.exists()), None)
+    if path is None:
+        pytest.skip("linux-libc-dev is not installed")
+    found = re.findall(
+        r"^#define\s+__NR(?:3264)?_(\w+)\s+(\d+)", path.read_text(encoding="ascii"), re.MULTILINE
+    )
+    skipped = {"syscalls", "arch_specific_syscall"}
+    numbers = {int(number) for name, number in found if name not in skipped} - set(OF_32_BITS)
+    column = MACHINES.index(machine)
+    assert numbers - {row[column] for row in kernels().values()} == set(), "decide about these"
 
 
 @pytest.mark.parametrize("machine", MACHINES)
