@@ -11,7 +11,6 @@ from judge.problem.fit import fitting_problems, meant_problem, signs
     ("source", "defined", "nested"),
     [
         ("def one(a):\n    def two(): pass\n", {"one"}, {"two"}),
-        ("async def one(a): pass\n", {"one"}, set()),
         ("class Solution:\n    def one(self): pass\n", {"Solution"}, {"one"}),
         ('"""\ndef one(): pass\n"""\n# x\n#def two(): pass\ndef three(): pass\n', {"three"}, set()),
         ("s = 'it\\'s'\nt = \"'''\"\ndef one(): pass\n", {"s", "t", "one"}, set()),

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from judge.run.growth import LEAST_SECONDS, Course, exponent, grow
+from judge.run.growth import Course, exponent, grow
 from judge.run.timing import MOST_PAIRS
 
 SLOPE = 0.4
@@ -76,6 +76,11 @@ def test_both_the_medians_and_the_least_times_must_be_too_steep():
     assert grown.growth.pairs == MOST_PAIRS
 
 
+def test_one_slow_turn_of_the_reference_saves_nobody():
+    slow_once = [0.08, 0.3, 0.08]
+    assert grow([course(2_000, 0.02, 0.02), course(8_000, 0.02 * 4**1.9, slow_once)], SLOPE).too_steep
+
+
 def test_a_grey_first_look_is_settled_by_the_others():
     noisy = [0.08 * 4**0.3, 0.08 * 4**0.3, 0.08]
     grown = grow([course(2_000, 0.02, 0.02), course(8_000, noisy, 0.08)], SLOPE)
@@ -83,7 +88,7 @@ def test_a_grey_first_look_is_settled_by_the_others():
 
 
 def test_groups_that_take_the_reference_no_time_say_nothing():
-    short = 0.9 * LEAST_SECONDS
+    short = 0.009
     courses = [course(500, 1e-6, short), *law(1.2)]
     grown = grow(courses, SLOPE)
     assert grown.growth.groups == ("n-2000", "n-8000", "n-32000")
