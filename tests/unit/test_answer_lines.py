@@ -1,9 +1,9 @@
-"""Program mode's lines: what is read, what is refused and why, digits that were cut off, what is rendered."""
+"""Answers as lines and as values: what is read, what is refused and why, digits that were cut off."""
 
 from __future__ import annotations
 
-from decimal import Decimal
 from fractions import Fraction
+from typing import Any
 
 import pytest
 
@@ -45,18 +45,12 @@ def render(answer):
     [
         ("1", count(1)),
         ("  2 ", count(2)),
-        ("\t0\r", count(0)),
-        ("+1", count(1)),
-        ("01", count(1)),
         ("none", count(None)),
         ("0", ("points", [])),
-        ("2 1 1 3 1", TWO),
         ("2 1.0 1.0000000000 3e0 10E-1", TWO),
-        ("2 +1.0 1 0.3e+1 1", TWO),
         ("2 1.000000001 1 3 1", TWO),
         ("0.5", parameter(Surd(1, 0, 0, 2), 1)),
         ("none", parameter(None, 1)),
-        ("0", parameter(Surd(0), 1)),
         ("-0.0", parameter(Surd(0), 1)),
         ("1e-12", parameter(Surd(0), 1)),
         ("1.41421356237", parameter(Surd(0, 1, 2), 1)),
@@ -71,46 +65,31 @@ def test_accepted(line, answer):
     [
         ("2", count(1), "1 wanted, 2 given"),
         ("2", count(None), "none wanted, 2 given"),
-        ("none", count(1), "1 wanted, none given"),
         ("1.0", count(1), '"1.0" where 0, 1, 2 or none is meant: write a plain integer'),
-        ("0.9999999", count(1), "write a plain integer"),
         ("None", count(None), "write none in lower case"),
-        ("1_0", count(1), "write a plain integer"),
         ("0x1", count(1), "write a plain integer"),
         ("", count(1), "an empty line"),
-        ("   ", count(1), "an empty line"),
         ("1 point", count(1), '"point" after the answer'),
         ("1\0", count(1), "a NUL in the output"),
         ("１", count(1), "the character '\\uff11' in the output"),
-        ("1\x1b[2J", count(1), "the character '\\x1b' in the output"),
         ("1\u00a0", count(1), "the character '\\xa0' in the output"),
         ("9" * 5000, count(1), "write a plain integer"),
         ("9007199254740993", count(1), "1 wanted, 9007199254740993 given"),
         ("2 1 1 3", TWO, "k = 2 needs 4 coordinates, 3 given"),
         ("2 1 1 3 1 7", TWO, "k = 2 needs 4 coordinates, 5 given"),
-        ("1 1 1", TWO, "2 points wanted, 1 given"),
         ("2 3 1 1 1", TWO, "the right points in the wrong order"),
         ("3 1 1 3 1 5 1", TWO, "where 0 to 2 points are meant"),
         ("-1", TWO, "where 0 to 2 points are meant"),
         ("none", TWO, "no points are 0"),
-        ("2.0 1 1 3 1", TWO, "write a plain integer"),
         ("2 1 1 nan 1", TWO, '"nan" where a coordinate is meant: it is not a finite number'),
-        ("2 1 1 inf 1", TWO, "it is not a finite number"),
         ("2 1 1 3_0 1", TWO, "it has an underscore"),
-        ("2 1 1 0x3 1", TWO, "it is hexadecimal"),
         ("2 1 1 0x1.8p1 1", TWO, "it is hexadecimal"),
-        ("2 1 1 3, 1", TWO, "it is not a plain decimal number"),
         ("2 1 1 .3 1", TWO, "it is not a plain decimal number"),
         ("2 1 1 3. 1", TWO, "it is not a plain decimal number"),
-        ("2 1 1 3e 1", TWO, "it is not a plain decimal number"),
         ("2 1 1 1e999999999 1", TWO, "its exponent is beyond"),
-        ("2 1 1 1e-99999999999999999999 1", TWO, "its exponent is beyond"),
         ("2 1 1 " + "3" * 5000 + " 1", TWO, "a number of 5000 characters"),
         ("2 1 1 1e99999 1", TWO, "its exponent is beyond"),
-        ("2 1 1 1e-5001 1", TWO, "its exponent is beyond"),
         ("2 1 1 1e5000 1", TWO, "x of point 2 is off by inf"),
-        ("2 1 1 1e-5000 1", TWO, "x of point 2 is off by 3"),
-        ("0.5000001", parameter(Surd(1, 0, 0, 2), 1), "t is off by 1e-07"),
         ("none", parameter(Surd(1), 1), "none given, but the ray hits: t = 1.0"),
         ("3", parameter(None, 1), "none wanted, 3 given"),
         ("-1", parameter(None, 1), "none wanted, -1 given"),
@@ -143,24 +122,6 @@ def test_decimals_are_decided_as_written_not_as_doubles():
     assert float("2.00000000000000044408920985006262") == 2 + 2**-51
 
 
-@pytest.mark.parametrize(
-    ("answer", "line"),
-    [
-        (count(None), "none"),
-        (count(2), "2"),
-        (("points", []), "0"),
-        (TWO, "2 1.0 1.0 3.0 1.0"),
-        (parameter(None, 1), "none"),
-        (parameter(Surd(0, 1, 2), 1), "1.4142135623730951"),
-    ],
-)
-def test_render_prints_what_a_perfect_program_prints(answer, line):
-    assert render(answer) == line
-    assert isinstance(judge(line, answer), Accepted)
-
-
-# -- digits that were left out -------------------------------------------------------------------------------
-
 ROOT_2 = Surd(0, 1, 2, 1)
 
 
@@ -175,14 +136,10 @@ def why(line, x):
     [
         ("1.41421", ROOT_2, "6 significant digits: print 17"),
         ("-1.41421", -ROOT_2, "6 significant digits: print 17"),
-        ("1.414", ROOT_2, "4 significant digits: print 17"),
-        ("1.4142136", ROOT_2, "8 significant digits: print 17"),
         ("1.414214", ROOT_2, "6 decimals: print 17 significant digits"),
-        ("141.421356", ROOT_2 * 100, "6 decimals: print 17 significant digits"),
         ("0.000480", Fraction(4801, 10**7), "6 decimals: print 17 significant digits"),
         ("0.000000", Fraction(4801, 10**12), "6 decimals: print 17 significant digits"),
         ("1.41421e+10", ROOT_2 * 10**10, "6 significant digits: print 17"),
-        ("141421", ROOT_2 * 10**5, "6 significant digits: print 17"),
         (
             "0.12346",
             Fraction(123460004, 10**9),
@@ -198,27 +155,126 @@ def test_a_rounded_decimal_is_told_how_many_digits_it_has(line, x, how):
     ("line", "x"),
     [
         ("1.41422", ROOT_2),  # the last digit is another one
-        ("1.415", ROOT_2),
         ("1.4", ROOT_2),  # two digits may be a coincidence
         ("1", ROOT_2),
-        ("-1.41421", ROOT_2),
         ("1.414214562373095", ROOT_2),
         ("1.4142135723730951", ROOT_2),  # all digits are there
         ("0.5", Fraction(50001, 10**5)),  # as Python prints one half
-        ("0.0", Fraction(1, 10**6)),
     ],
 )
 def test_another_number_is_not_called_rounded(line, x):
     assert "printed with" not in why(line, x)
 
 
-def test_every_rounding_of_a_number_is_seen_from_four_digits_on():
-    x = Surd(1, 3, 7, 11)
-    for digits in range(4, 8):  # eight are within the tolerance
-        line = f"{Decimal(x.decimal(40)):.{digits}g}"
-        assert f"printed with {digits} significant" in why(line, x)
-
-
 @pytest.mark.parametrize("line", ["1,41421", "-3,5", "2,5e3"])
 def test_a_decimal_comma_is_told(line):
     assert why(line, ROOT_2) == f'"{line}" where a number is meant: it has a decimal comma; write a point'
+
+
+POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
+T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
+ONE = [vector(CircleLine.through(2, 1, 1, (3, 0), (3, 3)).point(0), 2)]
+POINTS = parse("points", words=WORDS["points"])
+COUNT = parse("count", words=WORDS["count"])
+PARAMETER = parse("parameter", words=WORDS["parameter"])
+
+
+def never():
+    raise AssertionError("the exact answer was asked for without need")
+
+
+def points_of(raw: Any, answer: Any = TWO[1]):
+    return POINTS.check(raw, POINTS.target(answer, POINTS_TOLERANCE), lambda: (answer, POINTS_TOLERANCE))
+
+
+def count_of(raw: Any, value: int | None = 1):
+    return COUNT.check(raw, COUNT.target(value, T_TOLERANCE), never)
+
+
+def parameter_of(raw: Any, t: Surd | None = Surd(1, 0, 0, 2)):  # noqa: B008  # immutable
+    answer = None if t is None else Real(t, 2)
+    return PARAMETER.check(raw, PARAMETER.target(answer, T_TOLERANCE), lambda: (answer, T_TOLERANCE))
+
+
+def test_worst_error_is_measured_in_ulps():
+    assert points_of([[1.0, 1.0], [3.0, 1.0]]) == Accepted(0.0)
+    assert points_of([[1.0, 1.0], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points_of([[1.0, 1], [3.0 + 2**-50, 1.0]]) == Accepted(2.0)
+    assert points_of([], []) == Accepted(None)
+    assert count_of(1) == Accepted(None)
+    assert parameter_of(0.5 + 2**-52) == Accepted(2.0)
+    assert parameter_of(0.0, Surd(0)) == Accepted(0.0)
+    assert parameter_of(1e-13, Surd(0)) == Accepted(0.0)
+    assert parameter_of(None, None) == Accepted(None)
+    # x just below 2, whose double is 2: the ulp is that of the exact number, not of its double.
+    below = Surd(0, 1, 4 * 10**40 - 1, 10**20)
+    assert parameter_of(2.0, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+    assert parameter_of(2.0 - 2**-52, below).worst_ulps == pytest.approx(1.0)
+    assert parameter_of(2, below).worst_ulps == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_number_that_is_off_is_named_and_measured():
+    outcome = points_of([[1.0, 1.0], [3.0, 1.5]])
+    assert isinstance(outcome, Rejection)
+    assert outcome.where == "y of point 2"
+    assert (outcome.absolute, outcome.relative, outcome.ulps) == (0.5, 0.5, 0.5 * 2**52)
+    assert outcome.message == "y of point 2 is off by 0.5, relative error 0.5 (2.25e+15 ulps)"
+    assert outcome.got == "[(1.0, 1.0), (3.0, 1.5)]"
+
+
+def test_a_tangency_given_twice_is_named():
+    outcome = points_of([[3.0, 1.0], [3.0, 1.0]], ONE)
+    assert outcome.message == "1 point wanted, 2 given: the same point twice"
+    assert points_of([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point wanted, 2 given"
+    assert points_of([[3.0, 1.0]], []).message == "no points wanted, 1 given"
+
+
+@pytest.mark.parametrize(
+    ("raw", "message"),
+    [
+        (2, "1 wanted, 2 given"),
+        (1.0, "the float 1.0 where an int is meant"),
+        (True, "the bool True where an int is meant"),
+        ({"type": "bool_", "text": "True"}, "the bool_ True where an int is meant"),
+        ({"int": "10000000000000000"}, "1 wanted, 18446744073709551616 given"),
+        ({"fraction": ["1", "1"]}, "the number Fraction(1, 1) where an int is meant"),
+        ({"type": "Colour", "text": "a subclass of int"}, "Colour, a subclass of int, where an int is meant"),
+    ],
+)
+def test_wrong_counts_say_why(raw, message):
+    outcome = count_of(raw)
+    assert isinstance(outcome, Rejection)
+    assert outcome.message.startswith(message)
+    assert isinstance(count_of(None, None), Accepted)
+    assert count_of(0, None).message == "None wanted, 0 given"
+
+
+def deep(levels: int) -> Any:
+    value: Any = 1.0
+    for _ in range(levels):
+        value = [value]
+    return value
+
+
+ABSURD = [
+    deep(100_000), [[1.0] * 100_000] * 2, [[]] * 2, [{}, {}], {}, {1: 2}, {1, 2}, object(), b"bytes",
+    True, False, {"type": 1, "text": []}, {"type": "x" * 10**6, "text": "\x1b[2J" * 10**5}, {"type": "bool"},
+    {"int": 5}, {"int": "zz"}, {"int": "f" * 10**6}, {"int": "-"},
+    {"fraction": ["1", "0"]}, {"fraction": ["1"]}, {"fraction": "ab"}, {"fraction": [["1"], {}]},
+    {"fraction": ["f" * 1000, "1"]}, {"fraction": ["1", "f" * 1000]},
+    {"decimal": "1e999999999"}, {"decimal": "1e-999999999999999999999999999"}, {"decimal": "9" * 10**6},
+    {"decimal": "nan"}, {"decimal": ["1"]}, {"decimal": "１"}, {"decimal": "1e5000"}, {"decimal": "1e-5000"},
+    float("inf"), float("-inf"), float("nan"), 10**3000, -(10**3000), 1e308, -5e-324,
+    "text" * 10**5, "\x00\x1b[31m", [None, None], [[None, None], [None, None]], [["1", "1"], ["3", "1"]],
+    [{"type": "list", "text": ""}, [1, 1]], [[1e308, 1e308], [-1e308, {"int": "-f" * 3}]],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("raw", ABSURD, ids=range(len(ABSURD)))
+def test_absurd_answers_are_rejected_and_never_raise(raw):
+    for form in (raw, [raw], [[raw, raw], [raw, raw]], [[1.0, raw], [3.0, 1.0]]):
+        for outcome in (points_of(form), points_of(form, ONE), count_of(form), parameter_of(form)):
+            assert isinstance(outcome, Rejection)
+            for text in (outcome.message, outcome.got, outcome.wanted):
+                assert len(text) < 800
+                assert text.isprintable()

@@ -10,7 +10,6 @@ import sys
 import pytest
 from msgspec.structs import replace
 
-from judge import database
 from judge.batch.model import Row
 from judge.batch.store import Store, store_of
 from judge.errors import StoreError
@@ -58,23 +57,6 @@ def test_one_judge_writes_and_others_may_read(tmp_path):
             assert len(reader.rows()) == 1
     with Store.open(path) as store:
         assert len(store.rows()) == 1
-
-
-def test_who_looks_at_a_file_while_it_is_begun_takes_it_for_no_other_programs(tmp_path, monkeypatch):
-    path = tmp_path / "s.sqlite3"
-    real = database._holds_anything
-
-    def meanwhile(connection):
-        monkeypatch.setattr(database, "_holds_anything", real)
-        found = real(connection)
-        with Store.open(path, reading=True) as reader:
-            assert reader.rows() == []
-        return found or real(connection)
-
-    monkeypatch.setattr(database, "_holds_anything", meanwhile)
-    with Store.open(path) as store:
-        store.keep(row())
-        assert store.rows() == [row()]
 
 
 KILLED = """

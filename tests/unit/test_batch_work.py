@@ -12,13 +12,10 @@ from msgspec.structs import replace
 
 import judge
 from judge.batch import work
-from judge.batch.model import Done, Handin, Standard, Task
-from judge.batch.plan import planned
-from judge.batch.run import ground_of, learnt
-from judge.batch.standard import differing, level_here, standard_of
-from judge.batch.work import fault_done, judge_task, learn_task
+from judge.batch.model import Done, Standard, Task
+from judge.batch.standard import level_here, standard_of
+from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
-from judge.judging.executors import Here
 from judge.judging.job import Terms
 from judge.problem.find import find_problem
 
@@ -62,46 +59,8 @@ def test_a_task_is_judged_as_judge_run_does(task):
     assert done.seconds > 0
 
 
-def test_what_is_not_known_yet_is_learnt_once_before_the_work(tmp_path, monkeypatch):
-    work.release()  # what is warm here has been learnt already
-    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cold"))
-    handins = [Handin(name, "middle", f"{name}/middle.py", name.encode()) for name in ("ada", "bob")]
-    ground = ground_of(["middle"], TERMS, [PACK])
-    plan = planned(handins, [], ground)
-    assert list(learnt(plan, ground, TERMS, Here())) == [("middle", 0, 1), ("middle", 1, 1)]
-    assert list(learnt(plan, ground, TERMS, Here())) == []
-    kept = {path.parent.name for path in (tmp_path / "cold").glob("*/middle-*")}
-    assert kept == {"data", "mistakes"}
-    work.release()
-
-
-def test_what_a_problem_needs_is_kept_for_a_few_problems(task, monkeypatch):
-    monkeypatch.setattr(work, "_WARM", 2)
-    benches = work._Benches()
-    others = [replace(task, folders=(*task.folders, str(PACK.parent))[: 1 + at]) for at in range(2)]
-    sessions = [benches.session(each) for each in others]
-    assert benches.session(others[0]) is sessions[0]
-    ended = []
-    monkeypatch.setattr(type(sessions[0]), "__exit__", lambda session, *exc: ended.append(session))
-    third = replace(task, terms=msgspec.json.encode(Terms(timed=False)).decode(), standard="{}")
-    with pytest.raises(msgspec.ValidationError):  # nothing is ended for what cannot be opened
-        benches.session(third)
-    assert ended == []
-    empty = msgspec.json.encode(Standard("", "", "", "", "")).decode()
-    benches.session(replace(third, standard=empty))
-    assert ended == [sessions[1]]
-    benches.close()
-    assert len(ended) == 3
-
-
 @pytest.mark.parametrize(
-    ("part", "words"),
-    [
-        ("judge", "the judge (else → "),
-        ("data", "the problem's files (else → "),
-        ("python", "Python (else → cpython 3."),
-        ("terms", "the options (else → "),
-    ],
+    ("part", "words"), [("data", "the problem's files (else → "), ("python", "Python (else → cpython 3.")]
 )
 def test_another_standard_is_refused_in_one_line(task, part, words):
     standard = replace(msgspec.json.decode(task.standard, type=Standard), **{part: "else"})
@@ -112,13 +71,6 @@ def test_another_standard_is_refused_in_one_line(task, part, words):
     assert "middle on " in str(refused.value)
 
 
-def test_standards_that_agree_differ_in_nothing():
-    one = Standard("1", "2", "3", "full", "5")
-    assert differing(one, one) == ""
-    assert differing(one, replace(one, isolation="")) == ""
-    assert differing(one, replace(one, isolation="strong")) == "the isolation (full → strong)"
-
-
 def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):
     (tmp_path / "middle").mkdir()
     (tmp_path / "middle" / "problem.toml").write_text("title = 3\n")
@@ -127,9 +79,3 @@ def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):
     assert result["verdict"] == "JE"
     assert "problem.toml" in result["failure"]["message"]
     assert "problem.toml" in learn_task(broken)
-
-
-def test_a_task_that_no_worker_survives_is_the_judges_fault(task):
-    result = msgspec.json.decode(fault_done(task, "it was lost 3 times"), type=Done).result
-    assert (result["verdict"], result["submission"]) == ("JE", "ada/middle.py")
-    assert result["failure"]["message"] == "it was lost 3 times"

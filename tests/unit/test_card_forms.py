@@ -6,20 +6,16 @@ import re
 from contextlib import nullcontext
 from fractions import Fraction
 from itertools import pairwise
-from math import hypot, sqrt
+from math import sqrt
 
 import pytest
-from sampling import nightly
 
-from judge.drawing.shapes import Role
 from judge.errors import ProblemError
 from judge.kata.quiz.cards import Card, WrongOption, all_cards
 from judge.kata.quiz.forms import NAMES, ask
-from judge.kata.quiz.forms.spot import shown_program
 from judge.kata.quiz.question import MistypedError
 from judge.kata.quiz.sources import Sources
 from judge.kata.quiz.typed import count, number, option, sequence
-from judge.mistakes.computed import Program, computed
 
 NUMBERS = re.compile(r"-?\d+")
 
@@ -45,34 +41,11 @@ def questions(sources, wanted, many):
     return [ask(wanted, sources, str(turn)) for turn in range(many)]
 
 
-# -- what is typed -----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("4", 4),
-        (" −1/2 ", Fraction(-1, 2)),
-        ("0.5", Fraction(1, 2)),
-        ("1e-9", Fraction(1, 10**9)),
-        ("+2.", 2),
-    ],
-)
-def test_a_number_is_read(text, value):
-    assert number(text) == value
-
-
-@pytest.mark.parametrize(
-    "text", ["", "four", "1/0", "1//2", "0x10", "1e9999", "9" * 50, "nan", "1_0", "²", "1 2x"]
-)
-def test_what_is_no_number_is_told(text):
-    with pytest.raises(MistypedError) as told:
-        number(text)
-    assert "\n" not in str(told.value)
-    assert len(str(told.value)) < 120
-
-
-def test_a_count_and_an_option_are_read():
+def test_a_number_a_count_and_an_option_are_read():
+    assert [number(text) for text in (" −1/2 ", "1e-9", "+2.")] == [Fraction(-1, 2), Fraction(1, 10**9), 2]
+    for text in ("", "1/0", "0x10", "1e9999", "9" * 50, "nan", "1_0", "²", "1 2x"):
+        with pytest.raises(MistypedError, match=r"^[^\n]{,119}$"):
+            number(text)
     assert [count(text) for text in ("2", " 02 ", "None")] == ["2", "2", "none"]
     assert [option(text, "abc") for text in ("b", "B", "(b)", "b.")] == ["b"] * 4
     for text in ("-1", "2.0", "two", "٢", ""):
@@ -91,9 +64,6 @@ def test_a_sequence_is_read_by_words_or_by_what_they_mean():
     for text in ("x", "i x", "", "ioxo"):
         with pytest.raises(MistypedError, match="i, o and t in their order, or none"):
             sequence(text, tags)
-
-
-# -- forms without a problem -------------------------------------------------------------------------------
 
 
 def test_a_choice_tells_which_mistake_a_wrong_option_is(sources):
@@ -122,9 +92,6 @@ def test_a_number_may_be_off_by_a_part_and_have_its_unit_and_recall_is_not_check
     assert (recalled.check, recalled.answer) == (None, "So.")
 
 
-# -- figures -----------------------------------------------------------------------------------------------
-
-
 def line_count(text):
     """How often a circle and a line meet, by another formula than the references', in whole numbers."""
     cx, cy, r, ax, ay, bx, by = map(int, NUMBERS.findall(re.sub(r"c[xy]=|[rAB]=", "", text)))
@@ -136,28 +103,15 @@ def line_count(text):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("problem", ["exact-count", "crossings"])
-def test_the_count_of_a_figure_is_right(sources, problem):
-    asked = questions(sources, card("count", problem=problem, groups=(), largest=30), 60)
+def test_the_count_of_a_figure_is_right(sources):
+    asked = questions(sources, card("count", problem="crossings", groups=(), largest=30), 20)
     for question in asked:
         right = line_count(question.given[0])
         assert question.answer == right
         for typed in ("0", "1", "2", "none"):
             assert question.check(typed).right == (typed == right)
-    assert len({question.given for question in asked}) > 50
+    assert len({question.given for question in asked}) > 15
     assert {question.answer for question in asked} >= {"0", "1", "2"}
-
-
-@pytest.mark.parametrize("problem", ["crossings", "segment", "line-points", "circle-circle", "tangents"])
-def test_no_picture_of_a_question_shows_its_answer(sources, problem):
-    for question in questions(sources, card("count", problem=problem, largest=30), 10):
-        panels = question.picture.panels
-        assert len(panels) == 1
-        roles = {each.role for panel in panels for each in (*panel.strokes, *panel.marks)}
-        assert not roles & {Role.WANTED, Role.GOT, Role.BAND}
-        assert (question.picture.facts, question.picture.description) == ((), "")
-        # Of tangents nothing is drawn but the circle and P; of the others the line that is asked about.
-        assert Role.LINE not in roles or problem not in ("tangents", "circle-circle")
 
 
 def figure(question):
@@ -188,7 +142,7 @@ def order_of(question):
 
 def test_what_a_ray_meets_and_what_first_is_right(sources):
     orders, answers = set(), set()
-    for question in questions(sources, card("order", problem="ray-nearest"), 40):
+    for question in questions(sources, card("order", problem="ray-nearest"), 20):
         wanted = order_of(question)
         assert question.answer.split() == wanted
         assert question.check(" ".join(wanted).lower()).right
@@ -196,7 +150,7 @@ def test_what_a_ray_meets_and_what_first_is_right(sources):
         assert len(wanted) >= 2
         orders.add(tuple(wanted))
     assert len(orders) > 5
-    for question in questions(sources, card("first-hit", problem="ray-nearest"), 40):
+    for question in questions(sources, card("first-hit", problem="ray-nearest"), 20):
         assert question.answer == order_of(question)[0]
         answers.add(question.answer)
         with pytest.raises(MistypedError):
@@ -204,94 +158,12 @@ def test_what_a_ray_meets_and_what_first_is_right(sources):
     assert answers == {"A", "B", "C", "D"}
 
 
-@pytest.mark.parametrize(("problem", "ray"), [("line-points", False), ("enter-exit", True)])
-def test_what_happens_along_a_line_or_a_ray_is_right(sources, problem, ray):
-    seen, first = set(), set()
-    for question in questions(sources, card("tags", problem=problem), 60):
-        rings, (ox, oy, dx, dy) = figure(question)
-        dx, dy = (dx, dy) if ray else (dx - ox, dy - oy)
-        events = []
-        for ring in rings.values():
-            found = roots(ring, ox, oy, dx, dy)
-            close = len(found) == 2 and (found[1] - found[0]) * hypot(dx, dy) < 1e-3
-            if close or len(found) == 1:
-                events.append((found[0], "t"))
-            elif found:
-                events += [(found[0], "i"), (found[1], "o")]
-        wanted = [tag for t, tag in sorted(events) if t >= 0 or not ray]
-        assert question.answer.split() == wanted
-        assert question.check("".join(wanted)).right
-        assert not question.check("none").right
-        seen |= set(wanted)
-        first.add(wanted[0])
-    assert seen == {"i", "o", "t"}
-    assert not ray or first >= {"i", "o"}  # from outside, and from within a circle
-
-
-def test_the_same_seed_makes_the_same_figure_and_another_one_another():
-    wanted = card("order", problem="ray-nearest")
-    first, again, other = (
-        ask(wanted, Sources((), seed, lambda _label: nullcontext()), "0").given for seed in (1, 1, 2)
-    )
-    assert first == again != other
-
-
-# -- spot --------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("problem", ["count", nightly("segment")])
-def test_one_group_breaks_the_program_and_the_others_do_not(sources, problem):
-    data = sources.data(problem)
-    programs = set()
-    for question in questions(sources, card("spot", problem=problem), 6):
-        does = computed(data, Program(question.program.encode(), "shown.py", trusted=True))
-        for letter, text in question.options:
-            group = text.partition(":")[0]
-            assert bool(does[group].wrong) == question.check(letter).right
-        assert question.answer.startswith(
-            next(letter for letter, _ in question.options if question.check(letter).right)
-        )
-        assert '"""' not in question.program
-        programs.add(question.program)
-    assert len(programs) > 3
-
-
-def test_a_program_is_shown_without_a_pass_that_marks_a_change():
-    source = (
-        "def entry(x):\n    y = x\n    pass\n    if y:\n        pass\n"
-        "    else:\n        pass\n        y = 1\n    return y"
-    )
-    assert shown_program(source) == (
-        "def entry(x):\n    y = x\n    if y:\n        pass\n    else:\n        y = 1\n    return y"
-    )
-    assert shown_program('def entry(x):\n    "Text."\n    pass\n') == "def entry(x):\n    pass"
-
-
-def test_a_program_is_shown_without_what_nobody_calls():
-    source = (
-        "from math import hypot, sqrt\nfrom struct import pack\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
-        'def other(x):\n    return pack(x)\n\n\ndef entry(x):\n    "right"\n    return helper(x)  # so\n'
-    )
-    assert shown_program(source) == (
-        "from math import sqrt\n\n\ndef helper(x):\n    return sqrt(x)\n\n\n"
-        "def entry(x):\n    return helper(x)  # so"
-    )
-    assert shown_program("def entry(x):\n    return 1\n    return 2\n") == ""
-
-
-# -- what a card may ask for and not get -------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("wanted", "said"),
     [
         (card("count", problem="count", groups=("gird",)), "count has no group 'gird' to draw from"),
-        (card("count", problem="count", groups=("large",), largest=5), "no case is in whole numbers up to 5"),
         (card("count", problem="distance"), "the answer of distance counts nothing"),
-        (card("tags", problem="distance"), "distance has no figure for 'tags'"),
         (card("tags", problem="count"), "count has no figure for 'tags'"),
-        (card("spot", problem="count", mistakes=("gird",)), "count has no program with such a mistake"),
     ],
 )
 def test_what_a_problem_has_not_is_one_line(sources, wanted, said):
@@ -301,7 +173,7 @@ def test_what_a_problem_has_not_is_one_line(sources, wanted, said):
     assert str(fault.value).startswith("quiz/deck.toml: ")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_every_shipped_card_can_be_asked(sources):
     cards = all_cards()
     assert len(cards) > 100

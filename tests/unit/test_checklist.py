@@ -8,14 +8,13 @@ import pytest
 from past_runs import START, StoppedClock
 
 from judge.kata.answers import Answered, Rating
-from judge.kata.checklist import Kind, Record, Row, Section, assess_rows
+from judge.kata.checklist import Kind, Record, Row, assess_rows
 from judge.kata.history import History
 from judge.kata.quiz.cards import Card
-from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due, rising
+from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due
 from judge.kata.review import card_reviews
 from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress, SkillState
 from judge.kata.standing import Standing
-from judge.report.page.checklist import ready_parts
 
 LATER = START + timedelta(days=1)
 
@@ -50,25 +49,6 @@ def test_all_of_its_katas_that_are_here_must_be_passed():
     assert state(row, here=()).state is SkillState.OPEN
 
 
-def test_the_report_says_which_of_it_are_all_needed_and_which_are_enough():
-    row = Row("J1", "s", "?", ("count", "segment"), ("trust a double, or do not",), ("count/a", "count/b"))
-    cards = [card("a", "J1"), card("b", "J1")]
-    skills = [skill("trust a double, or do not", None)]
-
-    def by(**shown):
-        (part,) = ready_parts([(Section("s", "S"), [state(row, cards=cards, **shown)])], None)
-        return part.lines[0].by
-
-    assert by(skills=skills) == (
-        "katas count and segment, or skill “trust a double, or do not”, or 2 cards, "
-        "or broken count/a or count/b"
-    )
-    assert (
-        by(passed=("count", "segment"), broken={"count/b": LATER})
-        == "katas count and segment, broken count/b"
-    )
-
-
 def test_all_of_its_skills_must_be_shown_and_a_lost_one_is_lost():
     row = Row("J1", "s", "?", skills=("a", "b"))
     assert state(row, skills=[skill("a", START), skill("b", None)]).state is SkillState.OPEN
@@ -78,7 +58,7 @@ def test_all_of_its_skills_must_be_shown_and_a_lost_one_is_lost():
 
 def test_all_of_its_cards_must_be_known_when_they_were_last_answered():
     row = Row("J1", "s", "?")
-    cards = (card("a", "J1"), card("b", "J1", "J2"), card("c", "J2"))
+    cards = (card("a", "J1"), card("b", "J1", "J2"), card("c", "J2"), card("d", "J1", problem="later"))
     known = [answered("a", Rating.GOOD), answered("b", Rating.HARD)]
     assert state(row, cards=cards, answers=known[:1]).state is SkillState.OPEN
     assert state(row, cards=cards, answers=known).state is SkillState.SHOWN
@@ -87,44 +67,12 @@ def test_all_of_its_cards_must_be_known_when_they_were_last_answered():
     assert state(row, cards=cards, answers=[*forgotten, answered("b", Rating.GOOD, LATER)]).since == START
 
 
-def test_a_card_whose_problem_is_not_here_asks_for_nothing():
-    row = Row("J1", "s", "?")
-    cards = (card("a", "J1"), card("b", "J1", problem="later"))
-    assert state(row, cards=cards, answers=[answered("a", Rating.GOOD)]).state is SkillState.SHOWN
-
-
 def test_one_mistake_that_was_broken_is_enough():
     row = Row("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
     assert [each.name for each in state(row).of(Kind.BROKEN)] == ["count/a", "count/b"]
     ticked = state(row, broken={"count/b": LATER})
     assert (ticked.state, ticked.since) == (SkillState.SHOWN, LATER)
     assert ticked.drills == ("judge hack count a", "judge hack count b")
-
-
-def test_any_kind_ticks_and_what_is_still_open_is_drilled_first():
-    row = Row("J1", "s", "?", katas=("count",), broken=("count/a",))
-    ticked = state(row, passed=("count",), cards=(card("a", "J1"),))
-    assert ticked.state is SkillState.SHOWN
-    assert ticked.drills == ("judge quiz --row J1", "judge hack count a", "judge init count")
-    lost = [answered("a", Rating.GOOD), answered("a", Rating.AGAIN)]
-    assert state(row, cards=(card("a", "J1"),), answers=lost).state is SkillState.LOST
-    kept = state(row, passed=("count",), cards=(card("a", "J1"),), answers=lost)
-    assert kept.state is SkillState.SHOWN
-
-
-def test_a_broken_program_in_the_history_ticks_its_rows():
-    from judge.kata.assessed import assessed_rows
-    from judge.kata.hacks import Outcome
-    from judge.problem.find import find_problem
-
-    with History.open(clock=StoppedClock()) as history:
-        history.add_hack("count", "slope-intercept", "0 0 1 0 0 0 1", Outcome.WON)
-        _, rows, faults = assessed_rows(history, [find_problem("count")], (), {"hack"})
-    assert faults == []
-    assert {row.row.id for row in rows if row.state is SkillState.SHOWN} == {"J7", "F1"}
-
-
-# -- when a card comes again -------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -153,12 +101,3 @@ def test_what_is_due_comes_first_then_what_is_new(quizzed):
     assert ahead == ["bad", "new", "good", "drawn", "drawn", "drawn", "drawn"]
     assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None
-
-
-def test_an_interview_rises_through_the_tiers():
-    tiers = ["junior", "senior"]
-    cards = [card(f"{tier[:1]}{i}", sets=(tier,)) for tier in ("senior", "junior") for i in range(3)]
-    cards.append(card("none"))
-    assert [each.id for each in rising(cards, 5, tiers)] == ["j0", "j1", "s0", "s1", "none"]
-    assert [each.id for each in rising(cards, 99, tiers)] == ["j0", "j1", "j2", "s0", "s1", "s2", "none"]
-    assert rising([], 3, tiers) == []

@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from decimal import Context, localcontext
-from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from judging import make_data
-from sampling import nightly
 
 from judge.data.load import load_data
 from judge.mistakes import computed as module
 from judge.mistakes.computed import Computer, Program, computed
-from judge.mistakes.makers import read_makers
-from judge.problem.find import find_problem
-from judge.sandbox.encode import encode
-from judge.values import parse
-from judge.values.rightness import is_right, wrong_outline
+from judge.problem.load import load_problem
+from judge.values.rightness import wrong_outline
 
-RIGHT = "def answer(n, P):\n    return int(n + P[0] + P[1])\n"
+GROWTH = Path(__file__).parents[1] / "fixtures" / "growth" / "problems"
 
 
 def program(body):
@@ -66,16 +62,15 @@ def test_answers_of_other_types_are_others():
     ]  # fmt: skip
 
 
-@pytest.mark.slow
 def test_a_program_that_changes_its_lists_changes_no_other_ones():
-    data = load_data(find_problem("enter-exit"))
-    spoils = b"def all_hits(circles, O, D):\n    circles.clear()\n    return []\n"
-    keeps = b"def all_hits(circles, O, D):\n    return [(0.5, len(circles), 'touch')]\n"
+    data = load_data(load_problem(GROWTH / "inversions"))
+    spoils = b"def inversions(numbers):\n    numbers.clear()\n    return []\n"
+    keeps = b"def inversions(numbers):\n    return 10**9 + len(numbers)\n"
     computer = Computer(data)
     alone = Computer(data).behaviour(Program(keeps, "keeps"))
     computer.behaviour(Program(spoils, "spoils"))
     assert computer.behaviour(Program(keeps, "keeps")) == alone
-    assert all(outline[1][1] > 0 for each in alone.values() for outline in each.wrong.values())
+    assert all(values[0] > 10**9 for _, values in alone["few"].wrong.values())
 
 
 def test_a_callers_precision_changes_no_answer():
@@ -95,48 +90,3 @@ def test_some_cases_alone_are_answered_as_among_all():
     assert some["two"].wrong == {case: whole["two"].wrong[case] for case in only["two"]}
     raising = computed(data, program("return 1 // 0"))
     assert {*raising["one"].wrong.values()} == {("raised ZeroDivisionError", ())}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["crossings", nightly("count"), nightly("exact-segment")])
-def test_mistakes_of_a_kata_answer_as_each_does_by_itself(name):
-    problem = find_problem(name)
-    data = load_data(problem)
-    computer = Computer(data)
-    for maker in [each for each in read_makers(problem).all if each.program.trusted][::7]:
-        alone = Computer(data).behaviour(maker.program)
-        assert computer.behaviour(maker.program) == alone
-
-
-RAWS = [
-    None, 0, 1, 2, -1, 1.5, 0.0, True, "enter", [], [1], [0.5], [1, 2], (1.0, 2.0), [(1.0, 2.0)],
-    [[1.0, 2.0], [3.0]],
-    [(0.5, 1, "enter")], [(0.5, 1, "stay")], [(0.5, 1.0, "enter")], [(1, 0, "exit"), (2, 0, "touch")], {1: 2},
-    Fraction(1, 2), [None], [(1, None)], (1,), [[[1]]], 10**30, "x" * 60, float("inf"), [float("nan")],
-]  # fmt: skip
-NUMBER = (0.5, 1.5, 1.0, 0.0, 1e-16)
-TARGETS = {
-    "count": 1,
-    "int": 1,
-    "real": NUMBER,
-    "real?": NUMBER,
-    "vec2": (NUMBER, NUMBER),
-    "[(real, int, word(enter|touch|exit))]": [(NUMBER, 1, "enter")],
-    "[vec2; 0..2]": [(NUMBER, NUMBER)],
-}
-
-
-@pytest.mark.parametrize("text", TARGETS)
-def test_the_outline_is_that_of_an_answer_that_is_not_right(text):
-    type_, target = parse(text), TARGETS[text]
-
-    def exact():
-        raise ValueError  # nothing here lies so close to an end
-
-    for value in RAWS:
-        raw = encode(value)
-        wanted = None if is_right(type_, raw, target, exact) else type_.outline(raw)
-        assert wrong_outline(type_, raw, target, exact) == wanted, value
-
-
-# -- in one container: alike there and here to the bit, or judged by themselves --------------------

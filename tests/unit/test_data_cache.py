@@ -15,9 +15,8 @@ from pathlib import Path
 
 import platformdirs
 import pytest
-from sampling import nightly
 
-from judge.data import cache, load_data
+from judge.data import load_data
 from judge.data.pins import hash_of
 from judge.folders import cache_folder, user_data
 from judge.kept import KeptFile
@@ -56,11 +55,8 @@ def plain(data):
     return [(group.group, group.cases, group.targets) for group in data.groups]
 
 
-@pytest.mark.parametrize(
-    "name", ["root-count", *map(nightly, ("count", "segment", "ray-nearest", "exact-count"))]
-)
-def test_what_is_read_is_what_was_built(name):
-    problem = load_problem(SOUND if name == "root-count" else ROOT / "problems" / name)
+def test_what_is_read_is_what_was_built():
+    problem = load_problem(SOUND)
     cold, was_built = built(problem)
     assert was_built
     warm, was_built = built(problem)
@@ -74,7 +70,7 @@ def test_what_is_read_is_what_was_built(name):
     assert warm.exact(group.cases[0], group.group) == cold.exact(group.cases[0], group.group)
 
 
-@pytest.mark.parametrize("name", ["problem.toml", "problem.py", "statement.md"])
+@pytest.mark.parametrize("name", ["problem.toml", "problem.py"])
 def test_a_changed_file_builds_anew_and_drops_the_old_data(copy, folder, name):
     built(load_problem(copy))
     old = files(folder)
@@ -109,13 +105,9 @@ def with_checksum(file, body):
     ("content", "checked"),
     [
         (b"", False),
-        (b"\n", False),
         (b"\xff\x00" * 50, False),
         (b"not JSON", True),
-        (b"[]", True),
-        (b"null", True),
         (b'{"examples": [[], []], "small": [[], []]}', True),
-        (b'{"examples": 3, "small": [[[1]], [1]]}', True),
         (b'{"examples": [[[1], 2], [1, 1]], "small": [[[1],[1],[1],[1],[1]], [1,1,1,1,1]]}', True),
         (b"[" * 100_000, True),
     ],
@@ -132,19 +124,7 @@ def test_a_corrupt_file_is_built_anew(folder, content, checked):
     assert not built(problem)[1]
 
 
-def test_the_data_of_another_seed_under_this_name_are_built_anew(folder):
-    problem = load_problem(SOUND)
-    sound = plain(built(problem)[0])
-    (own,) = folder.iterdir()
-    built(problem, seed=5)
-    (seeded,) = set(folder.iterdir()) - {own}
-    own.write_bytes(seeded.read_bytes())
-    data, was_built = built(problem)
-    assert was_built
-    assert plain(data) == sound
-
-
-@pytest.mark.parametrize("place", [0, 1, 70, -1, None])
+@pytest.mark.parametrize("place", [0, 70, None])
 def test_one_flipped_byte_is_noticed_and_an_end_that_is_missing(folder, place):
     problem = load_problem(SOUND)
     built(problem)
@@ -193,23 +173,13 @@ def test_many_writers_and_readers_at_once(folder):
     assert len(files(folder)) == 1
 
 
-def test_a_failed_write_leaves_no_temporary_file(folder, monkeypatch):
-    def no_space(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", no_space)
-    data, _ = built(load_problem(SOUND))
-    assert "No space left on device" in data.notes[0]
-    assert files(folder) == []
-
-
 @pytest.mark.slow
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
         "from judge.data import load_data\n"
         "from judge.problem.find import find_problem\n"
-        "load_data(find_problem('segment'))\n"
+        "load_data(find_problem('crossings'))\n"
         "print(*sys.modules)"
     )
     run = [sys.executable, "-c", program]
@@ -219,13 +189,8 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
         names = done.stdout.split()
         for heavy in ("judge.exact", "judge.data.build", "judge.data.module", "judge.topics"):
             assert (heavy in names) is expected, heavy
-        assert any(name.startswith("judge_problem_segment") for name in names) is expected
+        assert any(name.startswith("judge_problem_crossings") for name in names) is expected
         assert not any(name.startswith(("rich", "hypothesis")) for name in names)
-
-
-@pytest.mark.parametrize("package", cache._CODE)
-def test_every_package_that_the_key_stands_for_is_there(package):
-    assert cache.code_files([package])
 
 
 def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
@@ -241,32 +206,22 @@ def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
         assert repr(file.read()["numbers"]) == repr(content)
 
 
-# -- where the person's folders are ----------------------------------------------------------------
-
 HOMES = [
     {},
-    {"HOME": "/home/ann"},
-    {"HOME": "/home/ann/"},
     {"HOME": "relative"},
-    {"HOME": ""},
     {"HOME": "/home/ann", "XDG_CACHE_HOME": "/var/c", "XDG_DATA_HOME": "/var/d"},
     {"HOME": "/home/ann", "XDG_CACHE_HOME": "c", "XDG_DATA_HOME": "~/d"},
-    {"HOME": "/home/ann", "XDG_CACHE_HOME": "", "XDG_DATA_HOME": " "},
     {"XDG_CACHE_HOME": "/c", "XDG_DATA_HOME": "/d//e/"},
 ]
 
 
-@pytest.fixture(params=HOMES, ids=str)
-def _settings(request, monkeypatch):
+@pytest.mark.parametrize("home", HOMES, ids=str)
+@pytest.mark.parametrize("system", [sys.platform, "darwin"])
+def test_the_persons_folders_are_as_platformdirs_has_them(system, home, monkeypatch):
     for name in ("JUDGE_CACHE", "HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"):
         monkeypatch.delenv(name, raising=False)
-    for name, value in request.param.items():
+    for name, value in home.items():
         monkeypatch.setenv(name, value)
-
-
-@pytest.mark.usefixtures("_settings")
-@pytest.mark.parametrize("system", [sys.platform, "darwin"])
-def test_they_are_as_platformdirs_has_them(system, monkeypatch):
     monkeypatch.setattr("judge.folders.sys.platform", system)
     assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
     assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

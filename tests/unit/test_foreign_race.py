@@ -2,20 +2,111 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from random import Random
 from types import MappingProxyType
 
 import pytest
-from foreign_boxes import START, Paper, raced
 from judging import make_data
+from msgspec.structs import replace
 
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
+from judge.run.budget import Budget
 from judge.run.foreign import LONG_SECONDS
 from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun
 from judge.run.laps import passes_for
+from judge.run.program import ProgramRunner
+from judge.run.races import measure
+from judge.run.reference import Reference
 from judge.run.replies import Replies
 from judge.run.timing import Pair, decide
-from judge.sandbox.boundary import Reply, Stop, Usage
+from judge.sandbox.boundary import Inspection, ProgramResult, Reply, SourceFault, Stop, Usage
+
+START = 0.05
+
+
+class Paper:
+    """A program on paper that answers rightly; so many passes take `start` + `seconds(passes)` of CPU time.
+
+    `bad` are numbers of passes from which on it is out of memory, `wrong` those from which on it answers 7;
+    an answer is filled up with blanks to `width` characters.
+    """
+
+    isolation = "limits"
+
+    def __init__(
+        self, seconds, *, start=START, noise=0.0, bad=10**9, wrong=10**9, width=0, fault="", language="Go"
+    ):
+        self.seconds: Callable[[int], float] = seconds
+        self.start, self.noise, self.bad, self.wrong = start, noise, bad, wrong
+        self.width, self.fault, self.language = width, fault, language
+        self.idle = Usage(0.05, 0.05, 0)
+        self.runs: list[int] = []
+        self._random = Random(1)
+
+    def inspect(self):
+        return Inspection(
+            SourceFault(self.fault) if self.fault else None, (("answer", 1),), (), self.language
+        )
+
+    def run_whole(self, stdin, limits):
+        passes, lines = 0, []
+        rows = stdin.decode().splitlines()
+        while rows:
+            count = int(rows[0].split()[0])
+            called = len(rows[0].split()) == 2
+            passes += 1 if called else count // 4
+            for at, row in enumerate(rows[1 : 1 + count]):
+                number = (
+                    7
+                    if passes + (0 if called else at // 4) > self.wrong
+                    else int(sum(map(float, row.split())))
+                )
+                lines.append(f"[0,{number}]" if called else str(number))
+            rows = rows[1 + count :]
+        self.runs.append(passes)
+        took = self.start + self.seconds(passes) * (1 + self.noise * self._random.uniform(-1, 1))
+        usage = Usage(took, took, 1 << 20)
+        if passes >= self.bad:
+            return ProgramResult(Stop.MEMORY, b"", b"", "used more than 256 MB", usage)
+        stdout = "".join(f"{line:{self.width}}\n" for line in lines).encode()
+        if len(stdout) > limits.output_bytes:
+            return ProgramResult(Stop.OUTPUT, b"", b"", "wrote too much", usage)
+        return ProgramResult(Stop.ANSWERED, stdout, b"", "", usage)
+
+    def run_program(self, stdin, limits):
+        done = self.run_whole(stdin, limits)
+        return done._replace(usage=done.usage._replace(cpu_seconds=done.usage.cpu_seconds - self.start))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exc):
+        pass
+
+
+class Library(Reference):
+    """Reference solutions on paper, by their files' names."""
+
+    def __init__(self, problem, boxes):
+        super().__init__(problem, lambda source, name: None)
+        self._on_paper = boxes
+
+    def open(self, name):
+        return self._on_paper.get(name)
+
+
+def raced(data, rule, mine, boxes, *, program=False):
+    """The decision and the group, of a submission in Go that was accepted."""
+    problem = replace(data.problem, time=rule)
+    runner = ProgramRunner(problem, language="Go") if program else FunctionRunner(problem, "Go")
+    run = GroupRun(data, data.groups[0], runner)
+    run.passed = len(run.cases)
+    decision = measure(problem, runner, [run], mine, Library(problem, boxes), Budget(problem))
+    return decision, run
+
 
 LIMIT = 10.0
 RULE = TimeRule(LIMIT, "calls.py", references=MappingProxyType({"go": "reference.go"}))
@@ -35,7 +126,7 @@ def race(mine, reference=None, rule=RULE, **more):
     return raced(make_data("one"), rule, mine, {"reference.go": reference or Paper(steady())}, **more)
 
 
-@pytest.mark.parametrize("start", [0.0, START, 0.5])
+@pytest.mark.parametrize("start", [0.0, 0.5])
 @pytest.mark.parametrize("cost", [steady, warming])
 def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, start):
     reference = Paper(cost(), start=start)
@@ -46,12 +137,7 @@ def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, s
     assert (decision.against.language, decision.against.why) == ("Go", "")
 
 
-def test_a_start_that_has_changed_since_it_was_first_measured_does_no_harm():
-    decision, _ = race(Paper(steady(3), start=0.2), Paper(steady(), start=0.2))
-    assert decision.ratio.median == pytest.approx(3.0, abs=0.01)
-
-
-@pytest.mark.parametrize(("factor", "too_slow"), [(0.1, False), (7.9, False), (14, True), (1000, True)])
+@pytest.mark.parametrize(("factor", "too_slow"), [(7.9, False), (14, True)])
 def test_what_is_clear_is_decided(factor, too_slow):
     decision, _ = race(Paper(steady(factor)))
     assert (decision.too_slow, decision.borderline) == (too_slow, False)
@@ -74,14 +160,7 @@ def test_long_answers_have_room_in_every_pass():
     assert decision.ratio.median == pytest.approx(2.0, abs=0.1)
 
 
-def test_a_slow_one_makes_fewer_passes():
-    mine = Paper(steady(100))
-    decision, _ = race(mine)
-    assert decision.too_slow
-    assert max(mine.runs) * 100 * ONE < 3
-
-
-@pytest.mark.parametrize("first", [0.1, 0.4, 0.9])
+@pytest.mark.parametrize("first", [0.1, 0.9])
 def test_who_remembers_answers_is_raced_by_first_passes(first):
     mine = Paper(lambda passes: first + 0.00001 * passes if passes else 0.0)
     decision, _ = race(mine)
@@ -89,7 +168,7 @@ def test_who_remembers_answers_is_raced_by_first_passes(first):
     assert max(mine.runs) == 1
 
 
-@pytest.mark.parametrize(("factor", "cold", "limit"), [(2, 0.1, 3.0), (1, 0.6, 10.0), (7, 0.3, 10.0)])
+@pytest.mark.parametrize(("factor", "cold", "limit"), [(1, 0.6, 10.0), (7, 0.3, 10.0)])
 def test_who_warms_up_is_no_slower_for_that(factor, cold, limit):
     rule = TimeRule(limit, "calls.py", references=RULE.references)
     decision, _ = race(Paper(warming(factor, cold)), Paper(warming(1, cold / 2)), rule)
@@ -139,7 +218,7 @@ def python(monkeypatch):
     monkeypatch.setattr("judge.run.program.ProgramRunner.timed", timed)
 
 
-@pytest.mark.parametrize(("factor", "too_slow"), [(0.2, False), (7, False), (14, True)])
+@pytest.mark.parametrize(("factor", "too_slow"), [(7, False), (14, True)])
 def test_without_a_reference_in_its_language_it_is_held_to_pythons(factor, too_slow):
     rule = TimeRule(LIMIT, "calls.py")
     decision, _ = raced(make_data("one"), rule, Paper(steady(factor)), {"calls.py": OnPaper(ONE / 4)})
@@ -149,16 +228,6 @@ def test_without_a_reference_in_its_language_it_is_held_to_pythons(factor, too_s
         "Python",
         "no reference in Go: held to Python's",
     )
-
-
-def test_the_fallback_is_generous_where_the_language_warms_up():
-    from judge.languages.model import language_called
-
-    assert {name: language_called(name).factor for name in ("go", "cpp", "java", "javascript", "pypy")} == {
-        "go": 1, "cpp": 1, "java": 5, "javascript": 3, "pypy": 5,
-    }  # fmt: skip
-    decision, _ = raced(make_data("one"), TimeRule(LIMIT, "gone.py"), Paper(steady()), {})
-    assert (decision.ratio, decision.against) == (None, None)  # without any there is no race
 
 
 @pytest.mark.parametrize(

@@ -58,17 +58,7 @@ def test_the_last_runs_are_listed_on_demand_and_names_are_as_the_system_has_them
     ]
 
 
-def test_a_source_is_kept_once(history):
-    for number in range(20):
-        history.add(past_result(name=f"{number}.py"), bytes(range(256)) * 400, "")
-    history.add(past_result(), b"", "")
-    assert history.source(20) == bytes(range(256)) * 400
-    assert history.source(21) == b""
-    ((sources,),) = history._rows("SELECT count(*) FROM sources")
-    assert sources == 2
-
-
-@pytest.mark.parametrize("number", [0, -1, 2, 2**63, 10**30])
+@pytest.mark.parametrize("number", [0, 2, 2**63])
 def test_a_run_that_is_not_there(number, history):
     with pytest.raises(UsageError, match="there are none yet"):
         history.run(number)
@@ -80,8 +70,7 @@ def test_a_run_that_is_not_there(number, history):
 def test_names_that_no_text_can_hold(history):
     name = os.fsdecode(b"caf\xe9 \x1b[31m\n\xff.py")
     run = history.run(history.add(past_result(name=name), b"\xff\x00", f"/tmp/{name}"))
-    assert (run.submission, run.path) == (name, f"/tmp/{name}")
-    assert run.result["submission"] == name
+    assert (run.submission, run.path, run.result["submission"]) == (name, f"/tmp/{name}", name)
 
 
 def test_only_a_whole_problem_is_solved(history):
@@ -94,13 +83,7 @@ def test_only_a_whole_problem_is_solved(history):
 
 @pytest.mark.parametrize(
     ("path", "counts"),
-    [
-        ("/home/me/segment.py", True),
-        ("", True),
-        ("/judge/solutions/segment/accepted/a.py", False),
-        ("/judge/solutions/count/accepted/a.py", True),
-        ("/judge/solutions/segment/a.py", True),
-    ],
+    [("", True), ("/judge/solutions/segment/accepted/a.py", False), ("/judge/solutions/segment/a.py", True)],
 )
 def test_a_problems_own_solution_says_nothing_of_the_person(path, counts, history):
     run = history.run(history.add(past_result("segment"), b"", path))

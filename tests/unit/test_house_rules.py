@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
@@ -19,38 +17,12 @@ FILES = {
 }
 MOST_LINES = 400
 MOST_PARAMETERS = 6
-MOST_IMPORTS = 18  # that stand on one another
 # A room knows only those that stand after it.
 ROOMS = [
     *("cli", "batch", "judging", "report", "kata", "topics", "packs", "mistakes", "diagnose"),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept"),
     *("atomic", "digest", "reading", "folders", "errors"),
 ]
-# What stands for one thing.
-WORDS = [
-    *("Figure", "Given", "Target", "Parameter", "Exact", "Measure", "Budget", "Limits", "Level", "Box"),
-    *("Mark", "Place", "Job", "Terms", "Result"),
-]
-# Who knows that a program's file ends in .py: the judge's own code and the problems' are Python.
-SUFFIXED = {
-    "cli/commands/hack.py": {"its solutions/ folder, with mistakes.py or wrong/, is not here"},
-    "cli/classroom.py": {"it holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py; see 'judge help class'"},
-    "data/cache.py": {"*.py", ".py"},
-    "languages/__init__.py": {".py"},
-    "languages/draft.py": {".py"},
-    "languages/drivers/pypy.py": {"judge_driver.pypy"},
-    "mistakes/verified.py": {"/mistakes.py", "mistake.py"},
-    "packs/export/package.py": {
-        *("input_validators/validate.py", "input_validator.py", "output_validator.py", "validate.py")
-    },
-    "problem/solutions.py": {"mistakes.py"},
-    "report/verified.py": {" of mistakes.py judged"},
-    "sandbox/attacking.py": {".py"},
-    "sandbox/bundle.py": {".py"},
-    "sandbox/inside/unseen.py": {"sandbox/boundary.py"},
-    "sandbox/probe.py": {"look.py"},
-    "values/grammar.py": {"[a-z]*.py", ".py"},
-}
 
 
 def nodes(tree: ast.AST, *kinds: type) -> list:
@@ -88,60 +60,6 @@ def test_no_function_asks_for_much():
     assert {name: given for name, given in asked.items() if len(given) > MOST_PARAMETERS} == {}
 
 
-def test_few_places_ask_for_the_mode():
-    asked = [
-        f"{name}:{node.lineno}"
-        for name, tree in FILES.items()
-        for node in nodes(tree, ast.Attribute)
-        if isinstance(node.value, ast.Name) and node.value.id == "Mode"
-    ]
-    assert 0 < len(asked) <= 2, asked
-
-
-def test_nobody_prints_but_who_talks_to_a_person():
-    """Nor what runs in a container, where standard output is the submission's."""
-    prints = {
-        name
-        for name, tree in FILES.items()
-        for node in nodes(tree, ast.Call)
-        if isinstance(node.func, ast.Name) and node.func.id == "print"
-    }
-    assert {name for name in prints if name.split("/")[0] not in {"cli", "report"}} == set()
-
-
-def test_a_name_stands_for_one_thing():
-    makers = {word: [] for word in WORDS}
-    for file, tree in FILES.items():
-        for node in tree.body:
-            targets = node.targets if isinstance(node, ast.Assign) else []
-            names = [each.id for each in targets if isinstance(each, ast.Name)]
-            for name in [node.name] if isinstance(node, ast.ClassDef) else names:
-                makers.get(name, []).append(file)
-    assert {name: files for name, files in makers.items() if len(files) != 1} == {}
-
-
-def strings(tree: ast.AST) -> set[str]:
-    """The strings of a file that name a Python file, docstrings left out."""
-    told = {
-        id(node.body[0].value)
-        for node in nodes(tree, ast.Module, ast.ClassDef, ast.FunctionDef)
-        if node.body and isinstance(node.body[0], ast.Expr)
-    }
-    words = {
-        each.value for each in nodes(tree, ast.Constant) if id(each) not in told and type(each.value) is str
-    }
-    return {word for word in words if ".py" in word.replace("problem.py", "") or word == "py"}
-
-
-def test_no_other_file_knows_the_suffix_of_programs():
-    found = {name: strings(tree) for name, tree in FILES.items()}
-    assert found.pop("cli/table.py")  # examples of commands, each with a file as a person has it
-    assert {name: words for name, words in found.items() if words} == SUFFIXED
-
-
-# -- imports point one way ----------------------------------------------------------------------------------
-
-
 def modules(found: list[ast.AST]) -> set[str]:
     """What import statements may name: modules, and what may be a name in one."""
     names = {alias.name for node in found if isinstance(node, ast.Import) for alias in node.names}
@@ -175,61 +93,3 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 def test_every_room_has_its_place():
     packages = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     assert packages <= {*ROOMS, "sandbox", "schema"}
-
-
-def test_no_engine_room_knows_a_topic():
-    found = {name for name in FILES if "topics" not in name.split("/") and "topics" in rooms(name)}
-    assert found == set()
-
-
-def module_of(name: str) -> str:
-    return ("judge." + name.removesuffix(".py").replace("/", ".")).removesuffix(".__init__")
-
-
-MODULES = {module_of(name): tree for name, tree in FILES.items()}
-MODULES["judge"] = FILES["__init__.py"]
-
-
-def at_top(node: ast.AST) -> Iterator[ast.AST]:
-    """What stands outside functions, also under `if TYPE_CHECKING`: a reader follows that too."""
-    for child in ast.iter_child_nodes(node):
-        if not isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef):
-            yield child
-            yield from at_top(child)
-
-
-def imported(name: str) -> set[str]:
-    """The modules of the judge that a module imports when it is imported, with the packages they lie in."""
-    found = modules(list(at_top(MODULES[name])))
-    own = {".".join(name.split(".")[:end]) for end in range(1, name.count(".") + 1)}
-    packages = {module[:end] for module in found for end in range(len(module)) if module[end] == "."}
-    return {module for module in found | (packages - own) if module in MODULES} - {name}
-
-
-GRAPH = {name: imported(name) for name in MODULES}
-
-
-@cache
-def reached(name: str) -> frozenset[str]:
-    """Every module that a module leads to."""
-    seen: set[str] = set()
-    waiting = [name]
-    while waiting:
-        for module in GRAPH[waiting.pop()] - seen:
-            seen.add(module)
-            waiting.append(module)
-    return frozenset(seen)
-
-
-@cache
-def chain(name: str) -> tuple[str, ...]:
-    """The longest chain of imports from a module on; modules that import one another count as one."""
-    ring = {module for module in reached(name) if name in reached(module)} | {name}
-    below = {module for each in ring for module in GRAPH[each]} - ring
-    return (name, *max((chain(module) for module in below), key=len, default=()))
-
-
-def test_no_chain_of_imports_is_long():
-    longest = max(map(chain, MODULES), key=len)
-    assert len(longest) > 5  # or nothing was read
-    assert len(longest) <= MOST_IMPORTS, " → ".join(longest)
