@@ -23,14 +23,7 @@ from judge.sandbox.inside.again import PAUSES
 pytestmark = pytest.mark.slow
 
 AGAIN = "Resource temporarily unavailable"
-PASSING = [
-    f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1",
-    "echo 'bwrap: Cannot allocate memory' >&2; exit 1",
-    "echo 'bwrap: Can not open /proc: Too many open files' >&2; exit 1",
-    "echo 'MemoryError' >&2; exit 1",
-    "exit 1",
-    "kill -9 $$",
-]
+PASSING = [f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1", "kill -9 $$"]
 LASTING = "echo 'bwrap: No permissions to create new namespace' >&2; exit 1"
 
 
@@ -46,17 +39,6 @@ def test_probe_names_every_level_best_first():
     assert all(level.available or level.why_not for level in found)
 
 
-def test_the_best_level_is_taken():
-    best = next(level.name for level in levels() if level.available)
-    with open_box(b"", "f.py") as box:
-        assert box.isolation == best
-
-
-def test_an_unknown_level_is_a_usage_error():
-    with pytest.raises(UsageError, match="did you mean strong"):
-        open_box(b"", "f.py", level="storng")
-
-
 def test_a_demanded_level_is_not_lowered(monkeypatch):
     monkeypatch.setattr(launch, "bubblewrap_path", lambda: None)
     probe.missing.cache_clear()
@@ -70,9 +52,8 @@ def test_a_demanded_level_is_not_lowered(monkeypatch):
         probe.missing.cache_clear()
 
 
-@pytest.mark.parametrize("seconds", [0, 0.01, 0.03, 0.06])
-def test_a_box_may_be_closed_while_it_warms_up(seconds):
-    for _ in range(5):
+def test_a_box_may_be_closed_while_it_warms_up():
+    for seconds in (0, 0.01, 0.03):
         box = open_box(b"def f(n): return n", "f.py")
         box.warm_up()
         time.sleep(seconds)
@@ -92,8 +73,7 @@ def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, 
     assert boxes.refused == {}
 
 
-@pytest.mark.parametrize("level", [None, "full"])
-@pytest.mark.parametrize("script", PASSING)
+@pytest.mark.parametrize(("script", "level"), [(PASSING[0], None), (PASSING[1], "full")])
 def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
     script, level, tmp_path, monkeypatch
 ):
@@ -126,16 +106,6 @@ def test_a_boot_that_is_too_slow_is_tried_again(tmp_path, monkeypatch):
     assert count(starts) == 2
 
 
-def test_a_boot_that_is_always_too_slow_costs_the_submission(tmp_path, monkeypatch):
-    monkeypatch.setattr(container, "START_SECONDS", 0.2)
-    starts = pretend(tmp_path, monkeypatch, "exec sleep 60")
-    before = children()
-    with pytest.raises(ShortageError, match=r"it was not ready after 0\.2 s; .*-j"):
-        Boxes()(b"", "f.py").__enter__()
-    assert count(starts) == 2
-    assert children() == before
-
-
 def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_path, monkeypatch):
     require("strong")
     starts = pretend(tmp_path, monkeypatch, f"sleep 0.2; {LASTING}")
@@ -155,17 +125,7 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
         Boxes("full")(b"", "f.py").__enter__()
 
 
-def test_words_that_are_nobodys_are_believed_the_second_time(tmp_path, monkeypatch):
-    require("strong")
-    starts = pretend(tmp_path, monkeypatch, "echo 'python3: cannot open libpython.so' >&2; exit 1")
-    boxes = Boxes()
-    with boxes(b"", "f.py") as box:
-        assert box.isolation == "strong"
-    assert count(starts) == 2
-    assert boxes.refused == {"full": "python3: cannot open libpython.so"}
-
-
-@pytest.mark.parametrize("script", [LASTING, PASSING[0], PASSING[-1]])
+@pytest.mark.parametrize("script", [LASTING, PASSING[0]])
 def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeypatch):
     require("full")
     boxes = Boxes()
@@ -188,20 +148,6 @@ def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch)
         with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
             box.call_many("f", [(1,)], LIMITS)
         assert box.isolation == "full"
-
-
-def test_a_box_opened_before_another_was_ready_is_held_no_weaker(tmp_path, monkeypatch):
-    require("full")
-    boxes = Boxes()
-    with monkeypatch.context() as patch:
-        pretend(tmp_path, patch, f"sleep 0.2; {LASTING}")
-        slow = boxes(b"", "f.py")
-    with boxes(b"", "f.py") as box:
-        assert box.isolation == "full"
-    with monkeypatch.context() as patch:
-        pretend(tmp_path, patch, LASTING)
-        with pytest.raises(JudgeError, match="was had and is now refused"):
-            slow.__enter__()
 
 
 def test_what_was_found_before_is_demanded(tmp_path, monkeypatch):
@@ -242,8 +188,10 @@ def test_a_level_that_lacks_something_is_never_tried(tmp_path, monkeypatch):
         assert box.isolation == "limits"
 
 
-@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN])
-@pytest.mark.parametrize("place", ["_socket.socketpair", "shared.region", "_STARTER.start"])
+@pytest.mark.parametrize(
+    ("place", "code"),
+    [("_socket.socketpair", errno.EMFILE), ("shared.region", errno.ENOMEM), ("_STARTER.start", errno.EAGAIN)],
+)
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
     failed = []
