@@ -86,43 +86,27 @@ def test_numbers_are_exact(floating):
         "kind": "float",
         "mirrored": True,
     }
-
-
-def test_a_groups_own_tolerance_replaces_the_common_one_whole(floating):
-    assert load_problem(floating).group("strict").tolerance == Tolerance(ulps=Fraction(2))
-
-
-def test_what_was_read_cannot_change():
-    problem = load_problem(SOUND)
-    with pytest.raises(TypeError):
-        problem.group("small").parameters["reach"] = 10
-    with pytest.raises(AttributeError):
-        problem.title = "other"
+    assert problem.group("strict").tolerance == Tolerance(ulps=Fraction(2)), (
+        "it replaces the common one whole"
+    )
 
 
 @pytest.fixture
 def changed(tmp_path):
-    """The sound problem with another value of a key, or with more at its end."""
+    """The sound problem with another value of a key."""
 
-    def load(key="", value="", more=""):
+    def load(key, value):
         folder = tmp_path / "problems" / "other"
         shutil.copytree(SOUND, folder)
         text = (folder / "problem.toml").read_text()
         assert key in text
-        text = re.sub(rf"\b{key} = .*", f"{key} = {value}", text, count=1) if key else text
-        (folder / "problem.toml").write_text(text + more)
+        (folder / "problem.toml").write_text(re.sub(rf"\b{key} = .*", f"{key} = {value}", text, count=1))
         return load_problem(folder)
 
     return load
 
 
-def test_huge_bounds_are_read_exactly(changed):
-    problem = changed("high", "1e100")
-    assert problem.parameters[0].high == 10**100
-    assert "-9 to 1e100?" in problem.statement
-
-
-@pytest.mark.parametrize("name", ["Root", "root_count", "-root", "root--count", "rööt"])
+@pytest.mark.parametrize("name", ["Root", "root--count", "rööt"])
 def test_a_folder_must_have_a_plain_name(tmp_path, name):
     shutil.copytree(SOUND, tmp_path / name)
     with pytest.raises(ProblemError, match="no name for a problem; use small letters"):
@@ -140,8 +124,7 @@ LIMITS = ("cpu_seconds", "wall_seconds", "memory_mb", "output_mb")
         ("reach", "[" * 12 + "]" * 12, r"a builder cannot take \(?\[\["),
         *(
             (key, number, rf"other/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and")
-            for key in LIMITS
-            for number in ("1e400", "1" + "0" * 400, "1e-400", "1000001", "0.0009")
+            for key, number in zip(LIMITS, ("1e400", "1e-400", "1000001", "0.0009"), strict=True)
         ),
     ],
     ids=lambda each: each[:12],
@@ -152,9 +135,3 @@ def test_what_no_machine_could_read_or_keep_is_a_fault_of_the_file(key, value, s
         key = "parameters"
     with pytest.raises(ProblemError, match=said):
         changed(key, value)
-
-
-@pytest.mark.parametrize("number", ["1e400", "9" * 400])
-def test_a_multiple_of_the_references_time_that_is_absurd_is_a_fault(number, changed):
-    with pytest.raises(ProblemError, match="limit is absurdly large"):
-        changed(more=f'[time]\nlimit = {number}\nfunction = "signs.py"\n')

@@ -57,7 +57,7 @@ def test_nothing_happens_when_they_are_imported(names, told):
     assert run.stdout == told
 
 
-@pytest.mark.parametrize("names", [STANDARD[::2], STANDARD[1::2], ["signal"]])
+@pytest.mark.parametrize("names", [STANDARD, ["signal"]])
 def test_they_are_there_before_the_submission_imports_them(names):
     imports = "".join(f"import {name}\n" for name in names)
     source = f"import sys\nthere = [name for name in {names!r} if name in sys.modules]\n{imports}"

@@ -18,12 +18,7 @@ from judge.run import Settings
 
 pytestmark = pytest.mark.slow
 
-MIXTURES = {
-    "segment": [("no-clamp", "tangent-twice"), ("none-for-empty", "reversed-order")],
-    "count": [("no-degenerate", "slope-intercept")],
-    "exact-count": [("segment-for-line", "no-degenerate")],
-    "ray-nearest": [],
-}
+MIXTURES = {"segment": ("no-clamp", "tangent-twice"), "exact-count": ("segment-for-line", "no-degenerate")}
 
 
 class Library:
@@ -87,26 +82,21 @@ def test_a_known_program_is_recognised(libraries):
 
 
 def test_two_mistakes_at_once_and_one_that_went_half_of_the_way(library):
-    for one, other in MIXTURES[library.problem.id]:
-        first, second = library.behaviour(one), library.behaviour(other)
-        mixed = {
-            name: Answers(
-                min(first[name].reached, second[name].reached), {**first[name].wrong, **second[name].wrong}
-            )
-            for name in first
-        }
-        match = library.match(mixed)
-        assert {one, other} == library.said(mixed) or match.score > 0.97
-        assert len(match.places) == 2
-        half = {
-            name: Answers(each.reached // 2, {i: w for i, w in each.wrong.items() if i < each.reached // 2})
-            for name, each in second.items()
-        }
-        assert library.said(half) == {other}
-        assert library.match(half).score > 0.95
+    one, other = MIXTURES[library.problem.id]
+    first, second = library.behaviour(one), library.behaviour(other)
+    mixed, half = {}, {}
+    for name, each in second.items():
+        mixed[name] = Answers(min(first[name].reached, each.reached), {**first[name].wrong, **each.wrong})
+        end = each.reached // 2
+        half[name] = Answers(end, {i: wrong for i, wrong in each.wrong.items() if i < end})
+    match = library.match(mixed)
+    assert {one, other} == library.said(mixed) or match.score > 0.97
+    assert len(match.places) == 2
+    assert library.said(half) == {other}
+    assert library.match(half).score > 0.95
 
 
-@pytest.mark.parametrize("share", [0.02, 0.3, 1.0])
+@pytest.mark.parametrize("share", [0.02, 1.0])
 def test_silence_on_noise(library, share):
     draw = random.Random(7)
     noise = {
@@ -119,7 +109,7 @@ def test_silence_on_noise(library, share):
     assert library.match(noise) is None
 
 
-@pytest.mark.parametrize("answer", [("count", (0.0,)), ("points 0", ()), ("none", ())])
+@pytest.mark.parametrize("answer", [("count", (0.0,)), ("none", ())])
 def test_silence_on_one_answer_to_everything(library, answer):
     right = library.problem.answer.right
     always = {
@@ -154,17 +144,3 @@ def test_most_unknown_mistakes_are_met_with_silence(libraries):
             others = [other for other in library.known if other.name != name]
             outcomes[library.match(library.behaviour(name), others) is None] += 1
     assert outcomes[True] > 0.75 * outcomes.total()
-
-
-@pytest.mark.nightly
-def test_a_mistake_is_recognised_by_its_other_programs(libraries):
-    """One program left out at a time; of two programs of a mistake only, half may be too different."""
-    outcomes = Counter()
-    for library in libraries:
-        for each in library.known[3::6]:
-            others = [other for other in library.known if other is not each]
-            if any(other.name == each.name for other in others):
-                said = library.said(each.behaviour, others)
-                outcomes[each.name in said if said else "silent"] += 1
-    assert outcomes[True] > 0.45 * outcomes.total()
-    assert outcomes[False] < 0.06 * outcomes.total()

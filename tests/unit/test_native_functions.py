@@ -10,8 +10,7 @@ from native import LIMITS, answers, box_of, called, signature, sources
 from sampling import daily
 
 from judge.languages.draft import draft_of, driver_of
-from judge.languages.model import language_called, languages
-from judge.languages.shapes import Unsupported
+from judge.languages.model import languages
 from judge.sandbox import Stop
 from judge.sandbox.calls import replies, text
 
@@ -129,14 +128,6 @@ def test_where_one_of_them_fails_each_has_a_process_of_its_own(monkeypatch):
     assert len(given) == 5  # all, two that are right, and the third twice to see at which call
 
 
-def test_together_they_may_use_no_more_than_one_alone():
-    source = "double mirror_all(double x) { for (volatile long i = 0; i < 20000000; i++); return -x; }"
-    with box_of("a.c", source, signature=REAL) as box:
-        limits = LIMITS._replace(cpu_seconds=0.8)
-        found = box.call_series("mirror_all", [[(1.0,)]] * 40, limits)
-    assert [each.replies[0].answer for each in found] == [-1] * 40
-
-
 def test_a_call_without_end_is_the_one_to_blame():
     source = 'double mirror_all(double x) { while (x == 2) { __asm__(""); } return x; }'
     found = called("a.c", source, REAL, [(1.0,), (2.0,), (3.0,)], cpu_seconds=0.3)
@@ -162,42 +153,10 @@ def test_a_function_may_take_them_as_numbers_of_the_machine_while_they_fit():
     assert found[2].detail == f"{2**63} does not fit into long long"
 
 
-@pytest.mark.nightly
-def test_of_points_too_and_in_128_bits():
-    given = signature("int", A="integer-point")._replace(big=True)
-    source = """struct IntPt { __int128 x, y; };
-    int mirror_all(IntPt A) { return int(A.x >> 100) - int(A.y >> 100); }"""
-    calls = [((5 << 100, -(3 << 100)),), ((-(2**127), 2**127),)]
-    found = called("a.cpp", source, given, calls)
-    assert [reply.answer for reply in found] == [8, None]
-    source = "__int128 mirror_all(IntPt A) { return (__int128)std::stoll(A.x) * std::stoll(A.y); }"
-    assert answers("a.cpp", source, given, [((-(10**12), 10**12),), ((0, 5),)]) == [
-        {"int": f"{-(10**24):x}"},
-        0,
-    ]
-    assert "does not fit into __int128" in found[1].detail
-
-
-@pytest.mark.nightly
-def test_a_struct_of_ones_own_may_hold_smaller_numbers_which_overflow_without_a_crash():
-    given = signature("integer-point", A="integer-point", B="point")
-    source = """struct IntPt { int x, y; };
-    struct Pt { float x, y; };
-    IntPt mirror_all(IntPt A, Pt B) { return {-A.y * A.y, int(B.x * B.y)}; }
-    int main() { IntPt A = {3, 4}; mirror_all(A, {}); }"""
-    calls = [((3, 4), (2.5, 4.0)), ((3, 90000), (1.0, 1.0))]
-    assert answers("a.cpp", source, given, calls) == [[-16, 10], [2 * 2**32 - 8100000000, 1]]
-
-
 def test_in_c_they_are_digits():
     source = """#include <string.h>
     long long mirror_all(const char *n) { long long k = strlen(n); return n[0] == '-' ? 1 - k : k; }"""
     assert answers("a.c", source, BIG, [(10**40,), (-(10**20),), (7,)]) == [41, -21, 1]
-
-
-def test_in_c_an_enclosure_is_a_struct():
-    source = "Enclosure mirror_all(double x) { return (Enclosure){-x, x}; }"
-    assert answers("a.c", source, signature("enclosure", x="real"), [(1.5,)]) == [[-1.5, 1.5]]
 
 
 # -- what goes between --------------------------------------------------------------------------------------
@@ -233,19 +192,3 @@ def test_a_declaration_is_met_by_what_the_language_looks_for(language):
     draft = draft_of(language, POINTS)
     head = driver_of(language).declared(draft)
     assert re.search(language.head(draft.entry), f"{head} {{" if language.id != "pypy" else head)
-
-
-@pytest.mark.parametrize("name", daily(["c", "cpp", "rust"], ["c"]))
-def test_a_stub_says_that_numbers_are_digits(name):
-    language = language_called(name)
-    maker, draft = driver_of(language), draft_of(language, BIG)
-    before, body = maker.frame(draft, "still to be written")
-    assert "// An int of any size comes as the text of its digits" in before
-    source = f"{before}\n{maker.declared(draft)}{body}\n"
-    with box_of(f"a{language.suffixes[0]}", source, signature=BIG) as box:
-        assert box.inspect().fault is None
-
-
-def test_c_has_no_form_for_a_list_without_an_end():
-    with pytest.raises(Unsupported):
-        driver_of(language_called("c")).driver(draft_of(language_called("c"), signature("[int]", x="int")))

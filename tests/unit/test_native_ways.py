@@ -4,50 +4,16 @@
 
 from __future__ import annotations
 
-from array import array
-
 import pytest
-from native import LIMITS, answers, box_of, called, need, signature, sources
+from native import LIMITS, answers, box_of, need, signature, sources
 from sampling import daily
 
 from judge.languages.boxes import AnyBoxes
-from judge.languages.draft import draft_of, driver_of
-from judge.languages.model import language_called
 from judge.sandbox import Boxes, Stop
-from judge.values.grammar import parse
 
 pytestmark = pytest.mark.slow
 
 REAL = signature("real", x="real")
-BIG = signature("int", n="int")._replace(big=True)
-RUST_WHOLE = {
-    "digits": "fn mirror_all(n: String) -> i64 { n.len() as i64 }",
-    "machine": "fn mirror_all(n: i128) -> i128 { n >> 100 }",
-}
-
-
-@pytest.mark.nightly
-def test_in_rust_they_are_digits_or_what_the_function_takes_and_never_within_an_answer():
-    assert answers("a.rs", RUST_WHOLE["digits"], BIG, [(10**40,), (-7,)]) == [41, 2]
-    found = called("a.rs", RUST_WHOLE["machine"], BIG, [(5 << 100,), (1 << 127,), (-(1 << 127),)])
-    assert [reply.answer for reply in found] == [5, None, -(1 << 27)]
-    assert found[1].detail == f"{1 << 127} does not fit into i128"
-    with box_of("a.rs", RUST_WHOLE["digits"], signature=BIG._replace(answer=parse("[int]"))) as box:
-        told = box.inspect().fault.message
-    assert told == "Rust functions of this problem's types cannot be called: give it a main"
-
-
-def test_in_go_an_answer_may_be_one_too():
-    counting = 'package main\nimport "math/big"\nfunc mirrorAll(n *big.Int) int { return n.BitLen() }'
-    assert answers("a.go", counting, BIG, [(2**99,)]) == [100]
-    nothing = 'package main\nimport "math/big"\nfunc mirrorAll(n *big.Int) *big.Int { return nil }'
-    assert answers("a.go", nothing, BIG, [(2**99,)]) == [None]
-
-
-def test_go_says_a_type_once_for_neighbours_and_takes_big_ints_by_their_address():
-    go, given = language_called("go"), signature("real", r="real", A="point", B="point", n="int")
-    declared = [driver_of(go).declared(draft_of(go, each)) for each in (BIG, given)]
-    assert declared == ["func mirrorAll(n *big.Int) int", "func mirrorAll(r float64, A, B Pt, n int) float64"]
 
 
 def test_a_stack_without_end_and_more_memory_than_there_is_are_said_so():
@@ -66,12 +32,6 @@ func mirrorAll(x float64) float64 {
     assert [reply.stop for reply in large] == [Stop.ANSWERED, Stop.MEMORY]
 
 
-def test_pypy_prints_nothing_of_its_own():
-    with box_of("a.pypy", "def mirror_all(x):\n    return -x\n", signature=REAL) as box:
-        assert box.inspect().fault is None
-        assert box.call_many("mirror_all", [(1.0,)], LIMITS).printed == b""
-
-
 PLACED = signature("[point; 0..2]", A="point")
 OWN = sources("own")  # types, fields and names of the submission's own, as people have them
 
@@ -81,25 +41,10 @@ def test_types_and_names_of_its_own_are_taken(name):
     assert answers(name, OWN[name], PLACED, [((1.5, 2.0),)]) == [[[2, 1.5]]]
 
 
-def test_a_type_of_its_own_that_does_not_fit_is_told():
-    source = "package main\ntype Pt [2]float64\nfunc mirrorAll(A Pt) []Pt { return nil }"
-    with box_of("a.go", source, signature=PLACED) as box:
-        message = box.inspect().fault.message
-    assert message.endswith("func mirrorAll(A Pt) []Pt, with type Pt struct{ X, Y float64 }")
-
-
 def test_what_is_no_text_is_told():
-    need("rust")
-    with AnyBoxes(Boxes(None), REAL)(b"fn mirror_all(x: f64) -> f64 { x } // \xe9", "a.rs") as box:
-        assert box.inspect().fault.message == "stream did not contain valid UTF-8"
+    need("pypy")
     with AnyBoxes(Boxes(None), REAL)("def mirror_all(x):".encode("utf-16"), "a.pypy") as box:
         assert box.inspect().fault.message == "it is UTF-16: save it as UTF-8"
-
-
-def test_what_is_blanked_at_the_head_of_a_file_keeps_its_lines():
-    source = "#![allow(\n    unused)]\nfn mirror_all(x: f64) -> f64 { y }"
-    with box_of("a.rs", source, signature=REAL) as box:
-        assert box.inspect().fault[1:3] == (3, 32)
 
 
 # -- functions as people write them ----------------------------------------------------------------------------
@@ -108,9 +53,7 @@ def test_what_is_blanked_at_the_head_of_a_file_keeps_its_lines():
 @pytest.mark.parametrize(
     "source",
     [
-        "export function mirrorAll(x) { return -x; }",
         "export default function mirrorAll(x) { return -x; }",
-        "const mirrorAll = x => -x;\nexport { mirrorAll };\n",
         "const mirrorAll = x => -x;\nmodule.exports = { mirrorAll };\n",
         "const all = 'src/*', some = /[\"'`/]/g;\nfunction mirrorAll(x) { return -x; }\nlet none = '*/';",
     ],
@@ -146,42 +89,6 @@ JAVA = sources("java")
 @pytest.mark.parametrize("name", daily(JAVA, ["after.java"]))
 def test_java_functions_are_found_wherever_they_stand(name):
     assert answers(name, JAVA[name], REAL, [(2.5,)]) == [-2.5]
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize(
-    ("source", "given", "calls", "found"),
-    [
-        (
-            "class A { static float mirrorAll(double x) { return x < 0 ? Float.NaN : (float) x; } }",
-            REAL,
-            [(0.1,), (-1.0,)],
-            [0.10000000149011612, {"type": "float", "text": "nan"}],
-        ),
-        (
-            "class A { static byte[] mirrorAll(double[] raw) { byte[] out = new byte[raw.length]; for (int i = 0; i < raw.length; i++) out[i] = (byte) -raw[i]; return out; } }",
-            signature("array(i8)", raw="array(f64)"),
-            [(array("d", [1.0, -2.5]),), (array("d"),)],
-            [[-1, 2], []],
-        ),
-        (
-            "class A { record Enclosure(double lo, double hi) {} static Enclosure mirrorAll(double x) { return new Enclosure(-x, x); } }",
-            signature("enclosure", x="real"),
-            [(1.5,)],
-            [[-1.5, 1.5]],
-        ),
-    ],
-    ids=["float", "arrays", "a record of its own"],
-)
-def test_java_has_other_types_for_the_same(source, given, calls, found):
-    assert answers("A.java", source, given, calls) == found
-
-
-@pytest.mark.nightly
-def test_what_java_cannot_begin_with_is_told_by_its_cause():
-    source = 'class A { static double k = Double.parseDouble("x"); static double mirrorAll(double x) { return k; } }'
-    found = called("A.java", source, REAL, [(1.0,)])
-    assert found[0].detail == 'java.lang.NumberFormatException: For input string: "x"'
 
 
 # -- what stands around the function ---------------------------------------------------------------------------
@@ -230,21 +137,10 @@ def test_another_declaration_is_told_as_the_problem_has_it(name):
     assert told.endswith(f"is not declared as the problem says: {UNLIKE[name]}")
 
 
-@pytest.mark.parametrize(
-    ("given", "source", "words"),
-    [
-        (BIG, "long long mirror_all(long long n) { return n; }", "mirror_all(const char *n)"),
-        (signature("real?", x="real"), "bool mirror_all(double x, float *out) { return 0; }", "double *out)"),
-        (
-            signature("[int]", n="int"),
-            "int mirror_all(int n) { return n; }",
-            "C functions of this problem's types cannot be called: give it a main",
-        ),
-    ],
-)
-def test_in_c_no_pointer_and_no_type_is_taken_for_something_else(given, source, words):
-    with box_of("a.c", source, signature=given) as box:
-        assert box.inspect().fault.message.endswith(words)
+def test_in_c_no_pointer_is_taken_for_something_else():
+    source = "bool mirror_all(double x, float *out) { return 0; }"
+    with box_of("a.c", source, signature=signature("real?", x="real")) as box:
+        assert box.inspect().fault.message.endswith("double *out)")
 
 
 @pytest.mark.parametrize(
@@ -252,8 +148,6 @@ def test_in_c_no_pointer_and_no_type_is_taken_for_something_else(given, source, 
     [
         ("a.js", "function mirrorAll(x) {\n  return 1 +;\n}", (2, 13), "SyntaxError: Unexpected token ';'"),
         ("a.mjs", f"{IMPORTING}slurp(0;", (8, 7), "SyntaxError"),
-        ("a.pypy", "def mirror_all(x):\n    return 1 +\n", (2, 0), "SyntaxError"),
-        ("a.cpp", "double mirror_all(double x) {\n  return y;\n}", (2, 10), ""),
     ],
 )
 def test_an_error_is_told_before_it_is_called_and_keeps_its_place(name, source, place, words):
@@ -272,12 +166,6 @@ def test_an_error_is_told_before_it_is_called_and_keeps_its_place(name, source, 
             "neither mirror_all nor main: write mirror_all for mirrorAll",
         ),
         (
-            "a.go",
-            "package main\nfunc mirror_all(x float64) {}",
-            "neither mirrorAll nor main: write mirrorAll for mirror_all",
-        ),
-        ("a.c", "int other(void) { return 1; }", "neither mirror_all nor main"),
-        (
             "a.js",
             "class Solution {\n  mirrorAll(x) { return -x; }\n}",
             "mirrorAll is a method of Solution: write it as a function",
@@ -287,7 +175,6 @@ def test_an_error_is_told_before_it_is_called_and_keeps_its_place(name, source, 
             "function mirror_all(x) { return x; }\nconsole.log(mirror_all(1));",
             "it defines no mirrorAll, and reads no input: write mirrorAll for mirror_all",
         ),
-        ("a.c", "// double mirror_all(double x) { return x; }\nint a;", "neither mirror_all nor main"),
     ],
 )
 def test_neither_function_nor_program_is_told(name, source, words):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from sandboxed import limits, lost_at_3, run
+from sandboxed import limits, lost_at_3
 
 from judge.sandbox import bundle, container, open_box, shared
 from judge.sandbox.boundary import Limits, Stop
@@ -77,22 +77,12 @@ def test_without_a_clock_a_limit_is_noticed_afterwards() -> None:
     [
         ("while True: pass", 20.0, Stop.CPU),
         ("time.sleep(60)", 0.3, Stop.WALL),
-        ("os.kill(os.getpid(), signal.SIGSTOP)", 20.0, Stop.EXITED),
-        ("os._exit(0)", 20.0, Stop.EXITED),
         ("bytes(1 << 40)", 20.0, Stop.MEMORY),
         ("while True: print('x' * 999)", 20.0, Stop.OUTPUT),
     ],
 )
 def test_every_limit_holds_and_costs_one_call(body: str, wall: float, stop: Stop) -> None:
     assert lost_at_3(body, limits(cpu_seconds=0.2, wall_seconds=wall), level="limits").stop is stop
-
-
-@pytest.mark.usefixtures("plain_system")
-def test_a_program_is_measured() -> None:
-    result = run("import time\nwhile time.process_time() < 0.2: pass\n1 / 0", level="limits")
-    assert (result.stop, result.detail) == (Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 3)")
-    assert 0.1 < result.usage.cpu_seconds <= result.usage.wall_seconds
-    assert result.usage.memory_bytes > 1 << 20
 
 
 # -- the fork server's code on its way into the container ----------------------------------------------------
@@ -117,10 +107,3 @@ def test_the_code_is_that_of_the_files_whoever_imported_them(monkeypatch: pytest
     monkeypatch.setattr(bundle, "find_spec", hooked)
     bundle._modules.cache_clear()
     assert marshal.loads(bundle.pack({}, b""))[0] == plain
-
-
-@pytest.mark.usefixtures("unpacked_once")
-def test_a_module_without_code_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bundle, "find_spec", lambda name: None)
-    with pytest.raises(ImportError, match=r"no code for judge\.sandbox"):
-        bundle.pack({}, b"")

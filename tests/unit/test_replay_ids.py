@@ -11,7 +11,7 @@ from judge.errors import UsageError
 from judge.problem.find import find_problem
 
 
-@pytest.fixture(scope="module", params=["count", "segment", "ray-nearest", "exact-count"])
+@pytest.fixture(scope="module", params=["segment", "exact-count"])
 def problem(request):
     return find_problem(request.param)
 
