@@ -16,11 +16,8 @@ from judge.drawing.svg import style
 from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
 from judge.problem import Verdict
 from judge.report.page.compose import MOST_RUNS
-from judge.report.page.kills import kill_table
-from judge.report.page.plot import MOST, ratio_plot
+from judge.report.page.plot import MOST
 from judge.report.page.render import _TEMPLATES, is_report
-from judge.run.matrix import Kill, Matrix, Row
-from judge.run.result import Against, Failure, Mode, Result
 
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
@@ -92,7 +89,7 @@ def test_the_page_is_sound_and_the_same_every_time(path):
         outcome(mistake="absolute-epsilon"),
         outcome(mistake="forgotten-centre + absolute-epsilon"),
         outcome("segment", expected="[(0.0, 1.0)]", got="[(0.0, 1.0), (0.5, 1.0)]"),
-        *(outcome(name) for name in ("gone", "main", "overview", 'a" onclick="b', "two words", "<b>")),
+        *(outcome(name) for name in ("gone", "main", 'a" onclick="b', "<b>")),
         outcome(verdict=Verdict.AC, ratio=0.8),
     ]
     runs = kept(path, results)
@@ -130,26 +127,6 @@ def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
     assert Counter(tag for tag, _ in outline.tags)["style"] == Counter(tag for tag, _ in plain.tags)["style"]
 
 
-def test_what_was_not_tried_is_named_in_the_paths_order_and_has_no_row(path):
-    html = html_of(kept(path, [outcome()]), known("count", "segment", "tangents", "csg", "line-points"))
-    table, _, after = html[html.index('<table class="overview">') :].partition('<dl class="untried">')
-    assert "segment" not in table
-    assert re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd>", after.partition("</dl>")[0]) == [
-        ("Middle", "segment, tangents, line-points"),
-        ("Professional", "csg"),
-    ]
-    assert "Not tried yet" not in html_of(kept(path.with_name("one"), [outcome()]), known("count"))
-
-
-@pytest.mark.parametrize(("name", "limit"), [("count", True), ("nearest", False)])
-def test_a_limit_is_drawn_only_where_it_holds_for_every_group(path, name, limit):
-    runs = kept(path, [replace(outcome(verdict=Verdict.AC, ratio=1.5), problem=name)])
-    (part,) = page_of(runs, known(name)).problems
-    assert (part.plot.limit is not None, "limit" in part.plot.description) == (limit, limit)
-    assert part.plot.links == ()
-    assert ratio_plot("p", [], 100.0) is None
-
-
 def test_only_the_pages_own_style_sheet_is_allowed(path):
     html = html_of(kept(path, [outcome()]))
     (policy,) = [m["content"] for m in Outline(html).all("meta") if "http-equiv" in m]
@@ -170,13 +147,7 @@ def test_a_result_of_another_form_is_told_of_without_its_details(path):
 
 @pytest.mark.parametrize(
     "values",
-    [
-        {"cx": 0, "cy": 0},
-        {"cx": 0, "cy": 0, "r": -1, "A": [0, 1], "B": [1, 1]},
-        {"cx": 0, "cy": 0, "r": "1", "A": [0, 1], "B": [1, 1]},
-        {"cx": 0, "cy": 0, "r": 1, "A": 5, "B": [1]},
-        {"cx": 0, "cy": 0, "r": 1, "A": [0, 1.000000000001], "B": [1, 1.000000000001]},
-    ],
+    [{"cx": 0, "cy": 0, "r": -1, "A": [0, 1], "B": [1, 1]}, {"cx": 0, "cy": 0, "r": 1, "A": 5, "B": [1]}],
 )
 def test_a_case_that_is_none_of_the_problems_is_not_drawn(path, values):
     (part,) = page_of(kept(path, [outcome(input=values)])).problems
@@ -184,22 +155,10 @@ def test_a_case_that_is_none_of_the_problems_is_not_drawn(path, values):
     assert part.cases[0].facts[0][0] == "input"
 
 
-def test_what_was_printed_stands_with_its_case_and_what_could_not_be_run_has_a_reason(path):
-    said = Failure("1 wanted, None given", "grid", 1, {"cx": 0}, "1", "None", printed="here <b>")
-    printed = Result("count", "mine.py", Mode.FUNCTION, Verdict.WA, failure=said)
-    fault = Result("count", "mine.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError: line 3"))
-    (part,) = page_of(kept(path, [printed, fault])).problems
-    broken, wrong = part.cases
-    assert ("printed", "here <b>", "code") in wrong.facts
-    assert (broken.title, broken.facts) == ("Does not compile", (("why", "SyntaxError: line 3", ""),))
-    assert part.plot is None
-
-
 def test_times_are_those_of_the_zone(path):
     runs = kept(path, [outcome()])  # on 1 March at 9:00 UTC
-    for hours, shown in ((0, "1 Mar 2026 09:00"), (9, "1 Mar 2026 18:00"), (-10, "28 Feb 2026 23:00")):
-        html = html_of(runs, zone=timezone(timedelta(hours=hours)))
-        assert shown in Outline(html).text
+    html = html_of(runs, zone=timezone(timedelta(hours=-10)))
+    assert "28 Feb 2026 23:00" in Outline(html).text
 
 
 def test_long_histories_are_cut_and_say_so(path):
@@ -215,53 +174,6 @@ def test_long_histories_are_cut_and_say_so(path):
     assert "(the rest is left out)" in html
     assert len(html) < 1_000_000
     check_html(html)
-
-
-def test_the_plot_holds_every_ratio_and_the_limit(path):
-    ratios = [0.02, 250.0, 7.0]
-    runs = kept(path, [outcome(verdict=Verdict.AC, ratio=ratio) for ratio in ratios] + [outcome()])
-    plot = ratio_plot("p", runs, 100.0)
-    assert plot is not None
-    assert [dot.number for dot in plot.dots] == [1, 2, 3]
-    for dot in plot.dots:
-        assert 0 <= dot.top < dot.y < dot.bottom <= plot.height
-    first, second, third = (dot.y for dot in plot.dots)
-    assert second < plot.limit.y < third < first
-    assert "from 0.02 times in run 1 to 7.0 times in run 3; least 0.02 (run 1), most 250 (run 2)" in (
-        plot.description
-    )
-    assert "The limit is 100 times." in plot.description
-    assert 2 <= len(plot.levels) <= 6
-
-
-def test_runs_that_were_held_to_another_language_say_so(path):
-    why = "no reference in Go: held to Python's"
-    abroad = [Against("Python", why), Against("C++"), Against("Python", why)]
-    result = outcome(verdict=Verdict.AC, ratio=2.0)
-    runs = kept(path, [replace(result, time=replace(result.time, against=against)) for against in abroad])
-    (part,) = page_of(runs).problems
-    assert part.plot.held == f"runs 1, 3: {why}"
-    assert "In other languages, runs 1, 3: no reference in Go" in html_of(runs)
-    (other,) = page_of(runs[1:2]).problems
-    assert (other.plot.held, "In other languages" in html_of(runs[1:2])) == ("", False)
-
-
-def test_the_kill_matrix_shades_by_share_and_marks_ones_own():
-    row = Row(
-        "wrong/blind-once.py",
-        "blind",
-        ("edge",),
-        (Kill("grid", (1,), 100), Kill("edge", tuple(range(1, 101)), 100), Kill("far", (), 100)),
-    )
-    table = kill_table(Matrix(("grid", "edge", "far"), (row,), (), ()), Counter(blind=2))
-    (line,) = table.lines
-    assert (line.name, line.made) == ("blind-once", 2)
-    assert [(cell.text, cell.shade, cell.own) for cell in line.cells] == [
-        ("1%", 1, False),
-        ("100%", 5, True),
-        ("", 0, False),
-    ]
-    assert kill_table(Matrix((), (), (), ()), Counter()) is None
 
 
 def test_a_report_is_known_by_its_head(path):
@@ -313,10 +225,3 @@ def test_text_stands_out_in_light_and_dark(theme):
             drawn |= dict.fromkeys(names.split(","), fill)
     for name in ("text", ".quiet", ".t-wanted", ".t-got"):
         assert contrast(drawn[name], drawn[".panel"]) >= 4.5, name
-
-
-def test_the_style_of_drawings_stays_inside_its_scope():
-    inside = style(".drawing", "screen")
-    rules = [row for row in inside.splitlines() if "{" in row and not row.startswith("@media")]
-    assert rules
-    assert all(part.startswith(".drawing ") for row in rules for part in row.split("{")[0].split(","))

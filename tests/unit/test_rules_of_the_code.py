@@ -59,13 +59,6 @@ def test_no_word_of_a_topic_is_in_the_engine():
     assert [line for path in read for line in found_in(path, path.read_text(encoding="utf-8"))] == []
 
 
-def test_such_a_word_is_found_and_others_are_not():
-    words = ["a circle", "the RAY hits", "def _segment(x):", "tangents", "of the extent", "line-and-circle"]
-    others = ["an array", "max(extent·unit, …)", "tolerance.extent", "judge circle-line geometry"]
-    found = found_in(PACKAGE / "run" / "x.py", "\n".join(words + others))
-    assert found == [f"run/x.py:{number}: {line}" for number, line in enumerate(words, 1)]
-
-
 def code_of(path: Path) -> str:
     """A file's text without comments."""
     return re.sub(r"#.*", "", path.read_text(encoding="utf-8"))

@@ -143,14 +143,6 @@ def test_worst_ulps_of_accepted_numbers():
     assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
 
 
-@pytest.mark.nightly
-def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
-    """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
-    data = make_data(*"abcd", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20))
-    result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (80 << 20)\n", data)
-    assert [group.verdict.value for group in result.groups] == ["MLE", "MLE", "TLE", "TLE"]
-
-
 # -- programs: they read a whole group and print a line a case -----------------------------------------------
 
 PROBLEM = make_data("one").problem

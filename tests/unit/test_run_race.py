@@ -12,7 +12,7 @@ from sampling import nightly
 from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
-from judge.report.results import summary_lines, verdict_lines
+from judge.report.results import verdict_lines
 from judge.run import Settings, budget
 from judge.run.alone import Admitted
 from judge.run.timing import BESIDE
@@ -81,11 +81,6 @@ def test_work_done_at_import_is_told_and_has_no_part_in_the_ratio(timed):
     assert eager.time.ratio.median < 1
 
 
-def test_long_imports_end_the_race(timed, monkeypatch):
-    monkeypatch.setattr("judge.run.measure._LONG_IMPORT_SECONDS", 0.0)
-    assert timed(EAGER).time.ratio.pairs == 1
-
-
 def test_work_put_off_to_the_first_call_is_charged(timed):
     lazy = timed(LAZY)
     assert not lazy.time.import_tells
@@ -104,14 +99,9 @@ def test_who_answers_alike_has_a_ratio(timed, source):
     ("source", "deed", "verdict", "message"),
     [
         (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
-        nightly(CALLS, "return None", Verdict.WA, "None given"),
         nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
-        (CALLS, "while True: pass", Verdict.TLE, ""),
-        nightly(CALLS, "time.sleep(30)", Verdict.TLE, ""),
-        nightly(PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
         nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
-        nightly(PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),
         nightly(PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
         (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
     ],
@@ -123,15 +113,6 @@ def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, v
     assert "when it was run again to be timed" in result.failure.message
     assert sum(group.passed for group in result.groups) == 7
     assert result.score < 100
-
-
-@pytest.mark.parametrize(
-    "source",
-    [CALLS.format(deed="time.sleep(0.2)"), PROGRAM.format(deed="import time; time.sleep(1.2 * again)")],
-)
-def test_who_keeps_the_race_waiting_has_one_pair(timed, source):
-    result = timed(source)
-    assert (result.verdict, result.time.ratio.pairs) == (Verdict.AC, 1)
 
 
 def test_waiting_in_the_race_counts_too(timed, monkeypatch):
@@ -166,12 +147,4 @@ def test_a_race_beside_another_judge_says_so_and_is_decided_all_the_same(timed):
     assert result.notes == (
         "waited 31 s for other judges of yours on this machine: times are measured alone",
     )
-    shown = "".join(span.text for line in verdict_lines(result, None) for span in line)
-    assert BESIDE in shown
-    rows = ["".join(span.text for span in line) for line in summary_lines([result, result], None)]
-    assert [" busy " in row for row in rows[:3]] == [False, True, True]
-
-
-def test_a_reference_that_waits_for_its_processor_makes_a_busy_machine(timed):
-    waiting = REFERENCE.replace(b"    for _", b"    import time\n    time.sleep(0.002)\n    for _")
-    assert timed(GOOD, waiting).time.ratio.busy.startswith("busy machine, ")
+    assert BESIDE in "".join(span.text for line in verdict_lines(result, None) for span in line)

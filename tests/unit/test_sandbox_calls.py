@@ -58,9 +58,7 @@ def f(n):
     ("body", "detail"),
     [
         ("sys.exit(4)", "SystemExit: 4 (line 4)"),
-        ("raise KeyboardInterrupt", "KeyboardInterrupt (line 4)"),
         ("raise ValueError('a\\nb' + 'x' * 9999)", "ValueError: a b" + "x" * 497 + " (line 4)"),
-        ("raise RecursionError('too deep')", "RecursionError: too deep (line 4)"),
         ("return f(n)", "RecursionError: maximum recursion depth exceeded"),
         ("raise E", "E: (its text cannot be shown) (line 4)"),
     ],
@@ -73,19 +71,9 @@ def test_exceptions_are_told_in_one_line(body, detail):
     assert result.replies[3].detail.startswith(detail)
 
 
-@pytest.mark.parametrize(
-    "body",
-    ["os.closerange(0, 100)", "sys.stdout.close(); sys.stderr.close()", "sys.stdout = sys.stderr = None"],
-)
-def test_a_call_that_closes_every_descriptor_loses_nothing(body):
-    result = call(f"import os, sys\ndef f(n):\n    if n == 1: {body}\n    return n", NUMBERS)
+def test_a_call_that_closes_every_descriptor_loses_nothing():
+    result = call("import os\ndef f(n):\n    if n == 1: os.closerange(0, 100)\n    return n", NUMBERS)
     assert [reply.answer for reply in result.replies] == [0, 1, 2, 3, 4]
-
-
-def test_a_peak_over_the_limit_counts_though_it_was_freed():
-    source = "def f(n):\n    x = bytearray(b'x') * (100 << 20)\n    return n"
-    result = call(source, [(1,)], limits(memory_bytes=64 << 20))
-    assert stops(result) == [Stop.MEMORY]
 
 
 def test_what_is_only_seen_at_the_end_is_said_of_the_last_call():
@@ -95,20 +83,9 @@ def test_what_is_only_seen_at_the_end_is_said_of_the_last_call():
     assert result.replies[4].detail == "wrote more than 14000 bytes, in this call or one before it"
 
 
-def test_printing_does_not_reach_the_answers():
-    source = "import sys\nprint('A1')\ndef f(n):\n    print('A7', file=sys.stderr)\n    return n"
-    assert [reply.answer for reply in call(source, NUMBERS).replies] == [0, 1, 2, 3, 4]
-
-
 def test_an_entry_that_is_gone_after_the_import_is_told():
     result = call("def f(n): return n\ndel f", NUMBERS)
     assert result.replies[0].detail == "the module has no f once it is imported"
-
-
-def test_the_module_is_not_main_and_its_classes_work():
-    source = "from dataclasses import dataclass\n@dataclass\nclass P:\n    x: float\n"
-    source += "if __name__ == '__main__': raise SystemExit\ndef f(n): return P(n).x"
-    assert call(source, NUMBERS).replies[4].answer == 4
 
 
 def test_modules_of_the_judges_own_side_are_not_importable():
@@ -124,32 +101,6 @@ def f(n):
     return found
 """
     assert call(source, NUMBERS[:1]).replies[0].answer == 0
-
-
-def test_a_submission_may_be_called_like_a_module_of_the_standard_library():
-    source = b"from fractions import Fraction\ndef f(n): return int(Fraction(n))"
-    with open_box(source, "fractions.py") as box:
-        assert box.call_many("f", NUMBERS, LIMITS).replies[4].answer == 4
-
-
-@on_linux
-def test_what_a_call_leaves_behind_is_gone_when_it_is_answered():
-    source = b"""
-import os, time
-def f():
-    mine, theirs = os.pipe()
-    child = os.fork()
-    if child == 0:
-        grandchild = os.fork()
-        if grandchild: os.write(theirs, str(grandchild).encode())
-        else: os.setsid()
-        time.sleep(60)
-    return child, int(os.read(mine, 20))
-"""
-    with open_box(source, "my.py", level="limits") as box:
-        for pid in box.call_many("f", [()], LIMITS).replies[0].answer:
-            with pytest.raises(ProcessLookupError):
-                os.kill(pid, 0)
 
 
 @pytest.mark.slow
@@ -222,10 +173,7 @@ if __name__ == "__main__":
 @pytest.mark.parametrize(
     ("ending", "stop", "detail"),
     [
-        ("sys.exit()", Stop.ANSWERED, ""),
         ("sys.exit(0)", Stop.ANSWERED, ""),
-        ("exit()", Stop.ANSWERED, ""),
-        ("sys.exit(3)", Stop.EXITED, "exit status 3"),
         ("sys.exit('no')", Stop.EXITED, "exit status 1"),
         ("import os; os._exit(9)", Stop.EXITED, "exit status 9"),
         ("import os; os.abort()", Stop.EXITED, "killed by SIGABRT"),
@@ -244,17 +192,6 @@ def test_an_uncaught_exception_has_its_line_and_only_the_submissions_frames():
     assert result.stderr.startswith(
         b'Traceback (most recent call last):\n  File "/dev/fd/4", line 4, in <module>'
     )
-
-
-@pytest.mark.parametrize(
-    ("source", "detail"),
-    [
-        ("raise ValueError('one\\n  two\\x1b[2J')", "ValueError: one two [2J (line 1)"),
-        ("input()", "EOFError: EOF when reading a line (line 1)"),
-    ],
-)
-def test_an_exception_is_told_in_one_line(source, detail):
-    assert run(source).detail == detail
 
 
 def test_stderr_is_cut_to_its_end():
@@ -325,34 +262,19 @@ def test_nothing_is_left_when_a_box_closes(level, tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
-def test_a_box_closes_twice_and_a_box_without_a_use_closes_too():
-    with open_box(b"", "my.py") as box:
-        box.__exit__(None, None, None)
-    assert box.isolation in LEVELS
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("python", ["/nowhere/python", "/bin/false"])
-@pytest.mark.parametrize("level", [None, *LEVELS])
-def test_an_interpreter_that_does_not_start_is_one_clear_error(python, level, monkeypatch):
-    if level:
-        require(level)
+@pytest.mark.parametrize(
+    ("python", "what"),
+    [
+        ("/nowhere/python", "no container can be started: "),
+        ("/bin/false", "no container could be started: it ended without a word"),  # which may pass
+    ],
+)
+def test_an_interpreter_that_does_not_start_is_one_clear_error(python, what, monkeypatch):
     before = children()
     monkeypatch.setattr(sys, "executable", python)
     monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(holder.PAUSES))
-    with pytest.raises(JudgeError) as caught, open_box(b"", "my.py", level=level):
+    with pytest.raises(JudgeError) as caught, open_box(b"", "my.py"):
         pass
-    what = f"isolation {level} cannot be had here: " if level else "no container can be started: "
-    if python == "/bin/false":  # it says nothing, so that it may be a passing fault
-        what = "no container could be started: it ended without a word"
     assert caught.value.what.startswith(what)
     assert "\n" not in caught.value.what
     assert children() == before
-
-
-def test_the_interpreter_is_the_judges_own():
-    source = b"import sys\nprint(sys.executable)\nprint(sys.version)"
-    with open_box(source, "my.py") as box:
-        executable, *version = box.run_program(b"", LIMITS).stdout.decode().splitlines()
-    assert os.path.realpath(executable) == os.path.realpath(sys.executable)
-    assert version == sys.version.splitlines()
