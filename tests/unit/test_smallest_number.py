@@ -19,7 +19,7 @@ PROBLEMS = Path(__file__).parents[2] / "problems"
 SMALLEST = Fraction(1, 10**30)
 
 
-@pytest.fixture(scope="module", params=["count", "segment", "ray-nearest"])
+@pytest.fixture(scope="module", params=["segment"])
 def problem(request):
     return load_problem(PROBLEMS / request.param)
 

@@ -11,7 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import temporary
 from judge.sandbox.temporary import TemporaryFolder, sweep
 
 ROOT = Path(__file__).parents[2]
@@ -66,4 +65,3 @@ def test_links_and_what_is_called_otherwise_stay(tmp_path):
         aged(path)
     sweep(tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["judge-box-link", "judge-suite", "other"]
-    assert temporary._PREFIX == "judge-box-"

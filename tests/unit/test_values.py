@@ -282,10 +282,3 @@ def test_a_radius_is_never_negative():
 def test_every_atom_says_what_an_example_may_not_show(atom):
     assert parse(atom).fault("it", (None, None, None, None))
     assert parse(f"[{atom}]").fault("it", ((None,),))
-
-
-def test_an_enclosure_of_an_example_is_two_numbers():
-    enclosure = parse("enclosure")
-    assert enclosure.fault("it", (1, 1.5)) is None
-    assert enclosure.fault("it", 1.5) == "it must be (lo, hi), not 1.5"
-    assert enclosure.fault("it", (1.5, "2")) == "it has '2', a str, where a number is meant"

@@ -35,10 +35,7 @@ def verified(pack, **options):
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
-    steps = []
-    report = verified(pack, progress=lambda *step: steps.append(step))
-    assert ("building data", 7, 7) in steps
-    assert steps[-1] == ("judging solutions", 2, 2)
+    report = verified(pack)
     assert report.pins == "differing"
     assert [str(fault) for fault in report.faults] == [
         (
@@ -48,13 +45,6 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     ]
     assert verified(pack, update_pins=True).pins == "written"
     assert verified(pack).ok
-
-
-def test_broken_pins_are_a_fault(pack):
-    (pack / "problems" / "root-count" / "hashes.json").write_text("{")
-    (fault,) = verified(pack).faults
-    assert "no JSON" in fault.what
-    assert (fault.where, "--pin" in fault.remedy) == ("root-count/hashes.json", True)
 
 
 def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
