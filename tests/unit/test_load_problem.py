@@ -69,12 +69,6 @@ def test_everything_the_file_says():
     assert problem.group("large") is None
 
 
-def test_the_statement_is_filled_in_and_its_examples_read():
-    problem = load_problem(SOUND)
-    assert "the square c, -9 to 9?" in problem.statement
-    assert [(each.case, each.wanted, each.line) for each in problem.examples] == [((4,), 2, 3), ((-1,), 0, 5)]
-
-
 def test_numbers_are_exact(floating):
     problem = load_problem(floating)
     assert dict(problem.bands) == {"snap": Fraction(1, 10**12), "clear": Fraction(1, 10**7)}

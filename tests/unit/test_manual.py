@@ -1,4 +1,4 @@
-"""The page about problem.toml says what the loader knows: every key, nothing else, and examples that load."""
+"""The pages about a problem's files say what the judge knows: every key, type and hook, and nothing else."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ import tomllib
 from pathlib import Path
 
 import msgspec
-import pytest
 
 from judge.problem import schema
-from judge.problem.load import load_problem
+from judge.problem.topic import Topic
 from judge.values.grammar import ALIASES, VECTORS
 
 ROOT = Path(__file__).parents[2]
@@ -30,34 +29,6 @@ TABLES = {
     "Words": schema.WordsTable,
     "Source": schema.SourceTable,
 }
-BASE = """\
-title = "T"
-tier = "junior"
-summary = "S."
-entry = "f"
-answer = "count"
-
-[limits]
-cpu_seconds = 2
-wall_seconds = 6
-memory_mb = 256
-output_mb = 4
-
-[[parameters]]
-name = "n"
-type = "integer"
-low = 0
-high = 9
-about = "a number"
-
-[[groups]]
-name = "small"
-about = "All."
-builder = "numbers"
-seed = 1
-count = 10
-points = 100
-"""
 
 
 def sections() -> dict[str, str]:
@@ -76,42 +47,8 @@ def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
     assert tables == set(TABLES.values())
     for section, table in TABLES.items():
         assert told(section) == {field.name: not field.required for field in msgspec.structs.fields(table)}
-        assert "```toml" in sections()[section], section
-
-
-def head_and_tables(text: str) -> tuple[str, list[str]]:
-    head, *tables = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
-    return head, tables
-
-
-def completed(example: str) -> str:
-    """A whole problem.toml: the example, and of the base what it does not say itself."""
-    own = set(tomllib.loads(example))
-    head, tables = head_and_tables(BASE)
-    lines = [line for line in head.splitlines() if line.partition(" = ")[0] not in own]
-    kept = [table for table in tables if not set(tomllib.loads(table)) <= own]
-    example_head, example_tables = head_and_tables(example)
-    return "\n".join([example_head, *lines, "", *example_tables, *kept])
-
-
-def loaded(example: str, folder: Path):
-    place = folder / "divisors"
-    place.mkdir()
-    (place / "problem.toml").write_text(completed(example), encoding="utf-8")
-    entry = tomllib.loads(completed(example))["entry"]
-    worked = f"    >>> {entry}(1)\n    1\n" if 'builder = "examples"' in example else ""
-    (place / "statement.md").write_text(f"# T\n\n{worked}")
-    return load_problem(place)
-
-
-EXAMPLES = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
-
-
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda text: text.split("\n")[0])
-def test_the_examples_are_loaded(example, tmp_path):
-    problem = loaded(example, tmp_path)
-    groups = tomllib.loads(example).get("groups", [{"name": "small"}])
-    assert [group.name for group in problem.groups] == [each["name"] for each in groups]
+        (example, *_) = re.findall(r"^```toml\n(.*?)^```$", sections()[section], re.MULTILINE | re.DOTALL)
+        assert tomllib.loads(example), section
 
 
 def test_every_type_of_the_loader_is_told():
@@ -120,3 +57,8 @@ def test_every_type_of_the_loader_is_told():
     atoms = {path.stem for path in (MANUAL.parent / "values" / "atoms").glob("[a-z]*.py")}
     assert atoms
     assert {*ALIASES, *VECTORS, *atoms} <= told
+
+
+def test_every_name_and_every_hook_of_a_problem_py_is_told():
+    rows = re.findall(r"^\| `(\w+)", (MANUAL / "problem-py.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]

@@ -10,7 +10,6 @@ from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.report.values import percent
-from judge.report.verified import matrix_lines
 from judge.run.matrix import kill_matrix
 from judge.run.result import GroupResult
 
@@ -69,11 +68,3 @@ def test_groups_that_do_nothing_of_their_own(matrix):
 def test_a_share_is_all_or_nothing_only_where_it_is():
     shares = [(0, 5), (5, 5), (1, 900), (899, 900), (1, 3)]
     assert [percent(Fraction(*share)) for share in shares] == ["0%", "100%", "1%", "99%", "33%"]
-
-
-def test_the_matrix_on_the_screen(matrix):
-    lines = ["".join(span.text for span in line) for line in matrix_lines(matrix, 60)]
-    assert max(map(len, lines)) <= 60
-    text = " ".join(" ".join(lines).split())
-    for said in ("deaf 20% edge, grid 10%", "immortal", "no group", "grid, spare"):
-        assert said in text

@@ -9,7 +9,6 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import read_catalogue, with_kills
-from judge.mistakes.family import Family, Line
 from judge.mistakes.features import features
 from judge.mistakes.routes import read_routes
 from judge.problem.find import find_problem
@@ -100,6 +99,7 @@ def test_two_changes_of_one_line_exclude_each_other():
         ('def f(a):\n    """wrong-way"""\n    return a\n', None, "no right way"),
         ('def f(a):\n    "right"\n    # : alone\n    return a\n', 3, "belongs to no change"),
         ('def f(a):\n    "right"\n    return a\n    # ? return -a\n', 4, "without its name"),
+        ('def f(a):\n    "right"\n    return a\n        # ? x: return -a\n', 4, "no statement"),
     ],
 )
 def test_a_fault_is_told_with_its_line(text, line, what):
@@ -107,43 +107,6 @@ def test_a_fault_is_told_with_its_line(text, line, what):
         read_routes(text, "pack/mistakes.py")
     assert what in str(caught.value)
     assert caught.value.where == ("pack/mistakes.py" if line is None else f"pack/mistakes.py:{line}")
-
-
-@pytest.fixture(scope="module")
-def count():
-    return Family(find_problem("count"))
-
-
-def single(family, name, code=""):
-    return next(
-        choice
-        for choice, each in family.named
-        if each == name and (not code or code in family.program(choice))
-    )
-
-
-def test_a_mistake_and_a_transform_make_one_program(count):
-    one, other = single(count, "tangent-twice"), single(count, "rounded-input", "round(x, 2)")
-    both = count.together(one, other)
-    assert both is not None
-    assert set(count.names(both)) == {"tangent-twice", "rounded-input"}
-    space = {}
-    exec(count.program(both), space)
-    assert space["line_count"](0, 0, 1, (-5, 1), (5, 1)) == 2
-    assert space["line_count"](0, 0, 1.004, (-5, 1.001), (5, 1.001)) == 2
-
-
-def test_what_excludes_each_other_is_not_made_together(count):
-    absolute, tight = single(count, "absolute-epsilon"), single(count, "tight-epsilon")
-    assert count.together(absolute, tight) is None
-    slope = next(choice for choice, name in count.named if name == "slope-intercept")
-    assert count.together(absolute, slope) is None
-
-
-def test_the_spoilt_line_is_shown(count):
-    choice = single(count, "forgotten-abs")
-    assert count.lines(choice) == (Line("d = abs(k) / length", "d = k / length"),)
-    assert count.told(choice).startswith("The distance is a cross product with its sign")
 
 
 @pytest.fixture

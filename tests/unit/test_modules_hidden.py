@@ -51,12 +51,3 @@ def test_a_python_program_has_them(level):
     with Boxes(level)(IMPORTS, "main.py") as box:
         run = box.run_program(b"1 2\n", LIMITS)
     assert run.stdout == b"msgspec 3\n", run
-
-
-def test_what_is_wanted_is_shown():
-    wanted = sites()[:1]
-    hidden = find_roots(modules=False).hidden
-    assert set(map(str, map(Path.resolve, map(Path, sites())))) & set(hidden)
-    tool = str(Path(wanted[0], "a-tool"))  # of a compiler that is installed so
-    assert str(Path(wanted[0]).resolve()) not in find_roots((), [tool], modules=False).hidden
-    assert not [entry for entry in find_roots(modules=False).imports if Path(entry).name in SITE_NAMES]

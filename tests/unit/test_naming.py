@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from collections import Counter
 
 import pytest
 from sampling import daily
@@ -62,25 +61,6 @@ def library(request, library_of):
     return library_of(request.param)
 
 
-@pytest.fixture
-def libraries(library_of):
-    return [library_of(name) for name in MIXTURES]
-
-
-@pytest.mark.nightly
-def test_a_known_program_is_recognised(libraries):
-    """What fails in a few cases of one group may be too little to say; another name is never said."""
-    outcomes = Counter()
-    for library in libraries:
-        for each in library.known[::8]:
-            match = library.match(each.behaviour)
-            named = {library.known[place].name for place in match.places} if match else set()
-            outcomes["silent" if match is None else each.name in named] += 1
-            assert match is None or 0.7 <= match.score <= 1.0
-    assert outcomes[True] > 0.97 * outcomes.total()
-    assert outcomes[False] == 0
-
-
 def test_two_mistakes_at_once_and_one_that_went_half_of_the_way(library):
     one, other = MIXTURES[library.problem.id]
     first, second = library.behaviour(one), library.behaviour(other)
@@ -130,17 +110,3 @@ def test_silence_without_evidence(library):
         is None
     )
     assert library.match({second: Answers(20, {5: ("count", (9.0,))})}) is None
-
-
-@pytest.mark.nightly
-def test_most_unknown_mistakes_are_met_with_silence(libraries):
-    """With all programs of a mistake gone, what is named in its place is one that looks nearly the same.
-
-    Vetoes, which keep many of these names back in a run, are left out here.
-    """
-    outcomes = Counter()
-    for library in libraries:
-        for name in dict.fromkeys(each.name for each in library.known):
-            others = [other for other in library.known if other.name != name]
-            outcomes[library.match(library.behaviour(name), others) is None] += 1
-    assert outcomes[True] > 0.75 * outcomes.total()

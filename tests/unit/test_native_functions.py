@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from array import array
 
 import pytest
 from native import LIMITS, answers, box_of, called, signature, sources
 from sampling import daily
 
-from judge.languages.draft import draft_of, driver_of
-from judge.languages.model import languages
 from judge.sandbox import Stop
 from judge.sandbox.calls import replies, text
 
@@ -47,7 +44,6 @@ ROWS += [
 ]
 FAILING = [row(), row(w="throw"), row(2.0)]
 LEAVING = [row(), row(w="leave"), row(2.0)]
-SERIES = [[row(1.0), row(4.0)], [], [row(2.0)], [row(3.0), row(5.0)]]
 
 
 class Everything:
@@ -92,42 +88,6 @@ def test_the_call_that_ends_the_process_is_the_one_to_blame(everything):
     assert LEFT[everything.name] in found[1].detail
 
 
-def counted(box, monkeypatch):
-    """The standard inputs of the processes that the box starts from now on."""
-    given = []
-    real = box.run_program
-
-    def run(stdin, limits):
-        given.append(stdin)
-        return real(stdin, limits)
-
-    monkeypatch.setattr(box, "run_program", run)
-    return given
-
-
-def test_many_series_are_answered_by_one_process(everything, monkeypatch):
-    given = counted(everything.box, monkeypatch)
-    told = []
-    found = everything.box.call_series(
-        "mirror_all", [everything.given(rows) for rows in SERIES], LIMITS, lambda: told.append(1)
-    )
-    assert [[reply.answer for reply in each.replies] for each in found] == [*map(everything.wanted, SERIES)]
-    assert (len(given), len(told)) == (1, 3)
-
-
-NUMBERS = [[(1.0,), (4.0,)], [], [(2.0,)], [(3.0,), (5.0,)]]
-
-
-def test_where_one_of_them_fails_each_has_a_process_of_its_own(monkeypatch):
-    source = "double mirror_all(double x) { if (x == 3) __builtin_trap(); return -x; }"
-    with box_of("a.c", source, signature=REAL) as box:
-        given = counted(box, monkeypatch)
-        found = box.call_series("mirror_all", NUMBERS, LIMITS)
-    assert [[reply.answer for reply in each.replies] for each in found] == [[-1, -4], [], [-2], [None]]
-    assert found[-1].replies[0].stop is Stop.EXITED
-    assert len(given) == 5  # all, two that are right, and the third twice to see at which call
-
-
 def test_a_call_without_end_is_the_one_to_blame():
     source = 'double mirror_all(double x) { while (x == 2) { __asm__(""); } return x; }'
     found = called("a.c", source, REAL, [(1.0,), (2.0,), (3.0,)], cpu_seconds=0.3)
@@ -151,12 +111,6 @@ def test_a_function_may_take_them_as_numbers_of_the_machine_while_they_fit():
     found = called("a.cpp", source, BIG, calls)
     assert [reply.answer for reply in found] == [-(2**62 - 1), 2**62, None, -3]
     assert found[2].detail == f"{2**63} does not fit into long long"
-
-
-def test_in_c_they_are_digits():
-    source = """#include <string.h>
-    long long mirror_all(const char *n) { long long k = strlen(n); return n[0] == '-' ? 1 - k : k; }"""
-    assert answers("a.c", source, BIG, [(10**40,), (-(10**20),), (7,)]) == [41, -21, 1]
 
 
 # -- what goes between --------------------------------------------------------------------------------------
@@ -185,10 +139,3 @@ def test_answers_are_in_the_form_that_python_sends():
         [0.5, 1],
         [{"int": f"{-big - 1:x}"}, 0.5, {"word": "a"}, []],
     ]
-
-
-@pytest.mark.parametrize("language", [each for each in languages() if each.defines], ids=lambda each: each.id)
-def test_a_declaration_is_met_by_what_the_language_looks_for(language):
-    draft = draft_of(language, POINTS)
-    head = driver_of(language).declared(draft)
-    assert re.search(language.head(draft.entry), f"{head} {{" if language.id != "pypy" else head)

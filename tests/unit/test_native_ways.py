@@ -5,11 +5,10 @@
 from __future__ import annotations
 
 import pytest
-from native import LIMITS, answers, box_of, need, signature, sources
+from native import LIMITS, answers, box_of, signature, sources
 from sampling import daily
 
-from judge.languages.boxes import AnyBoxes
-from judge.sandbox import Boxes, Stop
+from judge.sandbox import Stop
 
 pytestmark = pytest.mark.slow
 
@@ -39,12 +38,6 @@ OWN = sources("own")  # types, fields and names of the submission's own, as peop
 @pytest.mark.parametrize("name", daily(OWN, ["grouped.go", "fields.rs", "tag.c", "methods.java"]))
 def test_types_and_names_of_its_own_are_taken(name):
     assert answers(name, OWN[name], PLACED, [((1.5, 2.0),)]) == [[[2, 1.5]]]
-
-
-def test_what_is_no_text_is_told():
-    need("pypy")
-    with AnyBoxes(Boxes(None), REAL)("def mirror_all(x):".encode("utf-16"), "a.pypy") as box:
-        assert box.inspect().fault.message == "it is UTF-16: save it as UTF-8"
 
 
 # -- functions as people write them ----------------------------------------------------------------------------
@@ -106,21 +99,6 @@ def test_nor_do_those_of_cpp_nor_does_fast_mathematics_which_has_no_nan():
     assert (plain, nan) == ([-1, -2.5], {"type": "float", "text": "nan"})
 
 
-CPP = [
-    "static inline auto mirror_all(double x) noexcept -> double\n{ return -x; }",
-    "const auto mirror_all = [](double x) { return -x; };",
-    "template <class T> T mirror_all(T x) { return -x; }",
-    "#include <cmath>\ndouble mirror_all(double x) { return x < 0 ? std::sqrt(x) : -x; }",
-]
-
-
-@pytest.mark.parametrize("source", daily(CPP, CPP[3:]))
-def test_a_function_may_be_defined_in_any_way_of_cpp(source):
-    assert answers("a.cpp", source, REAL, [(1.5,)]) == [-1.5]
-    if "sqrt" in source:
-        assert answers("a.cpp", source, REAL, [(-1.0,)]) == [{"type": "float", "text": "nan"}]
-
-
 UNLIKE = {
     "a.cpp": "double mirror_all(double x)",
     "a.c": "double mirror_all(double x)",
@@ -135,12 +113,6 @@ def test_another_declaration_is_told_as_the_problem_has_it(name):
     with box_of(name, sources("unlike")[name], signature=REAL) as box:
         told = box.inspect().fault.message
     assert told.endswith(f"is not declared as the problem says: {UNLIKE[name]}")
-
-
-def test_in_c_no_pointer_is_taken_for_something_else():
-    source = "bool mirror_all(double x, float *out) { return 0; }"
-    with box_of("a.c", source, signature=signature("real?", x="real")) as box:
-        assert box.inspect().fault.message.endswith("double *out)")
 
 
 @pytest.mark.parametrize(

@@ -40,13 +40,6 @@ def assert_neighbours(cases, answers):
     return others
 
 
-def test_pinned_neighbours_differ_in_every_parameter_and_in_the_answer(problem):
-    group = problem.group("neighbours")
-    solved = build_cases(problem, load_module(problem), group)
-    cases, answers = [case for case, _ in solved], [answer for _, answer in solved]
-    assert assert_neighbours(cases, answers) >= len(cases) / 2
-
-
 def test_fresh_neighbours_are_such_too_with_nothing_between_them(problem):
     fresh = Fresh(problem, load_module(problem), [problem.group("neighbours")], 7)
     module = load_module(problem)

@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 import io
-import json
-from fractions import Fraction
 
 import pytest
 
-from judge.report.layout import Column, Link, Span, Table, cells, line, printable, wrap
+from judge.report.layout import Column, Link, Span, cells, line, printable, wrap
 from judge.report.screen import Screen, note
-from judge.report.values import arguments, bound, with_points
-
-
-def texts(lines):
-    return ["".join(span.text for span in spans) for spans in lines]
 
 
 @pytest.mark.parametrize(
@@ -46,39 +39,6 @@ def test_whatever_steers_a_terminal_is_written_out():
 
 
 COLUMNS = (Column("name"), Column("cases", right=True), Column("about", flexible=True))
-ROWS = [["tangent-turned", "60", "rounding has moved every number a little"], [Span("grid"), "343", "small"]]
-
-
-def test_no_table_is_wider_than_its_room():
-    for width in range(14, 90):
-        assert max(map(cells, texts(Table(COLUMNS, ROWS).lines(width)))) <= width
-
-
-# -- values in words -----------------------------------------------------------------------------------------
-
-
-def test_arguments_are_written_in_full():
-    values = {"cx": 0, "r": 0.1, "A": (10**40, -2.5), "B": [(1, 2), (3, 4)], "w": "lit"}
-    assert arguments(values) == f"cx=0, r=0.1, A=({10**40}, -2.5), B=[(1, 2), (3, 4)], w='lit'"
-    assert arguments(with_points(json.loads(json.dumps(values)))) == arguments(values)
-    assert arguments({"xs": [0] * 41}).endswith("0, …] (41 items)")
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (Fraction(0), "0"),
-        (Fraction(2**30), "2^30"),
-        (Fraction(-(10**6000)), "-10^6000"),
-        (Fraction(10**5000 + 1), "1" + "0" * 4999 + "1"),
-        (Fraction(1, 10**12), "1e-12"),
-        (Fraction(1, 2**40), str(Fraction(1, 2**40))),
-        (Fraction(1, 3), "1/3"),
-        (Fraction(5, 2), "2.5"),
-    ],
-)
-def test_bounds(value, text):
-    assert bound(value) == text
 
 
 # -- what a stream can take ----------------------------------------------------------------------------------

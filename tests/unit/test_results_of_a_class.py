@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import os
 import zipfile
 from xml.etree import ElementTree as Xml
 
@@ -72,11 +71,6 @@ def test_a_suite_for_each_hand_in():
 
 # -- for Dolos -----------------------------------------------------------------------------------------------
 
-DOLOS = """#!/bin/sh
-echo "$@" > called
-case "$*" in *count*) ;; *) echo "no parser for it" >&2; exit 1;; esac
-mkdir "$5"
-"""
 HANDINS = [
     Handin("ann", "count", "ann/count.py", b"a = 1\n"),
     Handin("ann", "count", "ann/count-2.py", b"a = 2\n"),
@@ -119,20 +113,3 @@ def test_an_archive_for_each_problem_and_language(outcome, tmp_path, monkeypatch
     before = told[0].archive.read_bytes()
     compare(folder, outcome)
     assert told[0].archive.read_bytes() == before
-
-
-def test_dolos_is_called_where_it_is_installed(outcome, tmp_path, monkeypatch):
-    command = tmp_path / "bin" / "dolos"
-    command.parent.mkdir()
-    command.write_text(DOLOS)
-    command.chmod(0o755)
-    monkeypatch.setenv("PATH", f"{command.parent}{os.pathsep}{os.environ['PATH']}")
-    folder = tmp_path / "geo.judge.similar"
-    count, segment = compare(folder, outcome)
-    assert (count.report, count.why) == (folder / "count-python-report", "")
-    assert (segment.report, segment.why) == (None, "no parser for it")
-    called = (folder / "called").read_text()
-    words = "run --output-format csv --output-destination"
-    assert called == f"{words} segment-cpp-report segment-cpp.zip\n"
-    again, _ = compare(folder, outcome)
-    assert again.report == folder / "count-python-report-2"

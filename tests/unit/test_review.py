@@ -62,15 +62,6 @@ def test_the_ladder(person):
     assert person.stands() == [(Rating.AGAIN, 8, 1)]
 
 
-def test_runs_hours_apart_are_sittings_of_their_own(person):
-    person.judge(WRONG)
-    person.pause(hours=7)
-    person.judge(WRONG)
-    person.pause(hours=9)
-    person.judge(RIGHT, WRONG)  # after the accepted one nothing counts
-    assert person.stands() == [(Rating.GOOD, 2, 3)]
-
-
 def test_a_stub_and_the_accepted_file_judged_again_count_for_nothing(person):
     person.judge(NOTHING, NOTHING)
     assert person.stands() == []
@@ -112,10 +103,3 @@ def test_it_is_due_by_the_calendar_of_the_persons_own_zone(person):
     for zone in (UTC, timezone(timedelta(hours=12))):
         assert not review.is_due(datetime(2026, 3, 1, 23, 59, tzinfo=zone))
         assert review.is_due(datetime(2026, 3, 2, 0, 1, tzinfo=zone))
-
-
-def test_a_clock_that_was_set_back(person):
-    person.judge(RIGHT)
-    person.pause(days=-30)
-    person.judge(RIGHT)
-    assert person.stands() == [(Rating.GOOD, 2, 8)]

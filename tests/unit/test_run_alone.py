@@ -157,21 +157,6 @@ def test_a_folder_that_somebody_planted_is_not_used(folder, what):
     assert sorted(path.name for path in folder.parent.rglob("*")) == before
 
 
-def test_where_the_locks_lie(tmp_path, monkeypatch):
-    monkeypatch.delenv(VARIABLE)
-    runtime, temporary = tmp_path / "runtime", tmp_path / "temporary"
-    temporary.mkdir()
-    monkeypatch.setattr("tempfile.tempdir", str(temporary))
-    monkeypatch.setenv("XDG_RUNTIME_DIR", str(runtime))  # not there: as on a machine without one
-    assert tried("measuring").alone
-    assert [path.name for path in temporary.iterdir()] == [f"judge-locks-{os.geteuid()}"]
-    runtime.mkdir(mode=0o700)
-    assert tried("measuring").alone
-    assert (runtime / "judge").stat().st_mode & 0o777 == 0o700, "they are the user's alone"
-    modes = {path.name: path.stat().st_mode & 0o777 for path in (runtime / "judge").iterdir()}
-    assert modes == {"door": 0o600, "room": 0o600}
-
-
 LOOK = """
 import os
 def f():

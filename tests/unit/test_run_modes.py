@@ -178,13 +178,3 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     result = judged(body, make_data(*"abcdefgh"))
     assert {group.verdict for group in result.groups} == {Verdict.RTE}
     assert len(rendered) == 8 + 1
-
-
-def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form():
-    """Other hurdles are in golden/transcripts: json/hurdles.txt."""
-    result = judged("for _ in range(int(input())):\n    n, x = input().split()\n    print(1)\n")
-    assert result.verdict is Verdict.RTE
-    assert result.failure.message.startswith("ValueError: too many values to unpack")
-    form = "; its input is a line with the number of cases, then one line each: n px py, here 1 0 0"
-    assert result.failure.message.endswith(form)
-    assert fault_place(result).line == 2

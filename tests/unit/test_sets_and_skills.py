@@ -11,7 +11,7 @@ from past_runs import START, StoppedClock, past_result
 
 from judge.errors import ProblemError
 from judge.kata.history import History
-from judge.kata.sets import find_set, set_names, unknown_sets
+from judge.kata.sets import find_set
 from judge.kata.skills import Need, Skill, SkillState, assess, skills_of, unknown_skills
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
@@ -53,12 +53,6 @@ def problem(tmp_path):
 
 def ids(chosen):
     return [problem.id for problem in chosen.problems]
-
-
-def test_the_shipped_problems_name_no_set_and_no_skill_that_is_not_there():
-    problems = all_problems()
-    assert [str(fault) for each in problems for fault in unknown_sets(each, set_names())] == []
-    assert [str(fault) for fault in unknown_skills(problems)] == []
 
 
 def test_the_shipped_skills_are_shown_by_every_group_and_each_by_some():
@@ -123,32 +117,7 @@ def test_what_a_problem_says_wrongly_of_sets_and_skills_is_one_clear_line(head, 
     assert "\n" not in str(caught.value)
 
 
-def test_an_own_set_comes_first_and_may_mix_packs(folder):
-    extra = folder("sets/junior.toml", 'title = "Mine"\nabout = "Own."\nproblems = ["segment", "count"]\n')
-    assert ids(find_set("junior", extra)) == ["segment", "count"], "in the order of the list"
-    folder("sets/zz.toml", "")
-    assert set_names(extra)[-1] == "zz"
-
-
-SKILL = '[[skills]]\nname = "n"\nabout = "a"\n'
-
-
-@pytest.mark.parametrize(
-    ("text", "wanted"),
-    [
-        (SKILL + 'needs = [{problem = "count"}]\n', r"skills.toml:4: unknown key 'needs'; remove it"),
-        ("\udcff", "byte 0 is not UTF-8"),
-    ],
-)
-def test_broken_skills_are_one_clear_line(text, wanted, folder):
-    with pytest.raises(ProblemError) as caught:
-        skills_of([find_problem("count")], folder("skills.toml", text))
-    assert caught.match(wanted)
-    assert "\n" not in str(caught.value)
-
-
 CLAMP = Skill("clamp", "…", (Need("segment", ("beyond", "tangent-beyond")),))
-SMALL = Skill("small", "…", (Need("segment", ("small",)), Need("count", ("small",))))
 
 
 @pytest.fixture
@@ -194,17 +163,6 @@ def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
         past_result(passed=(), failed=("beyond", "tangent-beyond")),  # a file that is begun anew
     )
     assert (again.state, again.since) == (SkillState.SHOWN, START)
-
-
-def test_a_skill_of_two_problems(after):
-    half = after(SMALL, past_result(passed=("small",)))
-    assert (half.state, half.met, half.since, half.attempts) == (SkillState.SHOWN, 1, START, 1)
-    other = after(SMALL, past_result("count", passed=("grid",), failed=("small",)))
-    assert (other.state, other.met) == (SkillState.SHOWN, 1), "what was never met there is not lost"
-    whole = after(SMALL, past_result("count", passed=("small",)))
-    assert (whole.state, whole.met, whole.since, whole.attempts) == (SkillState.SHOWN, 2, START, 1)
-    lost = after(SMALL, past_result("count", passed=("grid",), failed=("small",)))
-    assert (lost.state, lost.since) == (SkillState.LOST, START)
 
 
 def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):

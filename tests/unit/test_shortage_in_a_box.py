@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import signal
 import tempfile
-from pathlib import Path
 
 import pytest
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
-from judge.sandbox import Stop, container, open_box, room
+from judge.sandbox import Stop, open_box, room
 from judge.sandbox.box import ForkServerBox
 from judge.sandbox.inside import again, wire
 
@@ -38,30 +36,6 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
         monkeypatch.setattr(room, "oom_kills", lambda: before + 2)
         with pytest.raises(ShortageError):
             box.run_program(b"", LIMITS)
-
-
-def test_a_fork_server_that_is_gone_is_no_fault_of_who_cannot_reach_it(monkeypatch):
-    require("strong")
-    monkeypatch.setattr(container, "GRACE_SECONDS", 0.1)
-    source = b"import time\ndef f(n):\n    time.sleep(n)\n    return n\n"
-    within = LIMITS._replace(wall_seconds=0.3)
-    with open_box(source, "f.py", level="strong") as box:
-        assert box.call_many("f", [(0,)], within).replies[0].answer == 0
-        leader = box._holder.here()._process.pid
-        for member in [*_group(leader)]:
-            os.kill(member, signal.SIGSTOP)  # as a machine that swaps
-        with pytest.raises(ShortageError, match="the process that watches it has ended"):
-            box.call_many("f", [(0,)], within)
-        assert box.call_many("f", [(0,)], LIMITS).replies[0].answer == 0
-
-
-def _group(leader):
-    """The processes of the session that a container is."""
-    for path in Path("/proc").glob("[0-9]*/stat"):
-        with contextlib.suppress(OSError):
-            _, parent, _, session, *_ = path.read_text().rpartition(")")[2].split()
-            if str(leader) in (parent, session):
-                yield int(path.parent.name)
 
 
 @pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.FOR_CPU])

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
+import subprocess
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -19,7 +23,6 @@ from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import Reference, Settings, run_submission
-from judge.run.function import FunctionRunner
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
 
@@ -77,6 +80,19 @@ def test_a_builder_is_shrunk_by_its_parameters():
     assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
 
 
+@pytest.mark.nightly
+def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
+    """In a process of its own: Hypothesis takes its notes on modules once."""
+    source = tmp_path.with_name("mine.py")
+    source.write_bytes(mistaken(*CANCELLATION))
+    command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(FIXTURES.parents[1])}
+    ended = subprocess.run(command, cwd=tmp_path, env=settings, capture_output=True, timeout=300, check=False)
+    replay = json.loads(ended.stdout)["counterexample"]["replay"]
+    assert replay.startswith("ray-nearest:cancellation:")
+    assert list(tmp_path.iterdir()) == []
+
+
 LARGE = MIDDLE.format("if a * b > 100_000: return 7")
 
 
@@ -117,22 +133,6 @@ def test_what_gives_no_answer_shrinks_to_what_gives_none_either(deed, verdict, m
     assert found.message.startswith(message)
     assert found.case == (-1, 0)
     assert found.calls < 5_000
-
-
-def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
-    """Its lines were once put together for a single case, and the program was said to answer at random."""
-    source = "for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
-    _, _, found = shrunk("middle", source)
-    assert found.message == "2 lines printed, 1 expected: one for each case"
-    assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
-
-
-def test_what_no_case_can_show_is_left_alone():
-    problem = find_problem("middle", PACKS)
-    data, source = load_data(problem), MIDDLE.format("return 3").encode()
-    result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
-    with open_box(source, "mine.py") as box:
-        assert shrink(data, box, FunctionRunner(problem), Verdict.OLE, result.failure) is None
 
 
 @pytest.mark.parametrize(

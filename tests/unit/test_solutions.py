@@ -11,10 +11,9 @@ from native import need
 from judge.errors import ProblemError, UsageError
 from judge.kata.model import approaches, chosen_approach
 from judge.languages import find
-from judge.languages.model import language_called
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.problem.solutions import Kind, accepted_source, known_mistakes, parted, read_solutions
+from judge.problem.solutions import read_solutions
 from judge.run.verify import verify_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
@@ -49,15 +48,6 @@ def add(problem):
     return write
 
 
-def test_programs_are_in_the_order_of_kinds_and_names(problem, add):
-    for name in ("wrong/b.py", "slow/z.py", "wrong/a.py", "accepted/c.py"):
-        add(name)
-    files = [program.file for program in read_solutions(problem).programs]
-    assert files == ["accepted/c.py", "wrong/a.py", "wrong/b.py", "slow/z.py"]
-    assert [program.file for program in read_solutions(problem, Kind.SLOW).programs] == ["slow/z.py"]
-    assert accepted_source(problem, "c.py") == TOLD.encode()
-
-
 def test_what_a_program_tells_of_itself(problem, add):
     add("wrong/floor-division.py")
     (program,) = read_solutions(problem).programs
@@ -89,12 +79,6 @@ def test_a_link_to_nothing_and_a_folder_that_is_a_file_are_told(problem, add):
     assert [program.file for program in programs] == ["wrong/fine.py"]
     assert [str(fault).partition(": ")[0] for fault in faults] == ["middle/accepted", "middle/wrong/gone.py"]
     assert all("cannot be read: " in str(fault) for fault in faults)
-
-
-def test_the_usual_program_of_a_mistake_comes_before_its_variants(problem, add):
-    for name in ("b-coarse", "a-fine", "b", "a"):
-        add(f"wrong/{name}.py", f'"""{name[0]}"""\n')
-    assert [each.path.stem for each in known_mistakes(problem)] == ["a", "a-fine", "b", "b-coarse"]
 
 
 # -- in other languages --------------------------------------------------------------------------------------
@@ -133,32 +117,6 @@ def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):
     with pytest.raises(ProblemError, match=r"^middle/problem.toml:\d+: [^\n]*$") as raised:
         referenced(tmp_path, **more)
     assert said in str(raised.value)
-
-
-@pytest.mark.parametrize(
-    ("source", "language", "head", "rest"),
-    [
-        ("// A.\n//\n// B c.\n\nint x;\n", "cpp", "A.\n\nB c.", "int x;"),
-        ("\ufeff\n//A\nint x; // no\n", "go", "A", "int x; // no"),
-        ("#!/usr/bin/env node\n// A\nf();", "javascript", "A", "f();"),
-    ],
-)
-def test_the_comments_that_a_source_begins_with(source, language, head, rest):
-    assert parted(source.encode(), language_called(language)) == (head, rest)
-
-
-def test_solutions_in_other_languages_say_their_name(tmp_path):
-    problem = referenced(tmp_path, "cpp", "go")
-    folder = problem.solutions / "accepted"
-    (folder / "bare.go").write_text(SOURCES["go"])
-    programs, faults = read_solutions(problem)
-    found = {each.path.name: each for each in programs}
-    cpp = found["reference.cpp"]
-    assert (cpp.name, cpp.sentence, cpp.language.id) == ("Mean", "Half of the sum.", "cpp")
-    assert found["mean.py"].language is None
-    assert [str(each) for each in faults] == [
-        "middle/accepted/bare.go: no comment begins it; begin it with the name of its idea"
-    ]
 
 
 def test_approaches_of_all_languages_python_first(tmp_path):

@@ -61,11 +61,6 @@ def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
     assert [example.line for example in problem.examples] == [2, 4, 8]
 
 
-def test_a_call_may_go_on_over_lines_and_write_points_as_lists(stating):
-    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n", parameter="point")
-    assert wanted(problem) == [(((1, -2.5),), 1)]
-
-
 EXAMPLE = r"^root-count/statement.md:1: the example"
 
 

@@ -49,15 +49,14 @@ def test_who_waits_is_said_to_wait_and_where():
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="needs processes kept to one core")
-@pytest.mark.parametrize("waiting", [1e9, 0.5])
-def test_a_busy_core_is_not_waiting(waiting):
+def test_a_busy_core_is_not_waiting():
     """Other processes have most of the core that all of this is kept to."""
     before = os.sched_getaffinity(0)
     burners = []
     try:
         os.sched_setaffinity(0, {min(before)})
         burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(3)]
-        bounds = LIMITS._replace(cpu_seconds=60.0, wall_seconds=2.0, waiting_seconds=waiting)
+        bounds = LIMITS._replace(cpu_seconds=60.0, wall_seconds=2.0, waiting_seconds=0.5)
         stop, detail = ended(FUNCTION, bounds)
     finally:
         for burner in burners:
@@ -98,18 +97,3 @@ def f(n):
         return 1
 """
     assert ended(source, SHORT)[0] is Stop.CPU
-
-
-def test_a_line_that_is_claimed_is_only_shown():
-    """A submission may write any number there; one that no file has is left out."""
-    forged = (
-        "import sys\ndef f(n):\n    frame = sys._getframe()\n"
-        "    while 'region' not in frame.f_locals: frame = frame.f_back\n"
-        "    frame.f_locals['region'].words[5] = {claim}\n    import signal\n"
-        "    signal.signal(signal.SIGUSR1, signal.SIG_IGN)\n    while True: pass\n"
-    )
-    assert ended(forged.format(claim=77).encode(), SHORT) == (
-        Stop.CPU,
-        "used more than 0.2 s of CPU time (line 77)",
-    )
-    assert ended(forged.format(claim=2**63).encode(), SHORT)[1] == "used more than 0.2 s of CPU time"
