@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 import threading
 import time
 from pathlib import Path
 
 import pytest
-from bubblewraps import count, once, pretend
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, UsageError
@@ -20,6 +20,31 @@ from judge.sandbox import Boxes, container, holder, launch, open_box, probe, ref
 from judge.sandbox.inside.again import PAUSES
 
 pytestmark = pytest.mark.slow
+
+REAL = shutil.which("bwrap")
+
+
+def pretend(folder: Path, patch: pytest.MonkeyPatch, script: str) -> Path:
+    """A bubblewrap that runs `script`; each of its starts is a line of the file that is returned."""
+    if REAL is None:
+        pytest.skip("bubblewrap is not installed")
+    starts, broken = folder / "starts", folder / "bwrap"
+    starts.touch()
+    broken.write_text(f"#!/bin/sh\necho start >> {starts}\n{script}\n")
+    broken.chmod(0o755)
+    patch.setattr(launch, "bubblewrap_path", lambda: str(broken))
+    return starts
+
+
+def once(folder: Path, script: str) -> str:
+    """A script that runs `script` the first time, and the real bubblewrap from then on."""
+    mark = folder / "failed"
+    return f'if [ ! -e {mark} ]; then touch {mark}; {script}; fi\nexec {REAL} "$@"'
+
+
+def count(starts: Path) -> int:
+    return len(starts.read_text().splitlines())
+
 
 AGAIN = "Resource temporarily unavailable"
 PASSING = [f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1", "kill -9 $$"]

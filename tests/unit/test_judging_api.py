@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import pickle
 import shutil
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -71,9 +69,7 @@ def test_a_job_and_its_result_can_be_sent_anywhere(problem):
     job = Job.of(problem, FLOOR.encode(), "mine.py", Terms(named=False))
     again = pickle.loads(pickle.dumps(job))
     assert (again, again.digest) == (job, job.digest)
-    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        there = pool.submit(run, job).result()
-    here = run(job)
+    here, there = run(job), run(again)
     assert (there.verdict, there.failure, there.counterexample) == (
         here.verdict, here.failure, here.counterexample
     )  # fmt: skip

@@ -13,14 +13,6 @@ from judge.errors import JudgeError
 from judge.languages import draft, find, model
 
 C = (model._HERE / "c.toml").read_text(encoding="utf-8")
-DRIVER = """\
-def declared(draft):
-    return f"fun {draft.entry}"
-def frame(draft, words):
-    return "", words
-def driver(draft):
-    raise ValueError("too tiny")
-"""
 
 
 @pytest.fixture(autouse=True)
@@ -141,38 +133,10 @@ def installed(tmp_path, monkeypatch, value="tiny_pack", **more):
     monkeypatch.syspath_prepend(tmp_path)
 
 
-def test_what_is_near_goes_before_what_is_installed(tmp_path, monkeypatch):
-    installed(tmp_path, monkeypatch, name="other", suffix=".c")
-    assert face.language_of("a.c").name == "C"
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(described(tmp_path / "own", name="other", suffix=".own")))
-    model.near_languages.cache_clear()
-    model.languages.cache_clear()
-    assert face.language_of("a.own").folder == str(tmp_path / "own")
-    assert [each.suffixes for each in model.languages() if each.id == "other"] == [(".own",)]
-
-
 def test_a_package_that_cannot_be_loaded_is_one_line(tmp_path, monkeypatch):
     installed(tmp_path, monkeypatch, "nowhere_at_all")
     with pytest.raises(JudgeError, match=r"the languages 'tiny' cannot be loaded: .*repair or uninstall it"):
         face.language_of("a.tiny")
-
-
-def tiny(tmp_path, monkeypatch, driver):
-    monkeypatch.setenv("JUDGE_LANGUAGES", str(described(tmp_path / "own", driver)))
-    return model.language_called("tiny")
-
-
-@pytest.mark.parametrize(
-    ("driver", "told"),
-    [
-        ("def declared(:\n", r"tiny\.py: the driver of Tiny cannot be loaded: SyntaxError"),
-        (DRIVER.replace("frame", "body"), r"the driver of Tiny has no frame"),
-    ],
-)
-def test_a_broken_driver_is_one_line(tmp_path, monkeypatch, driver, told):
-    language = tiny(tmp_path, monkeypatch, driver)
-    with pytest.raises(JudgeError, match=told):
-        draft.driver_of(language)
 
 
 def with_line(line):

@@ -11,9 +11,7 @@ from judge.data.load import load_data
 from judge.judging import Session, Terms
 from judge.mistakes.answers import Answers
 from judge.mistakes.catalogue import Words
-from judge.mistakes.forms import of_form
 from judge.mistakes.naming import Known
-from judge.mistakes.rights import right_outlines
 from judge.mistakes.verified import verify_choices
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
@@ -87,10 +85,6 @@ def spared(words, group):
     return words.replace('kills = ["whole"]', f'kills = ["whole"]\nspared.{group} = "It is so."')
 
 
-def everywhere(name):
-    return f'{WORDS}\n[{name}]\nwhy = "Digits go."\nadvice = "Keep them."\nkills = ["half"]\n'
-
-
 @pytest.mark.parametrize(
     ("routes", "words", "what"),
     [
@@ -112,14 +106,6 @@ def everywhere(name):
 def test_a_broken_promise_is_a_fault(pack, routes, words, what):
     told = "\n".join(str(fault) for fault in verified(pack(routes, words)).faults)
     assert all(each in told for each in what.split("; ")), told
-
-
-def test_what_need_not_be_rejected_is_no_fault(pack):
-    reason = EQUAL.replace("total / 2.0\n", "total / 2.0\n    # ! it is the same number\n")
-    assert not any("no case rejects" in str(fault) for fault in verified(pack(reason)).faults)
-    assert verified(pack(words=everywhere("whole-numbers"))).faults == ()
-    words = spared(WORDS, "whole").replace('["whole"]', '["whole", "half"]')
-    assert verified(pack(NARROW, words)).faults == ()
 
 
 def test_few_cases_are_a_fault(pack):
@@ -185,18 +171,3 @@ def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
     found = vetoes(pack(), {"half": (30, {1: ONE})}, fails=alone)
     assert found.lasting(Words(state=True)) is not alone
     assert found.lasting(Words())
-
-
-@pytest.mark.parametrize(
-    ("given", "got", "name", "faulty"),
-    [
-        (("type bool", ()), "True", None, True),
-        (("raised ZeroDivisionError", ()), "", None, False),
-        (("number", (9.0,)), "9", "one-answer", False),
-    ],
-)
-def test_the_form_of_answers_may_name_the_mistake_or_forbid_a_name(pack, given, got, name, faulty):
-    data = load_data(pack())
-    result = of({"half": (30, dict.fromkeys(range(30), given))}, got)
-    found = of_form(result, data, frozenset(), right_outlines(data))
-    assert (found.pitfall and found.pitfall.name, found.faulty) == (name, faulty)

@@ -84,13 +84,6 @@ def test_a_change_is_made(name, answers):
     assert [function([change])(1, 4) for change in changes(name)] == answers
 
 
-def test_two_changes_of_one_line_exclude_each_other():
-    (sign,), (floor,), (one,) = changes("sign"), changes("floor-division"), changes("one-for-both")
-    assert sign.clashes(floor)
-    assert not one.clashes(floor)
-    assert function([one, floor])(1, 5) == 5
-
-
 @pytest.mark.parametrize(
     ("text", "line", "what"),
     [
@@ -120,13 +113,6 @@ def catalogue(tmp_path):
         return with_kills(problem, read_catalogue(problem)), read_catalogue(problem)
 
     return read
-
-
-def test_words_of_one_problem_come_before_those_of_all(catalogue):
-    text = '[a]\nwhy = "W."\nadvice = "A."\nrounding = true\n[a.in.middle]\nwhy = "M."\nkills = ["half"]\n'
-    problem, words = catalogue(text)
-    assert (words["a"].told, words["a"].rounding, words["a"].state) == ("M. A.", True, False)
-    assert [group.name for group in problem.groups if "a" in group.kills] == ["half"]
 
 
 @pytest.mark.parametrize(

@@ -46,11 +46,8 @@ def test_what_fails_in_the_only_group_that_can_is_named_unless_it_fails_too_seld
     (path,) = (problem.solutions / "wrong").iterdir()
     result = judged(problem, path.read_bytes())
     assert (result.pitfall and result.pitfall.name) == name
-    assert "; ".join(result.notes) == (
-        ""
-        if name
-        else "the mistake is not named: it answers as wrong/floor-division.py does, "
-        "but 2 wrong answers are too few to be sure"
+    assert [note.endswith("2 wrong answers are too few to be sure") for note in result.notes] == [True] * (
+        not name
     )
 
 
@@ -61,10 +58,7 @@ def test_two_mistakes_that_answer_alike_are_told_apart_by_nobody(pack):
     result = judged(problem, path.read_bytes())
     assert result.pitfall is None
     (note,) = result.notes
-    assert note == (
-        "the mistake is not named: wrong/floor-division.py, wrong/integer-division.py "
-        "all answer as this does, and make different ones"
-    )
+    assert "wrong/floor-division.py, wrong/integer-division.py all answer as this does" in note
 
 
 def test_what_fails_in_another_way_is_given_no_name_and_no_excuse(pack):

@@ -91,16 +91,6 @@ def shown(laid, *, links):
     return stream.getvalue()
 
 
-def test_a_link_goes_to_the_line_of_the_file(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    laid = [line("at ", Span("a b.py:3  ", link=Link("a b.py", 3)))]
-    assert shown(laid, links=False) == "at a b.py:3  \n"
-    address, text = shown(laid, links=True).removeprefix("at \x1b]8;;").split("\x1b\\", 1)
-    assert address.startswith("file://")
-    assert address.endswith(f"{tmp_path.as_posix()}/a%20b.py#3")
-    assert text == "a b.py:3\x1b]8;;\x1b\\  \n"
-
-
 def test_a_name_cannot_end_its_link(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     evil = "\x1b\\\x07.py"

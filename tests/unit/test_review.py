@@ -14,8 +14,6 @@ from judge.kata.review import LADDER, card_reviews, reviews
 
 WRONG = past_result(passed=("grid",), failed=("tangent",))
 RIGHT = past_result()
-NOTHING = past_result(passed=(), failed=("grid", "tangent"))  # a stub
-PART = past_result(passed=("grid",))  # with --group
 
 
 class Person:
@@ -60,15 +58,6 @@ def test_the_ladder(person):
     person.pause(days=60)
     person.judge(WRONG)
     assert person.stands() == [(Rating.AGAIN, 8, 1)]
-
-
-def test_a_stub_and_the_accepted_file_judged_again_count_for_nothing(person):
-    person.judge(NOTHING, NOTHING)
-    assert person.stands() == []
-    person.judge(PART, RIGHT, source=b"the answer")
-    person.pause(days=3)
-    person.judge(RIGHT, RIGHT, source=b"the answer")
-    assert person.stands() == [(Rating.GOOD, 1, 3)]
 
 
 def test_hints_and_giving_up(person):

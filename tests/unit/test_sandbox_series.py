@@ -30,12 +30,6 @@ def test_the_answers_come_series_by_series_and_each_but_the_last_is_told_of():
     assert told == [0, 1, 2]
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="a process a series elsewhere")
-def test_one_process_serves_them_all():
-    body = "count = 0\ndef f(n):\n    global count\n    count += 1\n    return count"
-    assert answers(run(body)) == [[1, 2], [3], [4, 5, 6]]
-
-
 def test_each_series_is_measured_by_itself():
     body = "from time import process_time as t\ndef f(n):\n    end = t() + (0.5 if n == 3 else 0)\n"
     first, second, third = run(body + "    while t() < end: pass\n    return n")

@@ -12,7 +12,7 @@ from past_runs import START, StoppedClock, past_result
 from judge.errors import ProblemError
 from judge.kata.history import History
 from judge.kata.sets import find_set
-from judge.kata.skills import Need, Skill, SkillState, assess, skills_of, unknown_skills
+from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
 
@@ -72,28 +72,6 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     assert Need("halves", ("whole",)) in skills["no slopes"].needs
     assert skills["half"] == Skill("half", "Halves are kept.", (Need("halves", ("half",)),))
     assert list(skills)[-1] == "half", "what a problem brings comes last"
-
-
-def test_a_problem_that_cannot_be_read_costs_the_set_only_itself(problem, folder):
-    problem("mine", 'sets = ["junior"]', '[skills]\n"half" = ["whole"]\n"r = 1" = ["half"]')
-    problem("strange", 'sets = ["juinor"]')
-    extra = problem("torn", "sets = [")
-    junior = find_set("junior", extra)
-    assert ids(junior) == [*ids(find_set("junior")), "mine"]
-    torn, strange = map(str, junior.faults)
-    assert torn.startswith("torn/problem.toml:2: no TOML: ")
-    assert strange == (
-        "strange/problem.toml:1: no practice set is called 'juinor'; did you mean 'junior'?; "
-        "a new one needs a file sets/juinor.toml"
-    )
-    folder("sets/empty.toml", 'title = "T"\nabout = "A"\n')
-    with pytest.raises(ProblemError, match=r"torn/problem\.toml:2"):
-        find_set("empty", extra)  # which it may be the only problem of
-    half, one = map(str, unknown_skills(junior.problems, extra))
-    assert half.startswith("mine/problem.toml:")
-    assert "no skill is called 'half'; explain it here" in half
-    assert one.endswith("no skill is called 'r = 1'; did you mean 'r = 0'?")
-    assert "half" not in [skill.name for skill in skills_of(junior.problems, extra)]
 
 
 @pytest.mark.parametrize(
@@ -163,13 +141,3 @@ def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
         past_result(passed=(), failed=("beyond", "tangent-beyond")),  # a file that is begun anew
     )
     assert (again.state, again.since) == (SkillState.SHOWN, START)
-
-
-def test_only_mistakes_that_its_groups_are_there_for_are_counted(after):
-    found = after(
-        CLAMP,
-        past_result(passed=(), failed=("beyond",), mistake="no-clamp"),
-        past_result(passed=(), failed=("beyond", "grid"), mistake="forgotten-centre + no-clamp"),
-        past_result(passed=("beyond", "tangent-beyond"), failed=("small",), mistake="absolute-epsilon"),
-    )
-    assert found.mistakes == {"no-clamp": 2}

@@ -13,7 +13,7 @@ from sandboxed import LIMITS, children, require
 from judge.errors import JudgeError, ShortageError, shortage, told
 from judge.sandbox import Stop, open_box, room
 from judge.sandbox.box import ForkServerBox
-from judge.sandbox.inside import again, wire
+from judge.sandbox.inside import wire
 
 pytestmark = pytest.mark.slow
 
@@ -70,29 +70,6 @@ def test_on_linux_no_temporary_file_is_needed(monkeypatch):
         assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
         assert box.run_program(b"", LIMITS).stop is Stop.ANSWERED
     assert children() == before
-
-
-@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENOMEM])
-def test_a_file_for_a_request_is_asked_for_again(code, monkeypatch):
-    monkeypatch.setattr(again, "PAUSES", (0.0, 0.0))
-    real, failed = os.memfd_create, []
-
-    def scarce(*arguments):
-        if len(failed) < most:
-            failed.append(code)
-            raise OSError(code, os.strerror(code))
-        return real(*arguments)
-
-    with open_box(b"def f(n): return n", "f.py") as box:
-        box.inspect()
-        monkeypatch.setattr(os, "memfd_create", scarce)
-        most = 2
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
-        assert len(failed) == most
-        most = 1000
-        with pytest.raises(OSError, match=os.strerror(code)) as caught:
-            box.call_many("f", [(1,)], LIMITS)
-        assert shortage(caught.value).remedy
 
 
 @pytest.mark.parametrize(

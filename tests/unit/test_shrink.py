@@ -56,44 +56,36 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
     return problem, result, found
 
 
+LARGE = MIDDLE.format("if a * b > 100_000: return 7")
+
+
 def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
-    source = mistaken("count", "forgotten-abs")
-    problem, _, found = shrunk("count", source)
-    assert shrunk("count", source)[2] == found
+    problem, _, found = shrunk("middle", LARGE)
+    assert shrunk("middle", LARGE)[2] == found
+    assert (found.case, found.cut_short, "cut_short" in found.as_json()) == ((300, 400), False, False)
     again = decode(found.replay, problem, load_module(problem))
     assert again[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     space = {}
-    exec(compile(source, "mine.py", "exec"), space)
-    answer = space[problem.entry](*found.case)
-    assert repr(answer) == found.got
-    assert repr(answer) != found.expected
-
-
-CANCELLATION = ("ray-nearest", "cancellation", "ts = [(-b - root) / a, (-b + root) / a]")
-
-
-def test_a_builder_is_shrunk_by_its_parameters():
-    """Where no simple case fails, Hypothesis makes the failing group's own one simpler."""
-    _, result, found = shrunk("ray-nearest", mistaken(*CANCELLATION))
-    assert (result.failure.group, found.group) == ("cancellation", "cancellation")
-    assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
+    exec(compile(LARGE, "mine.py", "exec"), space)
+    assert repr(space["middle"](*found.case)) == found.got != found.expected
 
 
 @pytest.mark.nightly
 def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
-    """In a process of its own: Hypothesis takes its notes on modules once."""
+    """In a process of its own, since Hypothesis takes its notes on modules once; where no simple case
+    fails, it makes the failing group's own one simpler."""
     source = tmp_path.with_name("mine.py")
-    source.write_bytes(mistaken(*CANCELLATION))
+    source.write_bytes(mistaken("ray-nearest", "cancellation", "ts = [(-b - root) / a, (-b + root) / a]"))
     command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
     settings = {**os.environ, "PYTHONPATH": str(FIXTURES.parents[1])}
     ended = subprocess.run(command, cwd=tmp_path, env=settings, capture_output=True, timeout=300, check=False)
-    replay = json.loads(ended.stdout)["counterexample"]["replay"]
-    assert replay.startswith("ray-nearest:cancellation:")
+    found = json.loads(ended.stdout)["counterexample"]
+    assert found["replay"].startswith("ray-nearest:cancellation:")
+    assert all(
+        isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found["input"].values())
+    )
     assert list(tmp_path.iterdir()) == []
-
-
-LARGE = MIDDLE.format("if a * b > 100_000: return 7")
 
 
 @pytest.mark.parametrize("most", [0, 150])
@@ -104,20 +96,6 @@ def test_the_budget_ends_the_search_and_it_says_so(most):
     assert found.as_json()["cut_short"] is True
     if most < 100:
         assert found.input == result.failure.input
-
-
-def test_a_search_that_came_to_its_end_is_not_said_to_be_cut_short():
-    _, _, found = shrunk("middle", LARGE)
-    assert found.case == (300, 400)
-    assert not found.cut_short
-    assert "cut_short" not in found.as_json()
-
-
-@pytest.mark.parametrize("guard", [Guard(cpu=0.0), Guard(wall=0.0)])
-def test_the_clocks_only_guard_the_search(guard):
-    _, result, found = shrunk("middle", LARGE, budget=SearchBudget(guard=guard))
-    assert found.cut_short
-    assert found.input == result.failure.input
 
 
 @pytest.mark.parametrize(

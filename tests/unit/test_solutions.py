@@ -58,12 +58,6 @@ def test_what_a_program_tells_of_itself(problem, add):
     assert program.source == TOLD.encode()
 
 
-def test_a_program_in_another_encoding_is_read_as_python_reads_it(problem, add):
-    add("accepted/old.py", '# coding: latin-1\n"""mitte\n\nÜber die Hälfte."""\n'.encode("latin-1"))
-    programs, faults = read_solutions(problem)
-    assert (programs[0].name, programs[0].text, faults) == ("mitte", "Über die Hälfte.", ())
-
-
 def test_what_is_hidden_is_passed_over(problem, add):
     for name in (".#fast.py", "._fast.py", ".DS_Store", "__pycache__/fast.pyc", "__init__.py"):
         add(f"accepted/{name}", b"\x00")
@@ -151,21 +145,9 @@ def test_verify_judges_them_or_says_that_it_did_not(tmp_path, monkeypatch):
     assert verdicts["accepted/reference.cpp"] is Verdict.AC
     assert verdicts["wrong/floor-division.cpp"] is Verdict.WA
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
-    monkeypatch.setattr(find, "remedy", lambda language: "apt-get install g++")
     report = verify_problem(problem, update_pins=True)
     assert report.ok, report.faults
     for each in report.solutions:
         if each.file.endswith(".cpp"):
             assert (each.verdict, each.ok) == (None, True)
-            assert each.unjudged == "not judged here: no g++ (apt-get install g++)"
-
-
-@pytest.mark.slow
-def test_verify_finds_a_reference_that_is_missing_or_in_another_language(tmp_path):
-    problem = referenced(tmp_path, "cpp", go="gone.go", java="reference.cpp", rust="mean.py")
-    (problem.solutions / "accepted" / "reference.cpp").write_text(f"{HEAD}{SOURCES['cpp']}")
-    said = [str(each) for each in verify_problem(problem, update_pins=True).faults]
-    assert any("[time] names 'gone.go', which is no accepted solution" in each for each in said)
-    assert any("names 'reference.cpp' for java, which is in C++" in each for each in said)
-    assert any("names 'mean.py' for rust, which is in Python" in each for each in said)
-    assert all(each.startswith("middle/problem.toml:") for each in said)
+            assert each.unjudged.startswith("not judged here: no g++")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import doctest
-import shutil
 import types
 from pathlib import Path
 
@@ -76,15 +75,3 @@ def test_the_doctests_pass_with_every_accepted_solution():
         tree.body[place : place + 1] = documented.body
         failed, tried, said = doctested(ast.unparse(tree))
         assert (failed, tried) == (0, _doctests(problem)), (path, said)
-
-
-def test_words_that_would_end_the_docstring_do_not(tmp_path):
-    folder = tmp_path / "problems" / "middle"
-    shutil.copytree(MIDDLE.folder, folder)
-    statement = 'Give `"""` and a \\n back.\n\n- `x\\` is "\n\n>>> middle(1, 2)\n1.5\n'
-    (folder / "statement.md").write_text(statement)
-    problem = load_problem(folder)
-    tree = ast.parse(make_stub(problem))
-    (function, _) = [part for part in tree.body if isinstance(part, ast.FunctionDef)]
-    assert '`"""` and a \\n back.' in ast.get_docstring(function)
-    assert '- `x\\` is "' in ast.get_docstring(function)

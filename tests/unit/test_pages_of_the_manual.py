@@ -1,4 +1,4 @@
-"""The pages about a problem's files say what the judge knows: every key, type and hook, and nothing else."""
+"""Pages of the manual say what the code does: every key, type, hook and attack, and no other."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import msgspec
 
 from judge.problem import schema
 from judge.problem.topic import Topic
+from judge.sandbox.attacks import ATTACKS
 from judge.values.grammar import ALIASES, VECTORS
 
 ROOT = Path(__file__).parents[2]
@@ -62,3 +63,34 @@ def test_every_type_of_the_loader_is_told():
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
     rows = re.findall(r"^\| `(\w+)", (MANUAL / "problem-py.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]
+
+
+SECURITY = (MANUAL / "security.md").read_text(encoding="utf-8")
+ROWS = [
+    [cell.strip() for cell in line.split("|")[1:-1]]
+    for line in SECURITY.splitlines()
+    if line.startswith("| ")
+]
+PROMISES = [row for row in ROWS if len(row) == 5 and row[1] in ("yes", "no")]
+ALWAYS = {"environment", "descriptors", "limits", "memory", "output", "loop", "sleep"}
+
+
+def attacks_of(row):
+    return re.findall(r"`([\w-]+)`", row[4])
+
+
+def test_each_attack_is_named_once_beside_a_promise():
+    named = [name for row in PROMISES for name in attacks_of(row)]
+    assert sorted(named) == sorted(attack.name for attack in ATTACKS)
+
+
+def test_what_is_promised_at_limits_is_what_holds_there():
+    for row in PROMISES:
+        for name in attacks_of(row):
+            assert (row[3] == "yes") == (name in ALWAYS), name
+
+
+def test_every_file_it_names_is_there():
+    named = re.findall(r"`((?:tests|judge)/[\w./-]+\.(?:py|toml))`", SECURITY)
+    assert len(named) > 15
+    assert [path for path in named if not (ROOT / path).exists()] == []
