@@ -40,14 +40,6 @@ def test_a_result_says_all_that_the_command_shows_and_nothing_is_printed(capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_what_is_left_out_is_not_looked_for():
-    timed, untimed = judge.judge("middle", GOOD), judge.judge("middle", GOOD, timed=False)
-    assert (timed.verdict, timed.score, timed.submission) == (Verdict.AC, 100, "submission.py")
-    assert (untimed.verdict, untimed.time.ratio) == (Verdict.AC, None)
-    result = judge.judge("middle", FLOOR.encode(), diagnosed=False, named=False)
-    assert (result.verdict, result.counterexample, result.pitfall) == (Verdict.WA, None, None)
-
-
 @pytest.mark.parametrize(
     ("arguments", "more", "told"),
     [

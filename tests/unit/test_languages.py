@@ -60,27 +60,6 @@ def test_a_missing_tool_is_told_with_the_command_that_installs_it(monkeypatch, t
     assert str(told.value) == "Go needs go, which is not installed; apt-get install golang-go"
 
 
-def test_tools_are_asked_once_and_again_when_they_change(monkeypatch, tmp_path):
-    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    asked = tmp_path / "asked"
-    tool = (
-        f'echo "$@" >> {asked}; case "$2" in GO*) echo {tmp_path};; *) echo "packagefile fmt={asked}";; esac'
-    )
-    script(tmp_path / "go", tool)
-    go = model.language_called("go")
-    first = find.toolchain(go)
-    assert first.values["goroot"] == str(tmp_path)
-    assert dict(first.files) == {"importcfg": f"packagefile fmt={asked}\n".encode()}
-    times = len(asked.read_text().splitlines())
-    find.toolchain.cache_clear()
-    assert find.toolchain(go) == first
-    assert len(asked.read_text().splitlines()) == times
-    script(tmp_path / "go", f"{tool}\n# another version")
-    find.toolchain.cache_clear()
-    assert find.toolchain(go).key != first.key
-    assert len(asked.read_text().splitlines()) > times
-
-
 def test_what_is_kept_of_tools_goes_with_what_it_names(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
     packages = tmp_path / "packages"
@@ -110,33 +89,6 @@ def test_a_tool_chain_that_does_not_answer_is_none(monkeypatch, tmp_path):
 
 
 # -- languages that others describe -------------------------------------------------------------------------
-
-
-def described(folder, driver=None, name="tiny", suffix=".tiny"):
-    """A folder with a language that is C in all but its name."""
-    folder.mkdir(parents=True)
-    text = C.replace('name = "C"', f'name = "{name.capitalize()}"').replace('".c"', f'"{suffix}"')
-    (folder / f"{name}.toml").write_text(text)
-    if driver is not None:
-        (folder / f"{name}.py").write_text(driver)
-    return folder
-
-
-def installed(tmp_path, monkeypatch, value="tiny_pack", **more):
-    """A distribution that is installed and brings a language."""
-    described(tmp_path / "tiny_pack", **more)
-    (tmp_path / "tiny_pack" / "__init__.py").write_text("")
-    record = tmp_path / "tiny_pack-1.dist-info"
-    record.mkdir()
-    (record / "METADATA").write_text("Metadata-Version: 2.1\nName: tiny-pack\nVersion: 1\n")
-    (record / "entry_points.txt").write_text(f"[judge.languages]\ntiny = {value}\n")
-    monkeypatch.syspath_prepend(tmp_path)
-
-
-def test_a_package_that_cannot_be_loaded_is_one_line(tmp_path, monkeypatch):
-    installed(tmp_path, monkeypatch, "nowhere_at_all")
-    with pytest.raises(JudgeError, match=r"the languages 'tiny' cannot be loaded: .*repair or uninstall it"):
-        face.language_of("a.tiny")
 
 
 def with_line(line):

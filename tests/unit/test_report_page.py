@@ -143,14 +143,6 @@ def test_it_tells_the_way_to_a_solved_problem(path):
     ]
 
 
-def test_the_problems_own_solutions_are_listed_but_count_for_nothing(path):
-    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)])
-    page = page_of([replace(run, path="/judge/solutions/count/accepted/exact.py")])
-    (part,) = page.problems
-    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, "0", 0, None, 1)
-    assert "no runs of your own" in html_of([replace(run, path="/judge/solutions/count/wrong/blind.py")])
-
-
 def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
     plain = Outline(html_of(kept(path, [outcome()]), sources={"count": b"x"}, person="Ada"))
     evil = outcome(name=EVIL, mistake=EVIL, got=EVIL, message=EVIL)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-
 import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
@@ -12,10 +10,6 @@ from sampling import nightly
 from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
-from judge.report.results import verdict_lines
-from judge.run import Settings
-from judge.run.alone import Admitted
-from judge.run.timing import BESIDE
 
 pytestmark = pytest.mark.slow
 
@@ -118,25 +112,3 @@ def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, v
 def test_a_reference_that_fails_is_no_fault_of_the_submission(timed):
     with pytest.raises(JudgeError, match="the reference solution cannot be timed: exit status 0"):
         timed(GOOD, reference=b"import os\ndef answer(n, P): os._exit(0)\n")
-
-
-class Crowded:
-    """A machine on which another judge was waited for, in vain."""
-
-    @contextmanager
-    def judging(self):
-        yield Admitted(waited=1.0)
-
-    @contextmanager
-    def measuring(self):
-        yield Admitted(alone=False, waited=30.0)
-
-
-def test_a_race_beside_another_judge_says_so_and_is_decided_all_the_same(timed):
-    result = timed(GOOD, settings=Settings(turnstile=Crowded()))
-    assert result.verdict is Verdict.AC
-    assert result.time.ratio.busy.startswith(BESIDE)
-    assert result.notes == (
-        "waited 31 s for other judges of yours on this machine: times are measured alone",
-    )
-    assert BESIDE in "".join(span.text for line in verdict_lines(result, None) for span in line)

@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from judge.data import load_data
-from judge.data.build import build_cases
 from judge.data.fresh import Fresh
 from judge.data.module import load_module
 from judge.data.validate import Validator, least_double
@@ -53,7 +52,6 @@ def test_an_id_by_choices_of_an_older_judge_is_told_so():
 
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-FIXTURE = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
 
 
 def changed(one, other):
@@ -77,21 +75,6 @@ def test_fresh_neighbours_are_such_too_with_nothing_between_them():
     cases = series.data.cases
     assert_neighbours(cases)
     assert fresh.choices_of(series, 3) is None
-
-
-@pytest.mark.parametrize("after", ['builder = "examples"', "parameters = { reach = 9 }"])
-def test_examples_are_no_neighbours_and_others_are_even_where_nothing_changes_the_answer(tmp_path, after):
-    folder = tmp_path / "root-count"
-    shutil.copytree(FIXTURE, folder)
-    text = (folder / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(text.replace(after, f"{after}\nneighbours = true"))
-    if "examples" in after:
-        with pytest.raises(ProblemError, match="are no neighbours of one another"):
-            load_problem(folder)
-    else:
-        problem = load_problem(folder)
-        (group,) = (each for each in problem.groups if each.neighbours)
-        assert len(build_cases(problem, load_module(problem), group)) == group.count
 
 
 SMALLEST = Fraction(1, 10**30)

@@ -106,7 +106,7 @@ def test_the_budget_ends_the_search_and_it_says_so(most):
     ],
 )
 def test_what_gives_no_answer_shrinks_to_what_gives_none_either(deed, verdict, message):
-    _, result, found = shrunk("middle", MIDDLE.format(f"if a < 0:\n        {deed}"), cpu_seconds=0.3)
+    _, result, found = shrunk("middle", MIDDLE.format(f"if a < 0:\n        {deed}"), cpu_seconds=0.1)
     assert result.verdict is verdict
     assert found.message.startswith(message)
     assert found.case == (-1, 0)

@@ -6,12 +6,10 @@ import shutil
 from pathlib import Path
 
 import pytest
-from native import need
 
 from judge.errors import ProblemError, UsageError
 from judge.kata.model import approaches, chosen_approach
 from judge.languages import find
-from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import read_solutions
 from judge.run.verify import verify_problem
@@ -132,18 +130,11 @@ def test_approaches_of_all_languages_python_first(tmp_path):
 
 
 @pytest.mark.slow
-def test_verify_judges_them_or_says_that_it_did_not(tmp_path, monkeypatch):
-    need("cpp")
+def test_verify_says_what_it_did_not_judge(tmp_path, monkeypatch):
     problem = referenced(tmp_path, "cpp")
     (problem.solutions / "wrong" / "floor-division.cpp").write_text(
-        "// floor-division\n#include <cmath>\n"
-        "double middle(double a, double b) { return std::floor((a + b) / 2); }\n"
+        "// floor-division\ndouble middle(double a, double b) { return a; }\n"
     )
-    report = verify_problem(problem, update_pins=True)
-    assert [str(each) for each in report.faults] == []
-    verdicts = {each.file: each.verdict for each in report.solutions}
-    assert verdicts["accepted/reference.cpp"] is Verdict.AC
-    assert verdicts["wrong/floor-division.cpp"] is Verdict.WA
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
     report = verify_problem(problem, update_pins=True)
     assert report.ok, report.faults

@@ -1,16 +1,19 @@
-"""Sets and skills: what ships is sound, what is broken says so in one line, and runs tick skills off."""
+"""Sets, skills and spaced review: what ships is sound, what is broken says so, what runs make of them."""
 
 from __future__ import annotations
 
 import shutil
 from datetime import timedelta
+from itertools import count
 from pathlib import Path
 
 import pytest
 from past_runs import START, StoppedClock, past_result
 
 from judge.errors import ProblemError
+from judge.kata.answers import Rating
 from judge.kata.history import History
+from judge.kata.review import LADDER, card_reviews, reviews
 from judge.kata.sets import find_set
 from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
 from judge.problem.find import all_problems, find_problem
@@ -82,8 +85,6 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
         ('sets = ["path", "path"]', "", r"mine/problem.toml:1: 'path' is there twice in sets; remove one"),
         ("", '[skills]\n"a b" = 1', r"mine/problem.toml:\d+: skills.a b is a whole number; give a list"),
         ("", '[skills]\na = ["half"]\nb = []', r"mine/problem.toml:LAST: no group shows 'b'; name at least"),
-        ("", '[skills]\na = ["hafl"]', r"mine/problem.toml:LAST: there is no group 'hafl' to show 'a'; did"),
-        ("", "[skills.a]\nabout = 'b'", r"the key 'groups' is missing in skills.a; add groups = …"),
     ],
 )
 def test_what_a_problem_says_wrongly_of_sets_and_skills_is_one_clear_line(head, tail, wanted, problem):
@@ -141,3 +142,77 @@ def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
         past_result(passed=(), failed=("beyond", "tangent-beyond")),  # a file that is begun anew
     )
     assert (again.state, again.since) == (SkillState.SHOWN, START)
+
+
+WRONG = past_result(passed=("grid",), failed=("tangent",))
+RIGHT = past_result()
+
+
+class Person:
+    """A person at work: results follow each other by minutes, each of a new source unless one is given."""
+
+    def __init__(self, history, clock):
+        self.history, self.clock = history, clock
+        self._sources = count()
+
+    def judge(self, *results, source=None):
+        for result in results:
+            self.history.add(result, source or b"%d" % next(self._sources), "")
+            self.clock.forward(minutes=5)
+
+    def pause(self, **amount):
+        self.clock.forward(**amount)
+
+    def stands(self):
+        found = reviews(self.history.runs(), self.history.helps())
+        return [(each.rating, each.sittings, each.days) for each in found]
+
+
+@pytest.fixture
+def person():
+    clock = StoppedClock()
+    with History.open(clock=clock) as history:
+        yield Person(history, clock)
+
+
+def test_the_ladder(person):
+    days = []
+    for _ in range(len(LADDER)):
+        person.judge(RIGHT)
+        (review,) = reviews(person.history.runs(), [])
+        assert review.due == review.last + timedelta(days=review.days)
+        days.append(review.days)
+        person.pause(days=review.days)
+    assert days == [3, 8, 21, 60, 180, 180]
+    assert review.in_a_row == len(LADDER)
+    person.judge(WRONG, RIGHT)
+    assert person.stands() == [(Rating.HARD, 7, 60)]
+    person.pause(days=60)
+    person.judge(WRONG)
+    assert person.stands() == [(Rating.AGAIN, 8, 1)]
+
+
+def test_hints_and_giving_up(person):
+    person.history.see_hints("segment", 2)
+    assert person.stands() == []
+    person.judge(RIGHT)
+    assert person.stands() == [(Rating.HARD, 1, 1)]
+    person.pause(days=1)
+    person.history.give_up("segment")
+    person.judge(RIGHT)
+    assert person.stands() == [(Rating.AGAIN, 2, 1)]
+
+
+def test_cards_climb_the_same_ladder(person):
+    def answer(card, rating):
+        person.history.answer(card, "choice", rating, judged=True)
+        person.pause(minutes=1)
+
+    answer("deck/a", Rating.AGAIN)
+    answer("deck/a", Rating.GOOD)  # minutes later it is still in mind
+    for _ in range(3):
+        answer("deck/b", Rating.EASY)
+        person.pause(days=8)
+    answer("deck/b", Rating.HARD)
+    found = [(each.name, each.rating, each.days) for each in card_reviews(person.history.answers())]
+    assert found == [("deck/a", Rating.AGAIN, 1), ("deck/b", Rating.HARD, 8)]

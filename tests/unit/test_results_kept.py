@@ -1,15 +1,24 @@
-"""The JUnit file: what CI servers accept, whatever a submission says or is called."""
+"""What is made of results: JUnit for CI servers, and those of a class read back from what is published."""
 
 from __future__ import annotations
 
 import re
 from xml.etree import ElementTree as Xml
 
+import msgspec
 import pytest
+from classes import ROWS, row
+from msgspec.structs import replace
+from past_runs import past_result
 
+from judge.batch.results import advice_of, results_of
 from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.level import KataLevel
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Result, judge_fault
+from judge.run.published import result_of
+from judge.run.result import Against, LevelResult, Pitfall, Timing
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.
@@ -72,3 +81,39 @@ def test_what_does_not_compile_is_a_failed_case_and_the_judges_own_fault_an_erro
         assert told[3] in case[0].get("message")
         assert (root.get("errors"), root.get("failures")) == (("1", "0") if result is fault else ("0", "1"))
     assert read().get("tests") == "0"
+
+
+FULL = replace(
+    past_result(failed=("band",), ratio=2.0),
+    levels=(LevelResult(KataLevel.INTERVIEW, 3, 3, 2),),
+    pitfall=Pitfall(("a", "b"), 0.5, ("", ""), ("c",), (("x", "y"),)),
+    time=Timing(0.1, 0.2, None, True, None, 0.5, Against("C++", "why")),
+    counterexample={"input": {"r": 10**30}, "expected": "1", "got": "2", "replay": "x"},
+)
+
+
+@pytest.mark.parametrize("result", [FULL, judge_fault("count", "a.py", "why")])
+def test_what_is_published_is_read_back(result):
+    plain = msgspec.json.decode(msgspec.json.encode(result.as_json()))
+    points = {group.name: group.points for group in result.groups}
+    read = result_of(plain | {"thresholds": []}, points)  # which older judges wrote
+    assert read.as_json() == result.as_json()
+    assert read.failure == (replace(result.failure, given=None) if result.failure else None)
+
+
+def test_rows_get_points_and_advice():
+    count = find_problem("count")
+    advice = advice_of(count)
+    (name, told) = next(iter(advice.items()))
+    (result,) = results_of([row("ann", "count", name, ("tangent",))], {"count": count})
+    assert result.submission == "ann/count.py"
+    assert result.pitfall.advice == (told,)
+    assert result.score == sum(each.points for each in count.groups if each.name in ("examples", "grid"))
+    (other,) = results_of([row("ann", "gone", "some", ("tangent",))], {})
+    assert (other.verdict, other.pitfall.name) == (Verdict.WA, "some")
+
+
+def test_a_row_that_cannot_be_read_is_a_fault_of_its_own():
+    broken = replace(ROWS[0], json='{"result": {"verdict": "??"}}')
+    (result,) = results_of([broken], {})
+    assert (result.verdict, result.submission) == (Verdict.JE, "ann/count-1.py")
