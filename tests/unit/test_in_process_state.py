@@ -26,10 +26,8 @@ def low_recursion():
 CONTEXT = (decimal.getcontext, lambda: repr(decimal.getcontext()))
 # A change, and the state that it changes: the object where there is one, and its value.
 CHANGES = {
-    "precision": (lambda: setattr(decimal.getcontext(), "prec", 3), *CONTEXT),
     "another context": (lambda: decimal.setcontext(decimal.Context(prec=2, traps=[])), *CONTEXT),
     "recursion": (low_recursion, None, sys.getrecursionlimit),
-    "digits": (lambda: sys.set_int_max_str_digits(0), None, sys.get_int_max_str_digits),
     "draw": (random.random, None, random.getstate),
     "numpy's seed": (lambda: np.random.seed(7), None, lambda: repr(np.random.get_state())),
     "numpy's errors": (lambda: np.seterr(all="raise"), None, np.geterr),

@@ -150,16 +150,6 @@ def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch)
         assert box.isolation == "full"
 
 
-def test_what_was_found_before_is_demanded(tmp_path, monkeypatch):
-    pretend(tmp_path, monkeypatch, LASTING)
-    with pytest.raises(UsageError, match="which 'judge doctor' found here, cannot be had") as caught:
-        Boxes(least="full")(b"", "f.py").__enter__()
-    assert "let 'judge doctor' look again" in str(caught.value)
-    for boxes in (Boxes(least="strong"), Boxes("strong", least="full")):
-        with boxes(b"", "f.py") as box:
-            assert box.isolation == "strong"
-
-
 def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path, monkeypatch):
     require("strong")
     pretend(tmp_path, monkeypatch, LASTING)
@@ -227,11 +217,3 @@ def _found(place):
 def test_what_an_end_says_of_the_next_try(said, status, tries, lasting):
     found = refusal.of_end(said, status)
     assert (found.tries, found.lasting) == (tries, lasting)
-
-
-@pytest.mark.parametrize("most", ["0", "1000"])
-def test_too_many_namespaces_pass_unless_none_may_be_made(most, tmp_path, monkeypatch):
-    (tmp_path / "max_user_namespaces").write_text(f"{most}\n")
-    monkeypatch.setattr(refusal, "_NAMESPACES", tmp_path)
-    text = "bwrap: Creating new namespace failed: nesting depth or /proc/sys/user/max_*_namespaces exceeded"
-    assert refusal.of_end(f"{text} (ENOSPC)", 1).lasting is (most == "0")

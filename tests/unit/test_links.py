@@ -61,14 +61,6 @@ def test_and_one_out_of_the_class_or_to_nobodys_file(place, tmp_path):
     assert not any(each.source for each in rows.values() if each.student == "ada")
 
 
-def test_one_to_the_students_own_file_is_followed(place):
-    (place / "ada/old").mkdir()
-    (place / "ada/middle.py").rename(place / "ada/old/first.py")
-    linked(place / "ada/middle.py", "old/first.py")
-    rows, _ = class_of(place)
-    assert rows["ada/middle.py"].source == OWN.encode()
-
-
 def test_who_wants_links_gets_them(place, tmp_path):
     (tmp_path / "home").mkdir()
     (tmp_path / "home/middle.py").write_text(OTHERS)

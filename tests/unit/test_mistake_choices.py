@@ -1,7 +1,8 @@
-"""A pack with a mistakes.py: verified, learnt with its data, told; and what vetoes and forms keep back."""
+"""Known mistakes: a mistakes.py is verified, learnt and told; vetoes and doubts keep a name back."""
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -48,9 +49,8 @@ kills = ["whole"]
 
 
 @pytest.fixture
-def pack(tmp_path, monkeypatch):
+def pack(tmp_path):
     """Makes the problem with that mistakes.py and mistakes.toml, and no wrong program."""
-    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     shutil.copytree(PACK, tmp_path / "pack")
     shutil.rmtree(tmp_path / "pack" / "solutions" / "middle" / "wrong")
 
@@ -171,3 +171,48 @@ def test_what_fails_alone_keeps_nothing_between_calls(pack, alone):
     found = vetoes(pack(), {"half": (30, {1: ONE})}, fails=alone)
     assert found.lasting(Words(state=True)) is not alone
     assert found.lasting(Words())
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+
+
+@pytest.fixture
+def narrow_pack(tmp_path):
+    """A pack whose wrong program fails in one group only, of so many cases."""
+
+    def make(count):
+        shutil.copytree(PACK, tmp_path / "pack")
+        place = tmp_path / "pack" / "problems" / "middle" / "problem.toml"
+        text = re.sub(r'(?s)\[\[groups\]\]\nname = "examples".*?(?=\[\[groups\]\])', "", place.read_text())
+        text = text.replace("count = 30\npoints = 50", f"count = {count}\npoints = 60")
+        place.write_text(text)
+        return find_problem("middle", [tmp_path / "pack" / "problems"])
+
+    return make
+
+
+@pytest.mark.parametrize(("count", "name"), [(30, "floor-division"), (2, None)])
+def test_what_fails_in_the_only_group_that_can_is_named_unless_it_fails_too_seldom(narrow_pack, count, name):
+    problem = narrow_pack(count)
+    (path,) = (problem.solutions / "wrong").iterdir()
+    result = judged(problem, path.read_bytes())
+    assert (result.pitfall and result.pitfall.name) == name
+    said = "; ".join(result.notes)
+    assert said == "" if name else said.endswith("2 wrong answers are too few to be sure")
+
+
+def test_two_mistakes_that_answer_alike_are_told_apart_by_nobody(narrow_pack):
+    problem = narrow_pack(30)
+    (path,) = (problem.solutions / "wrong").iterdir()
+    path.with_name("integer-division.py").write_bytes(path.read_bytes().replace(b"floor", b"integer"))
+    result = judged(problem, path.read_bytes())
+    assert result.pitfall is None
+    (note,) = result.notes
+    assert "wrong/floor-division.py, wrong/integer-division.py all answer as this does" in note
+
+
+def test_what_fails_in_another_way_is_given_no_name_and_no_excuse(narrow_pack):
+    result = judged(narrow_pack(30), b"def middle(a, b):\n    return (a + b) / 2 + ((a + b) % 2) * 7\n")
+    assert (result.pitfall, result.notes) == (None, ())

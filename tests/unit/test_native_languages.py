@@ -7,8 +7,7 @@ from native import LIMITS, answers, box_of, called, fault_of, ran, signature, so
 from sampling import daily
 from sandboxed import require
 
-from judge.languages.store import CacheStore
-from judge.sandbox import Stop, Usage
+from judge.sandbox import Stop
 from judge.sandbox.calls import replies, text
 
 pytestmark = pytest.mark.slow
@@ -60,18 +59,6 @@ def test_a_kept_program_that_was_changed_is_compiled_again(monkeypatch, tmp_path
     for kept in tmp_path.rglob("*.bin"):
         kept.write_bytes(kept.read_bytes()[:-1] + b"?")
     assert ran("a.c", ADDING["a.c"], b"1 2").stdout == b"3\n"
-
-
-def test_the_store_keeps_the_newest_and_takes_no_damage(tmp_path, monkeypatch):
-    monkeypatch.setattr("judge.languages.store.MOST_KEPT", 2)
-    store = CacheStore(lambda: tmp_path)
-    for name in "abc":
-        store.keep_artifact(name, [("x/main", name.encode())])
-    assert store.artifact("a") is None
-    assert store.artifact("c") == [("x/main", b"c")]
-    store.keep_idle("k", Usage(0.1, 0.2, 3))
-    assert store.idle("k") == Usage(0.1, 0.2, 3)
-    assert store.idle("other") is None
 
 
 ENDS = {

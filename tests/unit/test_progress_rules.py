@@ -13,7 +13,7 @@ from past_runs import START, StoppedClock, past_result
 from judge.errors import ProblemError
 from judge.kata.answers import Rating
 from judge.kata.history import History
-from judge.kata.review import LADDER, card_reviews, reviews
+from judge.kata.review import LADDER, reviews
 from judge.kata.sets import find_set
 from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
 from judge.problem.find import all_problems, find_problem
@@ -201,18 +201,3 @@ def test_hints_and_giving_up(person):
     person.history.give_up("segment")
     person.judge(RIGHT)
     assert person.stands() == [(Rating.AGAIN, 2, 1)]
-
-
-def test_cards_climb_the_same_ladder(person):
-    def answer(card, rating):
-        person.history.answer(card, "choice", rating, judged=True)
-        person.pause(minutes=1)
-
-    answer("deck/a", Rating.AGAIN)
-    answer("deck/a", Rating.GOOD)  # minutes later it is still in mind
-    for _ in range(3):
-        answer("deck/b", Rating.EASY)
-        person.pause(days=8)
-    answer("deck/b", Rating.HARD)
-    found = [(each.name, each.rating, each.days) for each in card_reviews(person.history.answers())]
-    assert found == [("deck/a", Rating.AGAIN, 1), ("deck/b", Rating.HARD, 8)]

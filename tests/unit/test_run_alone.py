@@ -97,18 +97,6 @@ def test_a_stopped_process_keeps_nobody_for_ever_and_only_the_first_for_long():
         assert place.alone
 
 
-def test_ctrl_c_comes_through_while_waiting():
-    waiting = "print('go', flush=True)\nMachine().measuring().__enter__()"
-    with another("judging"):
-        command = [sys.executable, "-c", f"from judge.run.alone import Machine\n{waiting}"]
-        pipe = subprocess.PIPE
-        with subprocess.Popen(command, stdout=pipe, stderr=pipe, text=True) as process:
-            assert process.stdout.readline() == "go\n"
-            time.sleep(0.1)
-            process.send_signal(signal.SIGINT)
-            assert process.communicate(timeout=LONG)[1].endswith("KeyboardInterrupt\n")
-
-
 def test_who_comes_later_does_not_pass_a_waiting_measurer():
     let_in = []
 

@@ -54,7 +54,7 @@ def timed(tmp_path):
     return judge
 
 
-WORK = "for _ in range(6_000_000): pass"
+WORK = "for _ in range(3_000_000): pass"
 EAGER = f"{WORK}\n{GOOD.decode()}"
 LAZY = f"""
 done = []

@@ -39,8 +39,8 @@ def test_each_series_is_measured_by_itself():
 
 
 def test_the_time_limit_is_each_series_own():
-    body = "from time import process_time as t\ndef f(n):\n    end = t() + 0.2\n    while t() < end: pass\n"
-    limits = LIMITS._replace(cpu_seconds=0.35)
+    body = "from time import process_time as t\ndef f(n):\n    end = t() + 0.1\n    while t() < end: pass\n"
+    limits = LIMITS._replace(cpu_seconds=0.2)
     results = run(body, [[(1,)], [(2,)], [(3,)], [(4,)]], limits)
     assert [result.replies[-1].stop for result in results] == [Stop.ANSWERED] * 4
     results = run(body, [[(1,)], [(2,), (3,), (4,)], [(5,)]], limits)

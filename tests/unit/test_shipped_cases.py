@@ -45,12 +45,6 @@ def test_a_bad_id_is_a_short_line_however_long_it_is():
     assert len(str(caught.value)) < 200
 
 
-def test_an_id_by_choices_of_an_older_judge_is_told_so():
-    problem = find_problem("count")
-    with pytest.raises(UsageError, match="of an older judge"):
-        decode("count:tangent:c1.-14:000000", problem, load_module(problem))
-
-
 PROBLEMS = Path(__file__).parents[2] / "problems"
 
 

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.errors import ProblemError, UsageError
-from judge.kata.model import approaches, chosen_approach
+from judge.errors import ProblemError
 from judge.languages import find
 from judge.problem.load import load_problem
 from judge.problem.solutions import read_solutions
@@ -109,24 +108,6 @@ def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):
     with pytest.raises(ProblemError, match=r"^middle/problem.toml:\d+: [^\n]*$") as raised:
         referenced(tmp_path, **more)
     assert said in str(raised.value)
-
-
-def test_approaches_of_all_languages_python_first(tmp_path):
-    problem = referenced(tmp_path, "java", "cpp", "go")
-    (problem.solutions / "accepted" / "whole.cpp").write_text("// Whole.\nint main() {}\n")  # no function
-    models = approaches(problem)
-    assert [each.call for each in models] == ["mean", "reference.cpp", "reference.go", "reference.java"]
-    cpp = chosen_approach(problem, models, None, "c++")
-    assert (cpp.path.name, cpp.tongue, cpp.name, cpp.idea) == ("reference.cpp", "C++", "reference", "Mean")
-    assert cpp.program == SOURCES["cpp"]
-    assert cpp.explanation.startswith("Half of the sum.")
-    assert chosen_approach(problem, models, None).path.name == "mean.py"
-    assert chosen_approach(problem, models, "reference.go").tongue == "Go"
-    assert chosen_approach(problem, models, "reference", "java").tongue == "Java"
-    with pytest.raises(UsageError, match=r"no solution in Rust; there are some in Python, C\+\+, Go, Java"):
-        chosen_approach(problem, models, None, "rust")
-    with pytest.raises(UsageError, match="there is no language cobol"):
-        chosen_approach(problem, models, None, "cobol")
 
 
 @pytest.mark.slow

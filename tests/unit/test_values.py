@@ -238,11 +238,3 @@ def test_a_radius_is_never_negative():
     assert parse("[integer-circle]").outside((inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
     assert circle.fault("c", (1, 2)) == "c must be 3 numbers, not (1, 2)"
     assert parse("integer-circle").fault("c", (1, 2, 3.0)) == "c has the float 3.0 where an int is meant"
-
-
-@pytest.mark.parametrize(
-    "atom", ["int", "real", "number", "word(a|b)", "vec2", "vec3", "enclosure", "array(f64)"]
-)
-def test_every_atom_says_what_an_example_may_not_show(atom):
-    assert parse(atom).fault("it", (None, None, None, None))
-    assert parse(f"[{atom}]").fault("it", ((None,),))
