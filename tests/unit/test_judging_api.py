@@ -31,15 +31,6 @@ def problem():
     return find_problem("middle")
 
 
-def test_a_result_says_all_that_the_command_shows_and_nothing_is_printed(capfd):
-    result = judge.judge("middle", FLOOR, name="mine.py")
-    assert (result.verdict, result.submission, result.problem) == (Verdict.WA, "mine.py", "middle")
-    assert result.failure.group
-    assert result.counterexample["replay"].startswith("middle:")
-    assert result.pitfall.name == "floor-division"
-    assert capfd.readouterr() == ("", "")
-
-
 @pytest.mark.parametrize(
     ("arguments", "more", "told"),
     [

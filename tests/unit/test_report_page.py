@@ -116,33 +116,6 @@ def path(tmp_path):
     return tmp_path / "history.sqlite3"
 
 
-def test_it_tells_the_way_to_a_solved_problem(path):
-    results = [
-        outcome(mistake="forgotten-centre"),
-        outcome(verdict=Verdict.TLE, ratio=130.0),
-        outcome(mistake="forgotten-centre"),
-        outcome(verdict=Verdict.AC, ratio=1.5),
-    ]
-    page = page_of(kept(path, results), ("count", "segment"), {"count": b"def line_count(): ..."})
-    (part,) = page.problems
-    assert [line.number for line in part.runs] == [4, 3, 2, 1]
-    assert [line.mistake for line in part.runs] == ["", "forgotten-centre", "", "forgotten-centre"]
-    assert [line.ratio for line in part.runs] == ["1.5 ×", "", "130 ×", ""]
-    assert [(case.title, case.number, case.times) for case in part.cases] == [
-        ("forgotten-centre", 3, 2),
-        ("Time limit exceeded in tangent", 2, 1),
-    ]
-    assert part.cases[0].overcome is not None
-    assert part.cases[0].explained[0].advice.startswith("The circle is treated as if its centre")
-    assert [line.part is not None for line in page.overview] == [True, False]
-    assert page.untried == (("middle", ("segment",)),)
-    assert [(tile.value, tile.label) for tile in page.tiles] == [
-        ("1 of 2", "problems solved"),
-        ("4", "runs on 1 day"),
-        ("1 of 1", "mistakes overcome"),
-    ]
-
-
 def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
     plain = Outline(html_of(kept(path, [outcome()]), sources={"count": b"x"}, person="Ada"))
     evil = outcome(name=EVIL, mistake=EVIL, got=EVIL, message=EVIL)

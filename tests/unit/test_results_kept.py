@@ -7,13 +7,12 @@ from xml.etree import ElementTree as Xml
 
 import msgspec
 import pytest
-from classes import ROWS, row
+from classes import ROWS
 from msgspec.structs import replace
 from past_runs import past_result
 
-from judge.batch.results import advice_of, results_of
+from judge.batch.results import results_of
 from judge.problem import Verdict
-from judge.problem.find import find_problem
 from judge.problem.level import KataLevel
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Result, judge_fault
@@ -99,18 +98,6 @@ def test_what_is_published_is_read_back(result):
     read = result_of(plain | {"thresholds": []}, points)  # which older judges wrote
     assert read.as_json() == result.as_json()
     assert read.failure == (replace(result.failure, given=None) if result.failure else None)
-
-
-def test_rows_get_points_and_advice():
-    count = find_problem("count")
-    advice = advice_of(count)
-    (name, told) = next(iter(advice.items()))
-    (result,) = results_of([row("ann", "count", name, ("tangent",))], {"count": count})
-    assert result.submission == "ann/count.py"
-    assert result.pitfall.advice == (told,)
-    assert result.score == sum(each.points for each in count.groups if each.name in ("examples", "grid"))
-    (other,) = results_of([row("ann", "gone", "some", ("tangent",))], {})
-    assert (other.verdict, other.pitfall.name) == (Verdict.WA, "some")
 
 
 def test_a_row_that_cannot_be_read_is_a_fault_of_its_own():

@@ -95,8 +95,7 @@ def test_who_answers_alike_has_a_ratio(timed, source):
         (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
         nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
-        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
-        nightly(PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
+        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 expected"),
         (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
     ],
 )

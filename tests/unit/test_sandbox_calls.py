@@ -122,13 +122,6 @@ def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
         assert stops(box.call_many("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
 
 
-def test_numpy_numbers_and_arrays_are_the_numbers_they_hold():
-    pytest.importorskip("numpy")
-    source = "import numpy as np\ndef f(n): return np.array([[n, 0.5]]), np.float64(n), np.int32(n)"
-    reply = call(source, NUMBERS[:2]).replies[1]
-    assert reply.answer == [[[1.0, 0.5]], 1.0, 1]
-
-
 # -- whole programs ------------------------------------------------------------------------------------------
 
 

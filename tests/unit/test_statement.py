@@ -220,10 +220,3 @@ def test_what_is_read_is_what_was_parsed(exact, monkeypatch):
             monkeypatch.setattr(toml_file, "toml_of", lambda *_, **__: pytest.fail("it is parsed again"))
         for place, text in enumerate(texts):
             assert same(read_toml(Path(f"/{place}"), text, "it", exact=exact), parsed[place]), text
-
-
-@pytest.mark.parametrize("text", ["day = 2026-11-22", '"" = 1', '[x]\n"" = "1"'])
-def test_what_json_cannot_hold_is_parsed_each_time(text, tmp_path):
-    for _ in range(2):
-        assert read_toml(Path("/here"), text, "it", exact=True) == tomllib.loads(text)
-    assert not list(tmp_path.rglob("*.json"))
