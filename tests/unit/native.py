@@ -27,8 +27,10 @@ def need(name: str) -> None:
     """Skip the test where the language is not installed here."""
     language = language_called(name)
     assert language is not None
-    if find.why_not(language):
-        pytest.skip(f"no {language.name} here: {find.remedy(language)}")
+    if missing := find.missing(language):
+        pytest.skip(f"{missing[0]} is not installed")
+    if why := find.why_not(language):
+        pytest.skip(why)
 
 
 def box_of(name: str, source: str, *, level: str | None = None, signature: Signature | None = None) -> Any:

@@ -62,4 +62,4 @@ def require(level):
     """Skip the test where this machine does not give the level."""
     found = _levels_here()[level]
     if not found.available:
-        pytest.skip(f"{level} cannot be had here: {found.why_not}")
+        pytest.skip(found.why_not)

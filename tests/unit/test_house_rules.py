@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,9 @@ FILES = {
     for path in PACKAGE.rglob("*.py")
     if path.relative_to(PACKAGE).parts[0] not in {"problems", "solutions"}
 }
+TOPIC = re.compile(
+    r"(?<![a-z])(circles?|rays?|tangents?|tangency|tangencies|segments?)(?![a-z])(?!-line)", re.IGNORECASE
+)
 MOST_LINES = 400
 MOST_PARAMETERS = 6
 # A room knows only those that stand after it.
@@ -93,3 +97,16 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 def test_every_room_has_its_place():
     packages = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     assert packages <= {*ROOMS, "sandbox", "schema"}
+
+
+def test_the_engine_has_no_word_of_its_topic():
+    """SVG's own element apart, and what the package itself is called."""
+    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "sandbox")
+    told = {
+        f"{path.relative_to(PACKAGE)}:{number}": row
+        for room in rooms
+        for path in (PACKAGE / room).rglob("*.py")
+        for number, row in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if TOPIC.search(row)
+    }
+    assert told == {}

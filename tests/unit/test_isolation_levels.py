@@ -7,54 +7,53 @@ from __future__ import annotations
 
 import errno
 import os
-import resource
+import shutil
 import threading
 import time
 from pathlib import Path
 
 import pytest
-from bubblewraps import count, once, pretend
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Boxes, container, holder, launch, levels, open_box, probe, refusal
+from judge.sandbox import Boxes, container, holder, launch, open_box, probe, refusal
 from judge.sandbox.inside.again import PAUSES
 
 pytestmark = pytest.mark.slow
 
+REAL = shutil.which("bwrap")
+
+
+def pretend(folder: Path, patch: pytest.MonkeyPatch, script: str) -> Path:
+    """A bubblewrap that runs `script`; each of its starts is a line of the file that is returned."""
+    if REAL is None:
+        pytest.skip("bubblewrap is not installed")
+    starts, broken = folder / "starts", folder / "bwrap"
+    starts.touch()
+    broken.write_text(f"#!/bin/sh\necho start >> {starts}\n{script}\n")
+    broken.chmod(0o755)
+    patch.setattr(launch, "bubblewrap_path", lambda: str(broken))
+    return starts
+
+
+def once(folder: Path, script: str) -> str:
+    """A script that runs `script` the first time, and the real bubblewrap from then on."""
+    mark = folder / "failed"
+    return f'if [ ! -e {mark} ]; then touch {mark}; {script}; fi\nexec {REAL} "$@"'
+
+
+def count(starts: Path) -> int:
+    return len(starts.read_text().splitlines())
+
+
 AGAIN = "Resource temporarily unavailable"
-PASSING = [
-    f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1",
-    "echo 'bwrap: Cannot allocate memory' >&2; exit 1",
-    "echo 'bwrap: Can not open /proc: Too many open files' >&2; exit 1",
-    "echo 'MemoryError' >&2; exit 1",
-    "exit 1",
-    "kill -9 $$",
-]
+PASSING = [f"echo 'bwrap: Creating new namespace failed: {AGAIN}' >&2; exit 1", "kill -9 $$"]
 LASTING = "echo 'bwrap: No permissions to create new namespace' >&2; exit 1"
 
 
 @pytest.fixture(autouse=True)
 def _in_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(PAUSES))
-
-
-def test_probe_names_every_level_best_first():
-    found = levels()
-    assert [level.name for level in found] == ["full", "strong", "limits"]
-    assert found[-1].available
-    assert all(level.available or level.why_not for level in found)
-
-
-def test_the_best_level_is_taken():
-    best = next(level.name for level in levels() if level.available)
-    with open_box(b"", "f.py") as box:
-        assert box.isolation == best
-
-
-def test_an_unknown_level_is_a_usage_error():
-    with pytest.raises(UsageError, match="did you mean strong"):
-        open_box(b"", "f.py", level="storng")
 
 
 def test_a_demanded_level_is_not_lowered(monkeypatch):
@@ -70,9 +69,8 @@ def test_a_demanded_level_is_not_lowered(monkeypatch):
         probe.missing.cache_clear()
 
 
-@pytest.mark.parametrize("seconds", [0, 0.01, 0.03, 0.06])
-def test_a_box_may_be_closed_while_it_warms_up(seconds):
-    for _ in range(5):
+def test_a_box_may_be_closed_while_it_warms_up():
+    for seconds in (0, 0.01, 0.03):
         box = open_box(b"def f(n): return n", "f.py")
         box.warm_up()
         time.sleep(seconds)
@@ -92,8 +90,7 @@ def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, 
     assert boxes.refused == {}
 
 
-@pytest.mark.parametrize("level", [None, "full"])
-@pytest.mark.parametrize("script", PASSING)
+@pytest.mark.parametrize(("script", "level"), [(PASSING[0], None), (PASSING[1], "full")])
 def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
     script, level, tmp_path, monkeypatch
 ):
@@ -106,33 +103,6 @@ def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
     assert "\n" not in str(caught.value)
     assert count(starts) > len(PAUSES)
     assert boxes.refused == {}
-    assert children() == before
-
-
-def test_a_boot_that_is_too_slow_is_tried_again(tmp_path, monkeypatch):
-    require("full")
-    patience, silence = container.START_SECONDS, refusal.of_silence
-
-    def heard(seconds):
-        monkeypatch.setattr(container, "START_SECONDS", patience)
-        return silence(seconds)
-
-    monkeypatch.setattr(container, "START_SECONDS", 0.2)
-    monkeypatch.setattr(refusal, "of_silence", heard)
-    starts = pretend(tmp_path, monkeypatch, once(tmp_path, "exec sleep 60"))
-    with Boxes()(b"def f(n): return n", "f.py") as box:
-        assert box.isolation == "full"
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
-    assert count(starts) == 2
-
-
-def test_a_boot_that_is_always_too_slow_costs_the_submission(tmp_path, monkeypatch):
-    monkeypatch.setattr(container, "START_SECONDS", 0.2)
-    starts = pretend(tmp_path, monkeypatch, "exec sleep 60")
-    before = children()
-    with pytest.raises(ShortageError, match=r"it was not ready after 0\.2 s; .*-j"):
-        Boxes()(b"", "f.py").__enter__()
-    assert count(starts) == 2
     assert children() == before
 
 
@@ -155,17 +125,7 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
         Boxes("full")(b"", "f.py").__enter__()
 
 
-def test_words_that_are_nobodys_are_believed_the_second_time(tmp_path, monkeypatch):
-    require("strong")
-    starts = pretend(tmp_path, monkeypatch, "echo 'python3: cannot open libpython.so' >&2; exit 1")
-    boxes = Boxes()
-    with boxes(b"", "f.py") as box:
-        assert box.isolation == "strong"
-    assert count(starts) == 2
-    assert boxes.refused == {"full": "python3: cannot open libpython.so"}
-
-
-@pytest.mark.parametrize("script", [LASTING, PASSING[0], PASSING[-1]])
+@pytest.mark.parametrize("script", [LASTING, PASSING[0]])
 def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeypatch):
     require("full")
     boxes = Boxes()
@@ -190,30 +150,6 @@ def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch)
         assert box.isolation == "full"
 
 
-def test_a_box_opened_before_another_was_ready_is_held_no_weaker(tmp_path, monkeypatch):
-    require("full")
-    boxes = Boxes()
-    with monkeypatch.context() as patch:
-        pretend(tmp_path, patch, f"sleep 0.2; {LASTING}")
-        slow = boxes(b"", "f.py")
-    with boxes(b"", "f.py") as box:
-        assert box.isolation == "full"
-    with monkeypatch.context() as patch:
-        pretend(tmp_path, patch, LASTING)
-        with pytest.raises(JudgeError, match="was had and is now refused"):
-            slow.__enter__()
-
-
-def test_what_was_found_before_is_demanded(tmp_path, monkeypatch):
-    pretend(tmp_path, monkeypatch, LASTING)
-    with pytest.raises(UsageError, match="which 'judge doctor' found here, cannot be had") as caught:
-        Boxes(least="full")(b"", "f.py").__enter__()
-    assert "let 'judge doctor' look again" in str(caught.value)
-    for boxes in (Boxes(least="strong"), Boxes("strong", least="full")):
-        with boxes(b"", "f.py") as box:
-            assert box.isolation == "strong"
-
-
 def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path, monkeypatch):
     require("strong")
     pretend(tmp_path, monkeypatch, LASTING)
@@ -233,17 +169,10 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
     assert set(boxes.refused) == {"full", "strong"}
 
 
-def test_a_level_that_lacks_something_is_never_tried(tmp_path, monkeypatch):
-    """Without landlock a container would start at "strong", and hold less than that."""
-    require("strong")
-    pretend(tmp_path, monkeypatch, LASTING)
-    monkeypatch.setattr(probe, "missing", lambda level: "no landlock" if level == "strong" else "")
-    with Boxes()(b"", "f.py") as box:
-        assert box.isolation == "limits"
-
-
-@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN])
-@pytest.mark.parametrize("place", ["_socket.socketpair", "shared.region", "_STARTER.start"])
+@pytest.mark.parametrize(
+    ("place", "code"),
+    [("_socket.socketpair", errno.EMFILE), ("shared.region", errno.ENOMEM), ("_STARTER.start", errno.EAGAIN)],
+)
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
     failed = []
@@ -275,52 +204,13 @@ def _found(place):
     return found
 
 
-def test_a_thread_that_cannot_be_started_is_a_shortage_with_its_name(monkeypatch):
-    def no_thread(*_arguments, **_settings):
-        raise RuntimeError("can't start new thread")
-
-    monkeypatch.setattr(container, "_STARTER", container._Starter())
-    monkeypatch.setattr(container.threading.Thread, "start", no_thread)
-    box = Boxes()(b"", "f.py")
-    box.warm_up()
-    with pytest.raises(ShortageError, match="no further process or thread can be started"):
-        box.__enter__()
-    box.__exit__(None, None, None)  # which once complained of a thread that it could not join
-
-
-def test_a_limit_on_the_size_of_files_is_named(monkeypatch):
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, hard))
-    try:
-        with pytest.raises(ShortageError, match=r"ulimit -f unlimited"):
-            Boxes()(b"", "f.py").__enter__()
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-
-
-def test_a_limit_that_leaves_too_little_memory_is_no_fault_of_the_submission():
-    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
-    with Boxes()(b"def f(n): return n", "f.py") as box:
-        box.inspect()
-        resource.setrlimit(resource.RLIMIT_DATA, (LIMITS.memory_bytes, hard))
-        try:
-            with pytest.raises(ShortageError, match=r"768 MB of address space, and 256 MB .*ulimit -d"):
-                box.call_many("f", [(1,)], LIMITS)
-        finally:
-            resource.setrlimit(resource.RLIMIT_DATA, (soft, hard))
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
-
-
 @pytest.mark.parametrize(
     ("said", "status", "tries", "lasting"),
     [
         ("bwrap: No permissions to create new namespace, likely because …", 1, 1, True),
         (f"bwrap: Can't fork for pid 1: {AGAIN}", 1, len(PAUSES) + 1, False),
-        ("OSError: [Errno 12] Cannot allocate memory", 1, len(PAUSES) + 1, False),
-        ("bwrap: execvp /x/python3: Text file busy", 1, len(PAUSES) + 1, False),
         ("ModuleNotFoundError: No module named 'encodings'", 1, 2, True),
         ("", 1, len(PAUSES) + 1, False),
-        ("", -9, len(PAUSES) + 1, False),
         ("", -31, 1, True),
     ],
 )
@@ -329,26 +219,11 @@ def test_what_an_end_says_of_the_next_try(said, status, tries, lasting):
     assert (found.tries, found.lasting) == (tries, lasting)
 
 
-@pytest.mark.parametrize("most", ["0", "1000"])
-def test_too_many_namespaces_pass_unless_none_may_be_made(most, tmp_path, monkeypatch):
-    (tmp_path / "max_user_namespaces").write_text(f"{most}\n")
-    monkeypatch.setattr(refusal, "_NAMESPACES", tmp_path)
-    text = "bwrap: Creating new namespace failed: nesting depth or /proc/sys/user/max_*_namespaces exceeded"
-    assert refusal.of_end(f"{text} (ENOSPC)", 1).lasting is (most == "0")
-
-
-def test_the_levels_tell_a_shortage_from_a_refusal(tmp_path, monkeypatch):
-    pretend(tmp_path, monkeypatch, PASSING[0])
-    assert [level.lasting for level in levels()] == [False, True, True]
-    pretend(tmp_path, monkeypatch, LASTING)
-    assert [level.lasting for level in levels()] == [True, True, True]
-
-
-def test_closing_does_not_wait_for_the_next_try(tmp_path, monkeypatch):
-    monkeypatch.setattr(holder, "PAUSES", (3600.0,) * len(PAUSES))
-    pretend(tmp_path, monkeypatch, PASSING[0])
-    box = Boxes()(b"", "f.py")
-    box.warm_up()
-    time.sleep(0.2)
-    box.__exit__(None, None, None)  # or else it takes hours
-    assert not [thread for thread in threading.enumerate() if "prepare" in thread.name]
+def test_where_no_proc_may_be_mounted_the_machines_own_is_taken(tmp_path, monkeypatch):
+    refused = 'echo "bwrap: Can\'t mount proc on /newroot/proc: Operation not permitted" >&2; exit 1'
+    monkeypatch.setattr(launch, "_proc", ["--proc"])
+    starts = pretend(tmp_path, monkeypatch, f'case "$*" in *--proc*) {refused};; esac; exec {REAL} "$@"')
+    with Boxes("full")(b"def f(n):\n    return n\n", "f.py") as box:
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.isolation == "full"
+    assert count(starts) == 2

@@ -38,8 +38,6 @@ def likeness(ours, theirs):
         (range(20), range(35), [True], 0.7, True),
         (range(30), range(20, 40), [True], 0.9, True),
         (range(30), range(20, 40), [True], 0.8, False),
-        (range(20), range(35), [True, False], 0.9, False),
-        (range(30), range(20), [False, False], 0.9, False),
         (range(20), range(20), [False, False], 0.9, True),
         (range(20), range(20, 40), [True], 1.0, False),
     ],
@@ -64,30 +62,21 @@ NO_T, T = ("parameter", None), ("parameter", number(1.0))
     [
         (("count", (1.0,)), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
         (("count", (-1.0,)), ("count", (99.0,)), ("count", None), Alike.ALL),
-        (("count", (3.0,)), ("type float", ()), ("count", None), Alike.ALL),
-        (("type float", (1.0,)), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
         (("none", ()), ("count", (0.0,)), ("count", 2), Alike.NOTHING),
         (("raised ValueError", ()), ("count", (0.0,)), ("count", 2), Alike.KIND),
-        (("raised ValueError", ()), ("raised ZeroDivisionError", ()), ("count", 2), Alike.KIND),
         (("points 1", (3.0, 4.0)), ("points 1", (3.0, 4.0000001)), POINT, Alike.ALL),
         (("points 1", (3.0, 4.0)), ("points 1", (4.0, 3.0)), POINT, Alike.NOTHING),
         (("points 1", (1.000001, 1.0)), ("points 1", (1.0, 0.999999)), POINT, Alike.KIND),
         (("points 1", (1.000001, 1.0)), ("points 1", (1.00000101, 1.0)), POINT, Alike.ALL),
-        (("points 1", (1.0001, 1.0)), ("points 1", (1.0, 0.999999)), POINT, Alike.NOTHING),
-        (("points 2", (1.0, 1.0, 1.0, 1.0)), ("points 2", (1.0, 1.0, 1.0, 1.0001)), POINT, Alike.ALL),
         (("points 1", (1.0, 2.0)), ("points 0", ()), CHORD, Alike.NOTHING),
         (("points 2", (3.0, 2.0, 1.0, 2.0)), ("points 2", (3.01, 2.0, 1.0, 2.0)), CHORD, Alike.ALL),
         (("points 2", (3.0, 2.0, 1.0, 2.0)), ("points 2", (1.0, 2.0, 3.0, 9.0)), CHORD, Alike.NOTHING),
         (("number", (-1.0,)), ("number", (-2.0,)), NO_T, Alike.ALL),
-        (("number", (-1.0,)), ("type float", ()), NO_T, Alike.ALL),
         (("number", (0.5,)), ("number", (-1.0,)), NO_T, Alike.NOTHING),
         (("number", (5.0,)), ("number", (5.1,)), T, Alike.ALL),
         (("number", (5.0,)), ("number", (9.0,)), T, Alike.NOTHING),
-        (("number", (0.5,)), ("number", (9.0,)), T, Alike.NOTHING),
-        (("number", (-2.0,)), ("number", (0.3,)), T, Alike.NOTHING),
         (("number", (math.inf,)), ("number", (2.0,)), T, Alike.NOTHING),
         (("shape 2", (1.0, 2.0)), ("shape 2", (5.0, 2.0)), T, Alike.NOTHING),
-        (("type bool", ()), ("type bool", ()), T, Alike.ALL),
     ],
 )
 def test_how_alike_wrong_answers_are(one, other, target, wanted):
@@ -105,28 +94,17 @@ def test_how_alike_wrong_answers_are(one, other, target, wanted):
     ("kind", "answer", "wanted"),
     [
         ("count", 3, ("count", (3.0,))),
-        ("count", 1.0, ("type float", (1.0,))),
         ("count", {"type": "bool", "text": "True"}, ("type bool", ())),
         ("count", None, ("none", ())),
         ("points", [[1, 2.5]], ("points 1", (1.0, 2.5))),
         ("points", [0.5, 1], ("shape 2", (0.5, 1.0))),
-        ("points", [], ("points 0", ())),
-        ("points", 4.0, ("number", (4.0,))),
         ("parameter", {"fraction": ["1", "2"]}, ("number", (0.5,))),
         ("parameter", [1.0, None], ("shape 2", (1.0,))),
         ("parameter", {"int": "f" * 300}, ("number", (float("inf"),))),
-        ("parameter", {"what": "ever"}, ("type dict", ())),
     ],
 )
 def test_outlines(kind, answer, wanted):
     assert parse(kind).outline(answer) == wanted
-
-
-def test_a_line_has_the_outline_of_its_answer():
-    assert parse("points").line_outline("1 0.5 2") == ("points 1", (0.5, 2.0))
-    assert parse("count").line_outline("none") == ("none", ())
-    assert parse("parameter").line_outline("0.1e1") == ("number", (1.0,))
-    assert parse("count").line_outline("two") == ("text", ())
 
 
 class Data:

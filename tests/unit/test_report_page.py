@@ -1,119 +1,119 @@
 """The HTML report: what it tells, that it is sound HTML, and that nothing gets out of its place."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import re
-from collections import Counter
-from datetime import timedelta, timezone
+from datetime import UTC, datetime
+from html.parser import HTMLParser
 
 import pytest
 from msgspec.structs import replace
-from page_support import Outline, check_html, html_of, kept, known, outcome, page_of
+from past_runs import StoppedClock
 
-from judge.drawing.svg import style
-from judge.kata.skills import Need, NeedProgress, Skill, SkillProgress
+from judge.kata.history import History
+from judge.mistakes.told import told_mistakes
 from judge.problem import Verdict
-from judge.report.page.compose import MOST_RUNS
-from judge.report.page.kills import kill_table
-from judge.report.page.plot import MOST, ratio_plot
-from judge.report.page.render import _TEMPLATES, is_report
-from judge.run.matrix import Kill, Matrix, Row
-from judge.run.result import Against, Failure, Mode, Result
+from judge.problem.find import find_problem
+from judge.report.page.compose import MOST_RUNS, compose_page
+from judge.report.page.known import KnownProblem
+from judge.report.page.plot import MOST
+from judge.report.page.render import is_report, render
+from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
 
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
 )
+INPUT = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}
+VOID = {"meta", "br", "img", "input", "hr", "link", "base", "wbr"}
+ACTIVE = {"script", "img", "iframe", "object", "embed", "link"}
+ACTIVE |= {"form", "input", "base", "audio", "video", "use"}
 
 
-NEED = Need("count", ("tangent",))
+def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, name="mine.py", **failure):
+    """A result with one passed group and, unless it is accepted, one failed on a case that can be drawn."""
+    accepted = verdict is Verdict.AC
+    groups = [GroupResult("grid", Verdict.AC, 200, 200, None, 0.01, 100 if accepted else 30)]
+    told = None
+    if not accepted:
+        groups.append(GroupResult("tangent", verdict, 90, 41, None, 0.01, 70))
+        case = {"group": "tangent", "case": 3, "input": INPUT, "expected": "1", "got": "2", "message": "off"}
+        told = Failure(**{**case, **failure})
+    time = Timing(0.02, 0.03, Ratio(ratio, ratio * 0.9, ratio * 1.2, 9) if ratio else None)
+    pitfall = Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None
+    return Result(problem, name, Mode.FUNCTION, verdict, tuple(groups), told, time, pitfall=pitfall)
 
 
-def met(since, attempts, *mistakes):
-    return NeedProgress(NEED, since, (), attempts, dict.fromkeys(mistakes, 1))
+def kept(path, results, source=b"print(1)\n"):
+    """The runs that these results make, an hour after another."""
+    clock = StoppedClock()
+    with History.open(path, clock=clock) as history:
+        for result in results:
+            history.add(result, source, "/home/somebody/mine.py")
+            clock.forward(hours=1)
+        return history.runs()
 
 
-def progress(name, *needs):
-    return SkillProgress(Skill(name, f"About {name}.", (NEED,) * len(needs)), needs)
+def page_of(runs, names=("count",), sources=None, **settings):
+    """A page of these runs and of the shipped problems of those names."""
+    problems = [find_problem(name) for name in names]
+    advice = [{name: told.advice for name, told in told_mistakes(each).items()} for each in problems]
+    known = [KnownProblem(each, said, None) for each, said in zip(problems, advice, strict=True)]
+    settings = {"generated": datetime(2026, 3, 9, 12, 0, tzinfo=UTC), "zone": UTC, **settings}
+    return compose_page(runs, known, sources or {}, **settings)
+
+
+def html_of(runs, **settings):
+    return render(page_of(runs, **settings)).decode()
+
+
+class Outline(HTMLParser):
+    """What is in a page; raises AssertionError for a tag that is not closed where it must be."""
+
+    def __init__(self, html):
+        super().__init__(convert_charrefs=True)
+        self.open, self.tags, self.text = [], [], ""
+        self.feed(html)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        assert len(attrs) == len(dict(attrs)), (tag, attrs)
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        assert "svg" in self.open, tag  # elsewhere the slash means nothing
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if "style" not in self.open:
+            self.text += data
+
+
+def check_html(html):
+    """A page that is well-formed, loads and runs nothing, and whose links lead somewhere in it."""
+    outline = Outline(html)
+    ids = [attributes["id"] for _, attributes in outline.tags if "id" in attributes]
+    assert len(ids) == len(set(ids))
+    assert not {tag for tag, _ in outline.tags} & ACTIVE
+    for _tag, attributes in outline.tags:
+        for name, value in attributes.items():
+            assert not name.startswith("on")
+            assert name not in ("style", "src", "srcset", "action")
+            assert name != "href" or (value[0] == "#" and value[1:] in ids)
+            assert name != "aria-labelledby" or set(value.split()) <= set(ids)
+    assert "url(" not in html
+    assert "@import" not in html
+    return outline
 
 
 @pytest.fixture
 def path(tmp_path):
     return tmp_path / "history.sqlite3"
-
-
-def test_it_tells_the_way_to_a_solved_problem(path):
-    results = [
-        outcome(mistake="forgotten-centre"),
-        outcome(verdict=Verdict.TLE, ratio=130.0),
-        outcome(mistake="forgotten-centre"),
-        outcome(verdict=Verdict.AC, ratio=1.5),
-    ]
-    page = page_of(kept(path, results), known("count", "segment"), {"count": b"def line_count(): ..."})
-    (part,) = page.problems
-    assert [line.number for line in part.runs] == [4, 3, 2, 1]
-    assert [line.mistake for line in part.runs] == ["", "forgotten-centre", "", "forgotten-centre"]
-    assert [line.ratio for line in part.runs] == ["1.5 ×", "", "130 ×", ""]
-    assert [(case.title, case.number, case.times) for case in part.cases] == [
-        ("forgotten-centre", 3, 2),
-        ("Time limit exceeded in tangent", 2, 1),
-    ]
-    assert part.cases[0].overcome is not None
-    assert part.cases[0].explained[0].advice.startswith("The circle is treated as if its centre")
-    assert [line.part is not None for line in page.overview] == [True, False]
-    assert page.untried == (("middle", ("segment",)),)
-    assert [(tile.value, tile.label) for tile in page.tiles] == [
-        ("1 of 2", "problems solved"),
-        ("4", "runs on 1 day"),
-        ("1 of 1", "mistakes overcome"),
-    ]
-
-
-def test_a_group_stands_as_the_last_run_that_had_it_left_it(path):
-    runs = kept(path, [outcome(), outcome(verdict=Verdict.AC)])  # the second one had no group "tangent"
-    (part,) = page_of(runs).problems
-    marks = {mark.name: (mark.state, mark.detail) for mark in part.groups}
-    assert marks["grid"] == ("passed", "")
-    assert marks["tangent"] == ("failed", "41 of 90")
-    assert marks["small"] == ("open", "not run")
-
-
-def test_the_problems_own_solutions_are_listed_but_count_for_nothing(path):
-    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=1.0)])
-    page = page_of([replace(run, path="/judge/solutions/count/accepted/exact.py")])
-    (part,) = page.problems
-    assert (part.solved, part.best, part.attempts, part.plot, len(part.runs)) == (None, "0", 0, None, 1)
-    assert "no runs of your own" in html_of([replace(run, path="/judge/solutions/count/wrong/blind.py")])
-
-
-def test_the_page_is_sound_and_the_same_every_time(path):
-    results = [
-        outcome(mistake="absolute-epsilon"),
-        outcome(mistake="forgotten-centre + absolute-epsilon"),
-        outcome("segment", expected="[(0.0, 1.0)]", got="[(0.0, 1.0), (0.5, 1.0)]"),
-        *(outcome(name) for name in ("gone", "main", "overview", 'a" onclick="b', "two words", "<b>")),
-        outcome(verdict=Verdict.AC, ratio=0.8),
-    ]
-    runs = kept(path, results)
-    skills = [
-        progress("tangents", met(runs[0].when, 2)),
-        progress("scale", met(runs[1].when, 1), met(None, 1, "absolute-epsilon")),
-        progress("rays", met(None, 0)),
-        progress("ends", NeedProgress(NEED, runs[0].when, ("tangent",), 3, {})),
-    ]
-    sources = {"count": b"x = 1\n"}
-    html = html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
-    outline = check_html(html)
-    drawn = [svg for svg in outline.all("svg") if "case" in svg.get("aria-labelledby", "")]
-    assert len(drawn) >= 3
-    states = [line.state for line in page_of(runs, skills=skills).skills]
-    assert states == ["shown", "shown", "open", "lost"]
-    for words in ("Since 1 Mar 2026, 2 runs", ", on 1 of 2 problems, 1 run; met absolute-epsilon", "Not yet"):
-        assert words in outline.text
-    assert "Shown once, but the latest run fails it, 3 runs" in outline.text
-    assert "This problem is not there any more." in outline.text
-    assert html == html_of(runs, known("count", "segment"), sources, skills=skills, person="Ada")
 
 
 def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
@@ -123,36 +123,19 @@ def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
                                          "replay": None})  # fmt: skip
     runs = kept(path.with_name("other"), [evil], EVIL.encode())
     html = html_of(runs, sources={"count": EVIL.encode()}, person=EVIL)
+    assert html == html_of(runs, sources={"count": EVIL.encode()}, person=EVIL)
     outline = check_html(html)
     assert outline.text.count("document.title='pwned'") >= 6
     assert "\\x00\\u202e" in outline.text
     assert not set("\x00\u202e") & set(html)
-    assert Counter(tag for tag, _ in outline.tags)["style"] == Counter(tag for tag, _ in plain.tags)["style"]
-
-
-def test_what_was_not_tried_is_named_in_the_paths_order_and_has_no_row(path):
-    html = html_of(kept(path, [outcome()]), known("count", "segment", "tangents", "csg", "line-points"))
-    table, _, after = html[html.index('<table class="overview">') :].partition('<dl class="untried">')
-    assert "segment" not in table
-    assert re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd>", after.partition("</dl>")[0]) == [
-        ("Middle", "segment, tangents, line-points"),
-        ("Professional", "csg"),
-    ]
-    assert "Not tried yet" not in html_of(kept(path.with_name("one"), [outcome()]), known("count"))
-
-
-@pytest.mark.parametrize(("name", "limit"), [("count", True), ("nearest", False)])
-def test_a_limit_is_drawn_only_where_it_holds_for_every_group(path, name, limit):
-    runs = kept(path, [replace(outcome(verdict=Verdict.AC, ratio=1.5), problem=name)])
-    (part,) = page_of(runs, known(name)).problems
-    assert (part.plot.limit is not None, "limit" in part.plot.description) == (limit, limit)
-    assert part.plot.links == ()
-    assert ratio_plot("p", [], 100.0) is None
+    styles = [[tag for tag, _ in each.tags].count("style") for each in (outline, plain)]
+    assert styles[0] == styles[1]
 
 
 def test_only_the_pages_own_style_sheet_is_allowed(path):
     html = html_of(kept(path, [outcome()]))
-    (policy,) = [m["content"] for m in Outline(html).all("meta") if "http-equiv" in m]
+    metas = [attributes for tag, attributes in Outline(html).tags if tag == "meta"]
+    (policy,) = [each["content"] for each in metas if "http-equiv" in each]
     (sheet,) = re.findall("<style>(.*?)</style>", html, re.DOTALL)
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
     allowed = f"style-src 'sha256-{digest}'"
@@ -166,40 +149,6 @@ def test_a_result_of_another_form_is_told_of_without_its_details(path):
     assert part.cases[0].facts == ()
     assert part.cases[0].drawings == ()
     check_html(html_of(broken))
-
-
-@pytest.mark.parametrize(
-    "values",
-    [
-        {"cx": 0, "cy": 0},
-        {"cx": 0, "cy": 0, "r": -1, "A": [0, 1], "B": [1, 1]},
-        {"cx": 0, "cy": 0, "r": "1", "A": [0, 1], "B": [1, 1]},
-        {"cx": 0, "cy": 0, "r": 1, "A": 5, "B": [1]},
-        {"cx": 0, "cy": 0, "r": 1, "A": [0, 1.000000000001], "B": [1, 1.000000000001]},
-    ],
-)
-def test_a_case_that_is_none_of_the_problems_is_not_drawn(path, values):
-    (part,) = page_of(kept(path, [outcome(input=values)])).problems
-    assert part.cases[0].drawings == ()
-    assert part.cases[0].facts[0][0] == "input"
-
-
-def test_what_was_printed_stands_with_its_case_and_what_could_not_be_run_has_a_reason(path):
-    said = Failure("1 wanted, None given", "grid", 1, {"cx": 0}, "1", "None", printed="here <b>")
-    printed = Result("count", "mine.py", Mode.FUNCTION, Verdict.WA, failure=said)
-    fault = Result("count", "mine.py", Mode.FUNCTION, Verdict.CE, failure=Failure("SyntaxError: line 3"))
-    (part,) = page_of(kept(path, [printed, fault])).problems
-    broken, wrong = part.cases
-    assert ("printed", "here <b>", "code") in wrong.facts
-    assert (broken.title, broken.facts) == ("Does not compile", (("why", "SyntaxError: line 3", ""),))
-    assert part.plot is None
-
-
-def test_times_are_those_of_the_zone(path):
-    runs = kept(path, [outcome()])  # on 1 March at 9:00 UTC
-    for hours, shown in ((0, "1 Mar 2026 09:00"), (9, "1 Mar 2026 18:00"), (-10, "28 Feb 2026 23:00")):
-        html = html_of(runs, zone=timezone(timedelta(hours=hours)))
-        assert shown in Outline(html).text
 
 
 def test_long_histories_are_cut_and_say_so(path):
@@ -217,106 +166,8 @@ def test_long_histories_are_cut_and_say_so(path):
     check_html(html)
 
 
-def test_the_plot_holds_every_ratio_and_the_limit(path):
-    ratios = [0.02, 250.0, 7.0]
-    runs = kept(path, [outcome(verdict=Verdict.AC, ratio=ratio) for ratio in ratios] + [outcome()])
-    plot = ratio_plot("p", runs, 100.0)
-    assert plot is not None
-    assert [dot.number for dot in plot.dots] == [1, 2, 3]
-    for dot in plot.dots:
-        assert 0 <= dot.top < dot.y < dot.bottom <= plot.height
-    first, second, third = (dot.y for dot in plot.dots)
-    assert second < plot.limit.y < third < first
-    assert "from 0.02 times in run 1 to 7.0 times in run 3; least 0.02 (run 1), most 250 (run 2)" in (
-        plot.description
-    )
-    assert "The limit is 100 times." in plot.description
-    assert 2 <= len(plot.levels) <= 6
-
-
-def test_runs_that_were_held_to_another_language_say_so(path):
-    why = "no reference in Go: held to Python's"
-    abroad = [Against("Python", why), Against("C++"), Against("Python", why)]
-    result = outcome(verdict=Verdict.AC, ratio=2.0)
-    runs = kept(path, [replace(result, time=replace(result.time, against=against)) for against in abroad])
-    (part,) = page_of(runs).problems
-    assert part.plot.held == f"runs 1, 3: {why}"
-    assert "In other languages, runs 1, 3: no reference in Go" in html_of(runs)
-    (other,) = page_of(runs[1:2]).problems
-    assert (other.plot.held, "In other languages" in html_of(runs[1:2])) == ("", False)
-
-
-def test_the_kill_matrix_shades_by_share_and_marks_ones_own():
-    row = Row(
-        "wrong/blind-once.py",
-        "blind",
-        ("edge",),
-        (Kill("grid", (1,), 100), Kill("edge", tuple(range(1, 101)), 100), Kill("far", (), 100)),
-    )
-    table = kill_table(Matrix(("grid", "edge", "far"), (row,), (), ()), Counter(blind=2))
-    (line,) = table.lines
-    assert (line.name, line.made) == ("blind-once", 2)
-    assert [(cell.text, cell.shade, cell.own) for cell in line.cells] == [
-        ("1%", 1, False),
-        ("100%", 5, True),
-        ("", 0, False),
-    ]
-    assert kill_table(Matrix((), (), (), ()), Counter()) is None
-
-
 def test_a_report_is_known_by_its_head(path):
     page = html_of(kept(path, [outcome()])).encode()
     assert is_report(page[:2000])
     assert not is_report(b"<!doctype html><title>mine</title>")
     assert not is_report(b"")
-
-
-def luminance(colour):
-    """The relative luminance of `#rrggbb` (WCAG 2.1)."""
-    parts = [int(colour[place : place + 2], 16) / 255 for place in (1, 3, 5)]
-    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(one, other):
-    light, dark = sorted((luminance(one), luminance(other)), reverse=True)
-    return (light + 0.05) / (dark + 0.05)
-
-
-GROUNDS = {  # what each colour of text stands on
-    "ink": ("page", "paper", "tint"),
-    "quiet": ("page", "paper"),
-    "blue": ("page", "paper"),
-    "wanted": ("paper",),
-    "got": ("paper",),
-    "paper": ("blue",),
-    "edge": (),  # a dot between two words
-    **{name: (f"{name}-bg",) for name in ("good", "bad", "warn", "none")},
-    **{f"s{shade}-ink": (f"s{shade}",) for shade in range(1, 6)},
-}
-
-
-@pytest.mark.parametrize("theme", [0, 1])
-def test_text_stands_out_in_light_and_dark(theme):
-    sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
-    roots = re.findall(r":root\{(.*?)\}", sheet, re.DOTALL)
-    themes = [dict(re.findall(r"--([\w-]+):(#\w{6});", rules)) for rules in roots]
-    assert len(themes) == 2
-    used = set(re.findall(r"[{;\n]color:([^;}]+)", sheet)) - {"inherit"}
-    assert used <= {f"var(--{name})" for name in GROUNDS}
-    for name, grounds in GROUNDS.items():
-        for ground in grounds:
-            assert contrast(themes[theme][name], themes[theme][ground]) >= 4.5, (name, ground)
-    drawn = {}
-    for half in style().split("@media")[: theme + 1]:
-        for names, fill in re.findall(r"^([.\w,-]+)\{[^}]*?fill:(#\w{6})", half, re.M):
-            drawn |= dict.fromkeys(names.split(","), fill)
-    for name in ("text", ".quiet", ".t-wanted", ".t-got"):
-        assert contrast(drawn[name], drawn[".panel"]) >= 4.5, name
-
-
-def test_the_style_of_drawings_stays_inside_its_scope():
-    inside = style(".drawing", "screen")
-    rules = [row for row in inside.splitlines() if "{" in row and not row.startswith("@media")]
-    assert rules
-    assert all(part.startswith(".drawing ") for row in rules for part in row.split("{")[0].split(","))

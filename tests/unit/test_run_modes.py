@@ -143,14 +143,6 @@ def test_worst_ulps_of_accepted_numbers():
     assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
 
 
-@pytest.mark.nightly
-def test_groups_that_fill_memory_until_their_time_is_up_are_given_up_too():
-    """A hog is known for one only at its end, and nobody wants to wait for that in each group."""
-    data = make_data(*"abcd", limits=replace(LIMITS, cpu_seconds=0.5, memory_bytes=64 << 20))
-    result = judged("def answer(n, P):\n    while True: bytearray(b'1') * (80 << 20)\n", data)
-    assert [group.verdict.value for group in result.groups] == ["MLE", "MLE", "TLE", "TLE"]
-
-
 # -- programs: they read a whole group and print a line a case -----------------------------------------------
 
 PROBLEM = make_data("one").problem
@@ -186,13 +178,3 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     result = judged(body, make_data(*"abcdefgh"))
     assert {group.verdict for group in result.groups} == {Verdict.RTE}
     assert len(rendered) == 8 + 1
-
-
-def test_a_program_that_chokes_on_its_input_is_shown_the_line_and_the_form():
-    """Other hurdles are in golden/transcripts: json/hurdles.txt."""
-    result = judged("for _ in range(int(input())):\n    n, x = input().split()\n    print(1)\n")
-    assert result.verdict is Verdict.RTE
-    assert result.failure.message.startswith("ValueError: too many values to unpack")
-    form = "; its input is a line with the number of cases, then one line each: n px py, here 1 0 0"
-    assert result.failure.message.endswith(form)
-    assert fault_place(result).line == 2

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-
 import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
@@ -12,10 +10,6 @@ from sampling import nightly
 from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
-from judge.report.results import summary_lines, verdict_lines
-from judge.run import Settings, budget
-from judge.run.alone import Admitted
-from judge.run.timing import BESIDE
 
 pytestmark = pytest.mark.slow
 
@@ -60,7 +54,7 @@ def timed(tmp_path):
     return judge
 
 
-WORK = "for _ in range(6_000_000): pass"
+WORK = "for _ in range(3_000_000): pass"
 EAGER = f"{WORK}\n{GOOD.decode()}"
 LAZY = f"""
 done = []
@@ -81,11 +75,6 @@ def test_work_done_at_import_is_told_and_has_no_part_in_the_ratio(timed):
     assert eager.time.ratio.median < 1
 
 
-def test_long_imports_end_the_race(timed, monkeypatch):
-    monkeypatch.setattr("judge.run.measure._LONG_IMPORT_SECONDS", 0.0)
-    assert timed(EAGER).time.ratio.pairs == 1
-
-
 def test_work_put_off_to_the_first_call_is_charged(timed):
     lazy = timed(LAZY)
     assert not lazy.time.import_tells
@@ -104,15 +93,9 @@ def test_who_answers_alike_has_a_ratio(timed, source):
     ("source", "deed", "verdict", "message"),
     [
         (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
-        nightly(CALLS, "return None", Verdict.WA, "None given"),
         nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
-        (CALLS, "while True: pass", Verdict.TLE, ""),
-        nightly(CALLS, "time.sleep(30)", Verdict.TLE, ""),
-        nightly(PROGRAM, "if again: sys.exit(3)", Verdict.RTE, "exit status 3"),
-        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 wanted"),
-        nightly(PROGRAM, "if again: rows = rows[:5]", Verdict.WA, "5 lines printed, 8 wanted"),
-        nightly(PROGRAM, "if again: rows += rows", Verdict.WA, "16 lines printed, 8 wanted"),
+        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 expected"),
         (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
     ],
 )
@@ -125,53 +108,6 @@ def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, v
     assert result.score < 100
 
 
-@pytest.mark.parametrize(
-    "source",
-    [CALLS.format(deed="time.sleep(0.2)"), PROGRAM.format(deed="import time; time.sleep(1.2 * again)")],
-)
-def test_who_keeps_the_race_waiting_has_one_pair(timed, source):
-    result = timed(source)
-    assert (result.verdict, result.time.ratio.pairs) == (Verdict.AC, 1)
-
-
-def test_waiting_in_the_race_counts_too(timed, monkeypatch):
-    monkeypatch.setattr(budget, "WAITING_LIMITS", 0.1)
-    result = timed(CALLS.format(deed="time.sleep(0.3)"))
-    assert result.verdict is Verdict.TLE
-    message = "it waited more than 1 s in all its groups together, when it was run again to be timed"
-    assert result.failure.message == message
-
-
 def test_a_reference_that_fails_is_no_fault_of_the_submission(timed):
     with pytest.raises(JudgeError, match="the reference solution cannot be timed: exit status 0"):
         timed(GOOD, reference=b"import os\ndef answer(n, P): os._exit(0)\n")
-
-
-class Crowded:
-    """A machine on which another judge was waited for, in vain."""
-
-    @contextmanager
-    def judging(self):
-        yield Admitted(waited=1.0)
-
-    @contextmanager
-    def measuring(self):
-        yield Admitted(alone=False, waited=30.0)
-
-
-def test_a_race_beside_another_judge_says_so_and_is_decided_all_the_same(timed):
-    result = timed(GOOD, settings=Settings(turnstile=Crowded()))
-    assert result.verdict is Verdict.AC
-    assert result.time.ratio.busy.startswith(BESIDE)
-    assert result.notes == (
-        "waited 31 s for other judges of yours on this machine: times are measured alone",
-    )
-    shown = "".join(span.text for line in verdict_lines(result, None) for span in line)
-    assert BESIDE in shown
-    rows = ["".join(span.text for span in line) for line in summary_lines([result, result], None)]
-    assert [" busy " in row for row in rows[:3]] == [False, True, True]
-
-
-def test_a_reference_that_waits_for_its_processor_makes_a_busy_machine(timed):
-    waiting = REFERENCE.replace(b"    for _", b"    import time\n    time.sleep(0.002)\n    for _")
-    assert timed(GOOD, waiting).time.ratio.busy.startswith("busy machine, ")

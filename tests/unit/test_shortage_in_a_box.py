@@ -1,22 +1,21 @@
-"""What the machine does to a submission is never taken for its own doing."""
+"""What the machine does to a submission, or lacks, is never taken for its own doing."""
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
+import resource
 import signal
 import tempfile
-from pathlib import Path
-from unittest.mock import Mock
 
 import pytest
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
-from judge.sandbox import Stop, container, open_box, room
+from judge.sandbox import Stop, open_box, room
 from judge.sandbox.box import ForkServerBox
-from judge.sandbox.inside import again, wire
+from judge.sandbox.inside import wire
+from judge.sandbox.room import BASE_FILES, BASE_TASKS, OWN_FILES, OWN_TASKS, SLACK, THREADS, Room
 
 pytestmark = pytest.mark.slow
 
@@ -41,32 +40,7 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
             box.run_program(b"", LIMITS)
 
 
-@pytest.mark.parametrize("level", ["full", "strong"])
-def test_a_fork_server_that_is_gone_is_no_fault_of_who_cannot_reach_it(level, monkeypatch):
-    require(level)
-    monkeypatch.setattr(container, "GRACE_SECONDS", 0.1)
-    source = b"import time\ndef f(n):\n    time.sleep(n)\n    return n\n"
-    within = LIMITS._replace(wall_seconds=0.3)
-    with open_box(source, "f.py", level=level) as box:
-        assert box.call_many("f", [(0,)], within).replies[0].answer == 0
-        leader = box._holder.here()._process.pid
-        for member in [*_group(leader)]:
-            os.kill(member, signal.SIGSTOP)  # as a machine that swaps
-        with pytest.raises(ShortageError, match="the process that watches it has ended"):
-            box.call_many("f", [(0,)], within)
-        assert box.call_many("f", [(0,)], LIMITS).replies[0].answer == 0
-
-
-def _group(leader):
-    """The processes of the session that a container is."""
-    for path in Path("/proc").glob("[0-9]*/stat"):
-        with contextlib.suppress(OSError):
-            _, parent, _, session, *_ = path.read_text().rpartition(")")[2].split()
-            if str(leader) in (parent, session):
-                yield int(path.parent.name)
-
-
-@pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.NOT_KILLED, wire.FOR_CPU])
+@pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.FOR_CPU])
 def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, monkeypatch):
     """One that takes all its time is."""
     real = ForkServerBox._ask
@@ -100,36 +74,6 @@ def test_on_linux_no_temporary_file_is_needed(monkeypatch):
     assert children() == before
 
 
-@pytest.mark.parametrize("code", [errno.EMFILE, errno.ENFILE, errno.ENOMEM])
-def test_a_file_for_a_request_is_asked_for_again(code, monkeypatch):
-    monkeypatch.setattr(again, "PAUSES", (0.0, 0.0))
-    real, failed = os.memfd_create, []
-
-    def scarce(*arguments):
-        if len(failed) < most:
-            failed.append(code)
-            raise OSError(code, os.strerror(code))
-        return real(*arguments)
-
-    with open_box(b"def f(n): return n", "f.py") as box:
-        box.inspect()
-        monkeypatch.setattr(os, "memfd_create", scarce)
-        most = 2
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
-        assert len(failed) == most
-        most = 1000
-        with pytest.raises(OSError, match=os.strerror(code)) as caught:
-            box.call_many("f", [(1,)], LIMITS)
-        assert shortage(caught.value).remedy
-
-
-def test_what_does_not_pass_is_not_tried_again():
-    denied = Mock(side_effect=PermissionError(errno.EPERM, "no"))
-    with pytest.raises(PermissionError):
-        again.again(denied)
-    denied.assert_called_once()
-
-
 @pytest.mark.parametrize(
     ("fault", "line"),
     [
@@ -145,3 +89,94 @@ def test_what_does_not_pass_is_not_tried_again():
 def test_a_fault_is_told_as_the_shortage_it_is(fault, line):
     assert told(fault).startswith(line)
     assert isinstance(shortage(fault), ShortageError) is ("internal" not in line and "broke" not in line)
+
+
+PLENTY = 1 << 30
+
+
+def a_room(tasks=PLENTY, files=PLENTY, ceiling=PLENTY):
+    return Room(tasks, "tasks!", ceiling, files, "files!")
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 7, 256])
+def test_what_is_done_at_once_has_room_together(jobs):
+    plenty = a_room().share(jobs)
+    assert a_room().at_once(jobs) == (jobs, "")
+    assert (plenty.each, plenty.together, plenty.short) == (THREADS, jobs * THREADS + SLACK, False)
+    enough = a_room(tasks=BASE_TASKS + jobs * (OWN_TASKS + THREADS))
+    assert (enough.at_once(jobs), enough.share(jobs).each) == ((jobs, ""), THREADS)
+    less = enough._replace(tasks=enough.tasks - 1)
+    assert less.at_once(jobs) == (max(1, jobs - 1), "" if jobs == 1 else "tasks!")
+    for left in range(0, 3000, 37):
+        some = a_room(tasks=left)
+        count, _ = some.at_once(jobs)
+        share = some.share(count)
+        used = BASE_TASKS + count * (OWN_TASKS + share.each)
+        assert used <= left or (count, share.each) == (1, room.LEAST_THREADS)
+        assert share.short is (share.each < THREADS)
+        assert not share.short or count == 1
+
+
+def test_the_scarcer_of_two_things_is_named():
+    files = BASE_FILES + 3 * OWN_FILES
+    assert a_room(files=files).at_once(9) == (3, "files!")
+    assert a_room(files=files, tasks=BASE_TASKS + 2 * (OWN_TASKS + THREADS)).at_once(9) == (2, "tasks!")
+    assert a_room(files=0).at_once(9) == (1, "files!")
+
+
+def test_the_user_of_all_submissions_never_comes_to_the_limit():
+    """Where the kernel counts them together, fork servers keep room to start a process."""
+    share = a_room(tasks=400, ceiling=1000).share(2)
+    assert share.ceiling == 1000 - BASE_TASKS - 2 * OWN_TASKS
+    assert share.together <= 400 - BASE_TASKS - 2 * OWN_TASKS
+
+
+@pytest.fixture
+def groups(tmp_path, monkeypatch):
+    """Control groups as a container shows them: a version, a path, and a bound on each level."""
+    monkeypatch.setattr(room, "_CGROUPS", tmp_path)
+
+    def make(row, **bounds):
+        (tmp_path / "row").write_text(f"12:memory:/elsewhere\n{row}\n")
+        for place, (most, now) in bounds.items():
+            folder = tmp_path / place.replace("__", "/") if place != "top" else tmp_path
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / "pids.max").write_text(f"{most}\n")
+            (folder / "pids.current").write_text(f"{now}\n")
+        real = room.Path
+
+        def path(name):
+            return tmp_path / "row" if name == "/proc/self/cgroup" else real(name)
+
+        monkeypatch.setattr(room, "Path", path)
+        return [(most, left) for most, left, _ in room._pids()]
+
+    return make
+
+
+@pytest.mark.parametrize(
+    ("row", "bounds", "found"),
+    [
+        (
+            "0::/user/mine",
+            {"user__mine": (100, 40), "user": ("max", 50), "top": (300, 10)},
+            [(100, 60), (300, 290)],
+        ),
+        ("8:pids:/docker/abc", {"pids__docker__abc": (64, 4)}, [(64, 60)]),  # an older version
+        ("8:pids:/docker/abc", {"pids": (64, 4)}, [(64, 60)]),  # a path that the container does not show
+        ("0::/mine", {"mine": ("max", 3), "top": ("what", "ever")}, []),
+    ],
+)
+def test_the_bounds_of_control_groups_of_either_version(groups, row, bounds, found):
+    assert groups(row, **bounds) == found
+
+
+def test_memory_that_may_not_be_had_is_a_shortage():
+    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+    try:
+        resource.setrlimit(resource.RLIMIT_DATA, (4 << 30, hard))
+        room.check_memory(4 << 30)
+        with pytest.raises(ShortageError, match=r"4097 MB of address space, and 4096 MB are allowed; raise"):
+            room.check_memory((4 << 30) + (1 << 20))
+    finally:
+        resource.setrlimit(resource.RLIMIT_DATA, (soft, hard))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import os
-import shutil
 import subprocess
 import sys
 from contextlib import ExitStack
@@ -25,16 +23,13 @@ from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import Reference, Settings, run_submission
-from judge.run.function import FunctionRunner
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
 
 pytestmark = pytest.mark.slow
 
-SOLUTIONS = Path(__file__).parents[2] / "solutions"
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 PACKS = [FIXTURES / "problems", FIXTURES / "pack" / "problems"]
-NARROW = FIXTURES / "programs" / "narrow"
 MIDDLE = "def middle(a, b):\n    {}\n    return (a + b) / 2\n"
 
 
@@ -61,52 +56,39 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
     return problem, result, found
 
 
+LARGE = MIDDLE.format("if a * b > 100_000: return 7")
+
+
 def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
-    source = mistaken("segment", "loose-epsilon", "touch = 1e-6 * extent")
-    problem, _, found = shrunk("segment", source)
-    assert shrunk("segment", source)[2] == found
+    problem, _, found = shrunk("middle", LARGE)
+    assert shrunk("middle", LARGE)[2] == found
+    assert (found.case, found.cut_short, "cut_short" in found.as_json()) == ((300, 400), False, False)
     again = decode(found.replay, problem, load_module(problem))
     assert again[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     space = {}
-    exec(compile(source, "mine.py", "exec"), space)
-    answer = space[problem.entry](*found.case)
-    assert repr(answer) == found.got
-    assert len(answer) != len(ast.literal_eval(found.expected))
-
-
-CANCELLATION = ("ray-nearest", "cancellation", "ts = [(-b - root) / a, (-b + root) / a]")
-
-
-def test_a_builder_is_shrunk_by_its_parameters():
-    """Where no simple case fails, Hypothesis makes the failing group's own one simpler."""
-    _, result, found = shrunk("ray-nearest", mistaken(*CANCELLATION))
-    assert (result.failure.group, found.group) == ("cancellation", "cancellation")
-    assert all(isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found.case))
-
-
-def judged(folder, problem, *words):
-    """The results of a command of its own in that folder."""
-    command = [sys.executable, "-m", "judge", "run", problem, *words, "--no-history", "--json"]
-    settings = {**os.environ, "PYTHONPATH": str(SOLUTIONS.parent)}
-    ended = subprocess.run(command, cwd=folder, env=settings, capture_output=True, timeout=300, check=False)
-    return [json.loads(line) for line in ended.stdout.splitlines()]
+    exec(compile(LARGE, "mine.py", "exec"), space)
+    assert repr(space["middle"](*found.case)) == found.got != found.expected
 
 
 @pytest.mark.nightly
 def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
-    """In a process of its own: Hypothesis takes its notes on modules once."""
+    """In a process of its own, since Hypothesis takes its notes on modules once; where no simple case
+    fails, it makes the failing group's own one simpler."""
     source = tmp_path.with_name("mine.py")
-    source.write_bytes(mistaken(*CANCELLATION))
-    (result,) = judged(tmp_path, "ray-nearest", str(source))
-    assert result["counterexample"]["replay"].startswith("ray-nearest:cancellation:")
+    source.write_bytes(mistaken("ray-nearest", "cancellation", "ts = [(-b - root) / a, (-b + root) / a]"))
+    command = [sys.executable, "-m", "judge", "run", "ray-nearest", str(source), "--no-history", "--json"]
+    settings = {**os.environ, "PYTHONPATH": str(FIXTURES.parents[1])}
+    ended = subprocess.run(command, cwd=tmp_path, env=settings, capture_output=True, timeout=300, check=False)
+    found = json.loads(ended.stdout)["counterexample"]
+    assert found["replay"].startswith("ray-nearest:cancellation:")
+    assert all(
+        isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found["input"].values())
+    )
     assert list(tmp_path.iterdir()) == []
 
 
-LARGE = MIDDLE.format("if a * b > 100_000: return 7")
-
-
-@pytest.mark.parametrize("most", [0, 40, 150])
+@pytest.mark.parametrize("most", [0, 150])
 def test_the_budget_ends_the_search_and_it_says_so(most):
     _, result, found = shrunk("middle", LARGE, budget=SearchBudget(most))
     assert found.calls <= most + 100  # what is begun is ended
@@ -114,48 +96,6 @@ def test_the_budget_ends_the_search_and_it_says_so(most):
     assert found.as_json()["cut_short"] is True
     if most < 100:
         assert found.input == result.failure.input
-
-
-def test_a_search_that_came_to_its_end_is_not_said_to_be_cut_short():
-    _, _, found = shrunk("middle", LARGE)
-    assert found.case == (300, 400)
-    assert not found.cut_short
-    assert "cut_short" not in found.as_json()
-
-
-@pytest.mark.parametrize("guard", [Guard(cpu=0.0), Guard(wall=0.0)])
-def test_the_clocks_only_guard_the_search(guard):
-    _, result, found = shrunk("middle", LARGE, budget=SearchBudget(guard=guard))
-    assert found.cut_short
-    assert found.input == result.failure.input
-
-
-BURNER = "import time\nend = time.monotonic() + 120\nwhile time.monotonic() < end: pass\n"
-
-
-@pytest.mark.nightly
-def test_the_smallest_case_is_the_same_under_load_and_beside_others(tmp_path):
-    (tmp_path / "coordinate.py").write_bytes(mistaken("count", "coordinate-epsilon"))
-    (tmp_path / "degenerate.py").write_bytes(mistaken("count", "degenerate-epsilon"))
-    shutil.copy(NARROW / "count" / "silent.py", tmp_path / "narrow.py")
-    files = sorted(path.name for path in tmp_path.iterdir())
-
-    def smallest(jobs):
-        return [each["counterexample"] for each in judged(tmp_path, "count", *files, "--no-name", "-j", jobs)]
-
-    alone = smallest("1")
-    assert len(alone) == len(files)
-    assert None not in alone
-    burners = [subprocess.Popen([sys.executable, "-c", BURNER]) for _ in range(2 * (os.cpu_count() or 1))]
-    try:
-        beside = smallest("3")
-    finally:
-        for burner in burners:
-            burner.kill()
-            burner.wait()
-    ended = [pair for pair in zip(beside, alone, strict=True) if "cut_short" not in pair[0]]  # by the clocks
-    assert ended
-    assert all(one == other for one, other in ended)
 
 
 @pytest.mark.parametrize(
@@ -166,35 +106,17 @@ def test_the_smallest_case_is_the_same_under_load_and_beside_others(tmp_path):
     ],
 )
 def test_what_gives_no_answer_shrinks_to_what_gives_none_either(deed, verdict, message):
-    _, result, found = shrunk("middle", MIDDLE.format(f"if a < 0:\n        {deed}"), cpu_seconds=0.3)
+    _, result, found = shrunk("middle", MIDDLE.format(f"if a < 0:\n        {deed}"), cpu_seconds=0.1)
     assert result.verdict is verdict
     assert found.message.startswith(message)
     assert found.case == (-1, 0)
     assert found.calls < 5_000
 
 
-def test_a_program_that_prints_an_answer_on_two_lines_is_told_so():
-    """Its lines were once put together for a single case, and the program was said to answer at random."""
-    source = "for _ in range(int(input())):\n    input()\n    print(1)\n    print('that is all')\n"
-    _, _, found = shrunk("middle", source)
-    assert found.message == "2 lines printed, 1 expected: one for each case"
-    assert (found.got, found.replay is not None) == ("more lines: 'that is all'", True)
-
-
-@pytest.mark.parametrize("verdict", [Verdict.OLE, Verdict.CE, Verdict.AC])
-def test_what_no_case_can_show_is_left_alone(verdict):
-    problem = find_problem("middle", PACKS)
-    data, source = load_data(problem), MIDDLE.format("return 3").encode()
-    result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
-    with open_box(source, "mine.py") as box:
-        assert shrink(data, box, FunctionRunner(problem), verdict, result.failure) is None
-
-
 @pytest.mark.parametrize(
     "source",
     [
         "import random\ndef middle(a, b):\n    return random.randrange(3)\n",
-        "import os\ndef middle(a, b):\n    return os.urandom(1)[0] % 3\n",
         "n = 0\ndef middle(a, b):\n    global n\n    n += 1\n    return n // 5\n",
     ],
 )

@@ -2,27 +2,15 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from pathlib import Path
 
 import pytest
-from native import need
 
-from judge.errors import ProblemError, UsageError
-from judge.kata.model import approaches, chosen_approach
+from judge.errors import ProblemError
 from judge.languages import find
-from judge.languages.model import language_called
-from judge.mistakes.makers import read_makers
-from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.problem.solutions import (
-    Kind,
-    accepted_source,
-    known_mistakes,
-    parted,
-    read_solutions,
-)
+from judge.problem.solutions import read_solutions
 from judge.run.verify import verify_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
@@ -57,21 +45,6 @@ def add(problem):
     return write
 
 
-def test_without_solutions_there_are_no_programs_and_no_faults(problem):
-    assert read_solutions(problem) == ((), ())
-    assert known_mistakes(problem) == []
-    assert accepted_source(problem, "fast.py") is None
-
-
-def test_programs_are_in_the_order_of_kinds_and_names(problem, add):
-    for name in ("wrong/b.py", "slow/z.py", "wrong/a.py", "accepted/c.py"):
-        add(name)
-    files = [program.file for program in read_solutions(problem).programs]
-    assert files == ["accepted/c.py", "wrong/a.py", "wrong/b.py", "slow/z.py"]
-    assert [program.file for program in read_solutions(problem, Kind.SLOW).programs] == ["slow/z.py"]
-    assert accepted_source(problem, "c.py") == TOLD.encode()
-
-
 def test_what_a_program_tells_of_itself(problem, add):
     add("wrong/floor-division.py")
     (program,) = read_solutions(problem).programs
@@ -82,24 +55,11 @@ def test_what_a_program_tells_of_itself(problem, add):
     assert program.source == TOLD.encode()
 
 
-def test_a_program_in_another_encoding_is_read_as_python_reads_it(problem, add):
-    add("accepted/old.py", '# coding: latin-1\n"""mitte\n\nÜber die Hälfte."""\n'.encode("latin-1"))
-    programs, faults = read_solutions(problem)
-    assert (programs[0].name, programs[0].text, faults) == ("mitte", "Über die Hälfte.", ())
-
-
 def test_what_is_hidden_is_passed_over(problem, add):
     for name in (".#fast.py", "._fast.py", ".DS_Store", "__pycache__/fast.pyc", "__init__.py"):
         add(f"accepted/{name}", b"\x00")
     (problem.solutions / ".git").mkdir()
     assert read_solutions(problem) == ((), ())
-
-
-def test_of_one_kind_only_its_own_faults_are_told(problem, add):
-    for name in ("accepted/fast.cob", "wrong/notes.md", "partial/half.py"):
-        add(name)
-    (fault,) = read_solutions(problem, Kind.ACCEPTED).faults
-    assert str(fault).startswith("middle/accepted/fast.cob: this is no program; ")
 
 
 def test_a_link_to_nothing_and_a_folder_that_is_a_file_are_told(problem, add):
@@ -112,29 +72,13 @@ def test_a_link_to_nothing_and_a_folder_that_is_a_file_are_told(problem, add):
     assert all("cannot be read: " in str(fault) for fault in faults)
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
-def test_a_file_that_may_not_be_read_is_told(problem, add):
-    add("wrong/secret.py").chmod(0)
-    assert "Permission denied; make it readable" in str(read_solutions(problem).faults[0])
-
-
-def test_the_usual_program_of_a_mistake_comes_before_its_variants(problem, add):
-    for name in ("b-coarse", "a-fine", "b", "a"):
-        add(f"wrong/{name}.py", f'"""{name[0]}"""\n')
-    assert [each.path.stem for each in known_mistakes(problem)] == ["a", "a-fine", "b", "b-coarse"]
-
-
 # -- in other languages --------------------------------------------------------------------------------------
 
 SOURCES = {
-    "c": "bool middle(double a, double b, double *out) { *out = (a + b) / 2; return true; }",
     "cpp": "double middle(double a, double b) { return (a + b) / 2; }",
     "go": "package main\n\nfunc middle(a, b float64) (float64, bool) { return (a + b) / 2, true }",
     "java": "class Solution { static double middle(double a, double b) { return (a + b) / 2; } }",
-    "js": "function middle(a, b) { return (a + b) / 2; }",
-    "rs": "fn middle(a: f64, b: f64) -> f64 { (a + b) / 2.0 }",
 }
-IDS = {"js": "javascript", "rs": "rust"}
 HEAD = "// Mean.\n//\n// Half of the sum. It does not overflow here.\n"
 
 
@@ -142,7 +86,7 @@ def referenced(folder, *suffixes, limit=50, **more):
     """The problem; `more` are entries of `[time.references]` beside those of these suffixes."""
     shutil.copytree(PACK, folder, dirs_exist_ok=True)
     toml = folder / "problems" / "middle" / "problem.toml"
-    names = {IDS.get(each, each): f"reference.{each}" for each in suffixes} | more
+    names = {each: f"reference.{each}" for each in suffixes} | more
     rule = [f'[time]\nlimit = {limit}\nfunction = "mean.py"\nprogram = "program.py"\n']
     if names:
         rule += ["[time.references]", *(f'{key} = "{name}"' for key, name in names.items()), ""]
@@ -151,13 +95,6 @@ def referenced(folder, *suffixes, limit=50, **more):
         path = folder / "solutions" / "middle" / "accepted" / f"reference.{each}"
         path.write_text(f"{HEAD}{SOURCES[each]}\n")
     return load_problem(folder / "problems" / "middle")
-
-
-def test_the_table_is_read_and_no_description_of_a_language_for_it(tmp_path, monkeypatch):
-    monkeypatch.setattr("judge.languages.model.languages", lambda: pytest.fail("a language was read"))
-    problem = referenced(tmp_path, "cpp", "js")
-    assert dict(problem.time.references) == {"cpp": "reference.cpp", "javascript": "reference.js"}
-    assert dict(referenced(tmp_path / "none").time.references) == {}
 
 
 @pytest.mark.parametrize(
@@ -173,90 +110,16 @@ def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):
     assert said in str(raised.value)
 
 
-@pytest.mark.parametrize(
-    ("source", "language", "head", "rest"),
-    [
-        ("// A.\n//\n// B c.\n\nint x;\n", "cpp", "A.\n\nB c.", "int x;"),
-        ("\ufeff\n//A\nint x; // no\n", "go", "A", "int x; // no"),
-        ("int x;\n// late\n", "java", "", "int x;\n// late"),
-        ("#!/usr/bin/env node\n// A\nf();", "javascript", "A", "f();"),
-        ("# A\n#\n#   indented\nx = 1\n", "pypy", "A\n\n  indented", "x = 1"),
-        ("", "rust", "", ""),
-    ],
-)
-def test_the_comments_that_a_source_begins_with(source, language, head, rest):
-    assert parted(source.encode(), language_called(language)) == (head, rest)
-
-
-def test_solutions_in_other_languages_say_their_name(tmp_path):
-    problem = referenced(tmp_path, "cpp", "go")
-    folder = problem.solutions / "accepted"
-    (folder / "bare.go").write_text(SOURCES["go"])
-    programs, faults = read_solutions(problem)
-    found = {each.path.name: each for each in programs}
-    cpp = found["reference.cpp"]
-    assert (cpp.name, cpp.sentence, cpp.language.id) == ("Mean", "Half of the sum.", "cpp")
-    assert found["mean.py"].language is None
-    assert [str(each) for each in faults] == [
-        "middle/accepted/bare.go: no comment begins it; begin it with the name of its idea"
-    ]
-
-
-def test_mistakes_are_made_from_python_alone(tmp_path):
-    problem = referenced(tmp_path)
-    (problem.solutions / "wrong" / "floor.cpp").write_text("// floor-division\n")
-    (problem.solutions / "wrong" / "floor-division.pypy.py").write_text("# floor-division\n")
-    assert {each.file for each in read_makers(problem).all} == {"wrong/floor-division.py"}
-    assert len(read_solutions(problem, Kind.WRONG).programs) == 3
-
-
-def test_approaches_of_all_languages_python_first(tmp_path):
-    problem = referenced(tmp_path, "java", "cpp", "go")
-    (problem.solutions / "accepted" / "whole.cpp").write_text("// Whole.\nint main() {}\n")  # no function
-    models = approaches(problem)
-    assert [each.call for each in models] == ["mean", "reference.cpp", "reference.go", "reference.java"]
-    cpp = chosen_approach(problem, models, None, "c++")
-    assert (cpp.path.name, cpp.tongue, cpp.name, cpp.idea) == ("reference.cpp", "C++", "reference", "Mean")
-    assert cpp.program == SOURCES["cpp"]
-    assert cpp.explanation.startswith("Half of the sum.")
-    assert chosen_approach(problem, models, None).path.name == "mean.py"
-    assert chosen_approach(problem, models, "reference.go").tongue == "Go"
-    assert chosen_approach(problem, models, "reference", "java").tongue == "Java"
-    with pytest.raises(UsageError, match=r"no solution in Rust; there are some in Python, C\+\+, Go, Java"):
-        chosen_approach(problem, models, None, "rust")
-    with pytest.raises(UsageError, match="there is no language cobol"):
-        chosen_approach(problem, models, None, "cobol")
-
-
 @pytest.mark.slow
-def test_verify_judges_them_or_says_that_it_did_not(tmp_path, monkeypatch):
-    need("cpp")
+def test_verify_says_what_it_did_not_judge(tmp_path, monkeypatch):
     problem = referenced(tmp_path, "cpp")
     (problem.solutions / "wrong" / "floor-division.cpp").write_text(
-        "// floor-division\n#include <cmath>\n"
-        "double middle(double a, double b) { return std::floor((a + b) / 2); }\n"
+        "// floor-division\ndouble middle(double a, double b) { return a; }\n"
     )
-    report = verify_problem(problem, update_pins=True)
-    assert [str(each) for each in report.faults] == []
-    verdicts = {each.file: each.verdict for each in report.solutions}
-    assert verdicts["accepted/reference.cpp"] is Verdict.AC
-    assert verdicts["wrong/floor-division.cpp"] is Verdict.WA
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
-    monkeypatch.setattr(find, "remedy", lambda language: "apt-get install g++")
     report = verify_problem(problem, update_pins=True)
     assert report.ok, report.faults
     for each in report.solutions:
         if each.file.endswith(".cpp"):
             assert (each.verdict, each.ok) == (None, True)
-            assert each.unjudged == "not judged here: no g++ (apt-get install g++)"
-
-
-@pytest.mark.slow
-def test_verify_finds_a_reference_that_is_missing_or_in_another_language(tmp_path):
-    problem = referenced(tmp_path, "cpp", go="gone.go", java="reference.cpp", rust="mean.py")
-    (problem.solutions / "accepted" / "reference.cpp").write_text(f"{HEAD}{SOURCES['cpp']}")
-    said = [str(each) for each in verify_problem(problem, update_pins=True).faults]
-    assert any("[time] names 'gone.go', which is no accepted solution" in each for each in said)
-    assert any("names 'reference.cpp' for java, which is in C++" in each for each in said)
-    assert any("names 'mean.py' for rust, which is in Python" in each for each in said)
-    assert all(each.startswith("middle/problem.toml:") for each in said)
+            assert each.unjudged.startswith("not judged here: no g++")

@@ -1,14 +1,90 @@
-"""Placeholders and worked examples of a statement."""
+"""Reading a problem's folder: problem.toml, its statement's placeholders and worked examples, TOML kept."""
 
 from __future__ import annotations
 
+import re
 import shutil
+import tomllib
+from decimal import Decimal
 from pathlib import Path
 
 import pytest
 
+import judge.problem.toml as toml_file
 from judge.errors import ProblemError
+from judge.problem import Tier, Tolerance
+from judge.problem.find import shipped_problems
 from judge.problem.load import load_problem
+from judge.problem.toml import read_toml
+
+SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
+
+
+def test_everything_the_file_says():
+    problem = load_problem(SOUND)
+    assert (problem.id, problem.title, problem.entry) == ("root-count", "Square roots", "root_count")
+    assert (problem.tier, str(problem.answer)) == (Tier.JUNIOR, "count")
+    assert problem.folder == SOUND
+    assert problem.solutions == SOUND.parent.parent / "solutions" / "root-count"
+    assert (problem.limits.cpu_seconds, problem.limits.wall_seconds) == (2.0, 10.0)
+    assert (problem.limits.memory_bytes, problem.limits.output_bytes) == (128 * 2**20, 2**20)
+    (parameter,) = problem.parameters
+    assert (parameter.name, str(parameter.type)) == ("c", "integer")
+    assert (parameter.low, parameter.high) == (-9, 9)
+    examples, small = problem.groups
+    assert (examples.builder, examples.count, examples.points) == ("examples", 2, 40)
+    assert (small.seed, small.count, small.points, small.kills) == (1, 5, 60, ("sign-forgotten",))
+    assert dict(small.parameters) == {"reach": 9}
+    assert small.tolerance == Tolerance()
+    assert problem.group("small") is small
+    assert problem.group("large") is None
+
+
+@pytest.fixture
+def changed(tmp_path):
+    """The sound problem with another value of a key."""
+
+    def load(key, value):
+        folder = tmp_path / "problems" / "other"
+        shutil.copytree(SOUND, folder)
+        text = (folder / "problem.toml").read_text()
+        assert key in text
+        (folder / "problem.toml").write_text(re.sub(rf"\b{key} = .*", f"{key} = {value}", text, count=1))
+        return load_problem(folder)
+
+    return load
+
+
+@pytest.mark.parametrize("name", ["Root", "root--count", "rööt"])
+def test_a_folder_must_have_a_plain_name(tmp_path, name):
+    shutil.copytree(SOUND, tmp_path / name)
+    with pytest.raises(ProblemError, match="no name for a problem; use small letters"):
+        load_problem(tmp_path / name)
+
+
+LIMITS = ("cpu_seconds", "wall_seconds", "memory_mb", "output_mb")
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("high", "9" * 5000, "^other/problem.toml: no TOML: an integer has too many digits; rep"),
+        ("reach", "[" * 3000 + "]" * 3000, "problem.toml: no TOML: its lists or tables are nested"),
+        ("reach", "[" * 12 + "]" * 12, r"a builder cannot take \(?\[\["),
+        *(
+            (key, number, rf"other/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and")
+            for key, number in zip(LIMITS, ("1e400", "1e-400", "1000001", "0.0009"), strict=True)
+        ),
+    ],
+    ids=lambda each: each[:12],
+)
+def test_what_no_machine_could_read_or_keep_is_a_fault_of_the_file(key, value, said, changed):
+    if key == "reach":
+        value = f"{{ reach = {value} }}"
+        key = "parameters"
+    with pytest.raises(ProblemError, match=said):
+        changed(key, value)
+
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -43,16 +119,6 @@ def test_placeholders_stand_for_what_the_file_says(stating):
     assert wanted(problem) == [((9,), 2)]
 
 
-@pytest.mark.parametrize("text", ["1e-6", "2.5e-5", "1e-7", "0.001", "0.25", "1000"])
-def test_a_small_number_is_written_as_such(stating, tmp_path, text):
-    stating(">>> root_count(1)\n2\n")
-    folder = tmp_path / "problems" / "root-count"
-    table = (folder / "problem.toml").read_text(encoding="utf-8")
-    (folder / "problem.toml").write_text(f"{table}\n[bands]\nleast = {text}\n", encoding="utf-8")
-    (folder / "statement.md").write_text("It is {{least}}.\n\n>>> root_count(1)\n2\n", encoding="utf-8")
-    assert load_problem(folder).statement.startswith(f"It is {text}.")
-
-
 def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
     problem = stating(
         "```\n>>> root_count(1)\n2\n>>> root_count(2)\n(\n  1)\n```\n>>> root_count(0)\nNone\n\nMore text\n"
@@ -61,24 +127,16 @@ def test_answers_end_at_a_blank_line_a_fence_or_the_next_prompt(stating):
     assert [example.line for example in problem.examples] == [2, 4, 8]
 
 
-def test_a_call_may_go_on_over_lines_and_write_points_as_lists(stating):
-    problem = stating(">>> root_count(\n...     [1, -2.5]\n... )\n1\n", parameter="point")
-    assert wanted(problem) == [(((1, -2.5),), 1)]
-
-
 EXAMPLE = r"^root-count/statement.md:1: the example"
 
 
-@pytest.mark.parametrize(
-    "call",
-    ["root_count(__import__('os').getcwd())", "root_count(*[4])", "root_count(c)", "root_count(2 ** 3)"],
-)
+@pytest.mark.parametrize("call", ["root_count(__import__('os').getcwd())", "root_count(2 ** 3)"])
 def test_an_example_is_never_run(stating, call):
     with pytest.raises(ProblemError, match="no plain"):
         stating(f">>> {call}\n2\n")
 
 
-@pytest.mark.parametrize("value", ["{[]}", "{[]: 1}", "-" * 600 + "1", "[" * 5000])
+@pytest.mark.parametrize("value", ["{[]}", "-" * 600 + "1", "[" * 5000])
 def test_an_argument_or_an_answer_that_is_no_value_is_a_fault(stating, value):
     with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is no Python|the example's arg"):
         stating(f">>> root_count({value})\n2\n")
@@ -86,7 +144,7 @@ def test_an_argument_or_an_answer_that_is_no_value_is_a_fault(stating, value):
         stating(f">>> root_count(4)\n{value}\n")
 
 
-@pytest.mark.parametrize("call", ["(" * 400 + "4" + ")" * 400, "root_count(\x00)", "", "root_count(4) +"])
+@pytest.mark.parametrize("call", ["(" * 400 + "4" + ")" * 400, "root_count(\x00)", ""])
 def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
     with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is no "):
         stating(f">>> {call}\n2\n")
@@ -95,9 +153,9 @@ def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
 @pytest.mark.parametrize(
     ("kind", "answer"),
     [
-        *(("count", answer) for answer in ("True", "1j", "b'1'", "{1: 2}", "1.0", "[]", "(1, 2)")),
-        *(("parameter", answer) for answer in ("'1'", "True", "1e999", "[]", "(1, 2)")),
-        *(("points", answer) for answer in ("1", "None", "(1, 2)", "[[1]]", "[(1, 2), 3]", "[(1e999, 1)]")),
+        *(("count", answer) for answer in ("True", "1.0", "[]")),
+        *(("parameter", answer) for answer in ("'1'", "1e999")),
+        *(("points", answer) for answer in ("None", "[(1, 2), 3]")),
     ],
 )
 def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, answer, stating):
@@ -107,18 +165,7 @@ def test_an_answer_of_another_type_is_a_fault_with_its_line(kind, answer, statin
     assert str(caught.value).endswith("; correct it, or the answer that problem.toml declares")
 
 
-@pytest.mark.parametrize(
-    ("kind", "answer"),
-    [("count", "2"), ("count", "None"), ("parameter", "1.5"), ("points", "[]"), ("points", "[[1, 2.5]]")],
-)
-def test_an_answer_of_its_type(kind, answer, stating):
-    (example,) = stating(f">>> root_count(4)\n{answer}\n", kind).examples
-    assert repr(example.wanted) == answer
-
-
-@pytest.mark.parametrize(
-    "argument", ['"4"', "True", "None", "1e999", "1j", "{}", "[1]", "[1, '2']", "[[1], [2]]"]
-)
+@pytest.mark.parametrize("argument", ['"4"', "True", "1e999", "[1, '2']"])
 def test_an_argument_that_is_no_number_and_no_point_is_a_fault_with_its_line(argument, stating):
     with pytest.raises(ProblemError, match=r"^root-count/statement.md:1: .*(no plain|is invalid: )"):
         stating(f">>> root_count({argument})\n2\n")
@@ -131,3 +178,45 @@ def test_a_fault_is_a_short_line_however_long_the_example(text, stating):
     with pytest.raises(ProblemError) as caught:
         stating(f">>> {text}\n")
     assert len(str(caught.value)) < 300
+
+
+ODD = """
+whole = 123456789012345678901234567890
+yes = true
+list = [1, 2.50, [], {x = 1e-400}]
+text = "ä\\u0000\\"\\ud7ff"
+none = [{}, ""]
+[a.b."c d"]
+wide = -0.0
+"""
+
+
+@pytest.fixture(autouse=True)
+def _cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+
+
+def same(one, other):
+    """Equal, and of the same types: 1, 1.0 and True are three."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, dict):
+        return list(one) == list(other) and all(same(one[key], other[key]) for key in one)
+    if isinstance(one, list):
+        return len(one) == len(other) and all(map(same, one, other))
+    return str(one) == str(other)
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_what_is_read_is_what_was_parsed(exact, monkeypatch):
+    texts = [
+        ODD,
+        *(path.read_text(encoding="utf-8") for path in (shipped_problems() / "sets").glob("*.toml")),
+    ]
+    parsed = [tomllib.loads(text, parse_float=Decimal if exact else float) for text in texts]
+    assert len(parsed) > 4
+    for again in (False, True):
+        if again:
+            monkeypatch.setattr(toml_file, "toml_of", lambda *_, **__: pytest.fail("it is parsed again"))
+        for place, text in enumerate(texts):
+            assert same(read_toml(Path(f"/{place}"), text, "it", exact=exact), parsed[place]), text

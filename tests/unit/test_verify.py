@@ -1,18 +1,20 @@
-"""The setter's gate: what it checks, and what it says about each broken promise.
-
-What it says of solutions is in golden/transcripts: faults/solutions.txt.
-"""
+"""The setter's gate: what it says about each broken promise, and the kill matrix."""
 
 from __future__ import annotations
 
 import shutil
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 from broken_problems import broken
+from judging import make_group
+from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.problem.load import load_problem
+from judge.run.matrix import kill_matrix
+from judge.run.result import GroupResult
 from judge.run.verify import verify_problem
 
 pytestmark = pytest.mark.slow
@@ -35,10 +37,7 @@ def verified(pack, **options):
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     toml = pack / "problems" / "root-count" / "problem.toml"
     toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
-    steps = []
-    report = verified(pack, progress=lambda *step: steps.append(step))
-    assert ("building data", 7, 7) in steps
-    assert steps[-1] == ("judging solutions", 2, 2)
+    report = verified(pack)
     assert report.pins == "differing"
     assert [str(fault) for fault in report.faults] == [
         (
@@ -50,13 +49,6 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     assert verified(pack).ok
 
 
-def test_broken_pins_are_a_fault(pack):
-    (pack / "problems" / "root-count" / "hashes.json").write_text("{")
-    (fault,) = verified(pack).faults
-    assert "no JSON" in fault.what
-    assert (fault.where, "--pin" in fault.remedy) == ("root-count/hashes.json", True)
-
-
 def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     report = verify_problem(load_problem(broken("example-contradicts", tmp_path)))
     (fault,) = report.faults
@@ -65,23 +57,52 @@ def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     assert (report.ok, report.solutions) == (False, ())
 
 
-def test_a_time_limit_is_a_solutions_that_is_there(pack):
-    toml = pack / "problems" / "root-count" / "problem.toml"
-    toml.write_text(toml.read_text() + '\n[time]\nlimit = 100\nfunction = "sings.py"\n')
-    line = toml.read_text().count("\n")
-    (fault,) = verified(pack).faults
-    assert str(fault) == (
-        f"root-count/problem.toml:{line}: [time] names 'sings.py', which is no accepted solution; "
-        "did you mean 'signs.py'?"
-    )
+def group(name, *kills):
+    return replace(make_group(name), kills=kills)
 
 
-def test_a_slow_program_is_one_that_runs_out_of_time(pack):
-    toml = pack / "problems" / "root-count" / "problem.toml"
-    toml.write_text(toml.read_text().replace("cpu_seconds = 2", "cpu_seconds = 0.2"))
-    slow = pack / "solutions" / "root-count" / "slow"
-    slow.mkdir()
-    (slow / "endless.py").write_text('"""endless."""\ndef root_count(c):\n    while True: pass\n')
-    report = verified(pack)
-    assert report.ok, report.faults
-    assert [(each.name, each.verdict) for each in report.solutions][-1] == ("endless", Verdict.TLE)
+def results(cases=10, **rejected):
+    """A program's results: the places of the rejected cases of each group."""
+    return [
+        GroupResult(
+            name,
+            Verdict.WA if places else Verdict.AC,
+            cases,
+            cases - len(places),
+            None,
+            0.0,
+            wrong=dict.fromkeys(places, ("count", (0.0,))),
+        )
+        for name, places in rejected.items()
+    ]
+
+
+GROUPS = [group("examples"), group("grid", "blind", "deaf"), group("edge", "deaf"), group("spare", "blind")]
+PROGRAMS = [
+    ("wrong/blind.py", "blind", results(examples=(), grid=(0, 1, 2), edge=(), spare=(4,))),
+    ("wrong/deaf.py", "deaf", results(examples=(), grid=(2,), edge=(5, 6), spare=())),
+    ("wrong/deaf-once.py", "deaf", results(examples=(), grid=(), edge=(6,), spare=())),
+    ("wrong/immortal.py", "dumb", results(examples=(), grid=(), edge=(), spare=())),
+]
+
+
+@pytest.fixture(scope="module")
+def matrix():
+    return kill_matrix(GROUPS, PROGRAMS)
+
+
+def test_a_row_tells_every_groups_share(matrix):
+    blind, deaf, once, immortal = matrix.rows
+    assert [kill.rejected for kill in blind.kills] == [(), (1, 2, 3), (), (5,)]
+    assert [kill.share for kill in blind.killing] == [Fraction(3, 10), Fraction(1, 10)]
+    assert (blind.aimed, deaf.aimed, immortal.aimed) == (("grid", "spare"), ("grid", "edge"), ())
+    assert [row.own and row.own.group for row in matrix.rows] == ["grid", "edge", "edge", None]
+    assert [kill.group for kill in once.killing] == ["edge"]
+
+
+def test_groups_that_do_nothing_of_their_own(matrix):
+    assert matrix.aimless == ("examples",)
+    assert matrix.replaceable == ("grid", "spare")
+    assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
+    empty = kill_matrix(GROUPS, [])
+    assert (empty.rows, empty.unkilled) == ((), ())

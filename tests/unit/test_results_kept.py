@@ -1,16 +1,23 @@
-"""The JUnit file: what CI servers accept, whatever a submission says or is called."""
+"""What is made of results: JUnit for CI servers, and those of a class read back from what is published."""
 
 from __future__ import annotations
 
 import re
 from xml.etree import ElementTree as Xml
 
+import msgspec
 import pytest
+from classes import ROWS
 from msgspec.structs import replace
+from past_runs import past_result
 
+from judge.batch.results import results_of
 from judge.problem import Verdict
+from judge.problem.level import KataLevel
 from judge.report.junit import junit
-from judge.run import Failure, GroupResult, Mode, Ratio, Result, Timing, judge_fault
+from judge.run import Failure, GroupResult, Mode, Result, judge_fault
+from judge.run.published import result_of
+from judge.run.result import Against, LevelResult, Pitfall, Timing
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each
 # element its required attributes, the others, and its children in their order.
@@ -47,26 +54,7 @@ def group(name: str, verdict: Verdict, passed: int = 0) -> GroupResult:
     return GroupResult(name, verdict, 10, passed, None, 0.0625, 50)
 
 
-ACCEPTED = Result("count", "team/a.py", Mode.FUNCTION, Verdict.AC, (group("grid", Verdict.AC, 10),))
-REJECTED = replace(
-    ACCEPTED,
-    verdict=Verdict.WA,
-    groups=(group("tangent", Verdict.WA, 9), group("band", Verdict.TLE)),
-    failure=Failure("2 wanted, 1 given", "tangent", 3, {"cx": 1, "A": (0, 2.5)}, "2", "1"),
-)
-
-
-def properties(root):
-    return {each.get("name"): each.get("value") for each in root.iter("property")}
-
-
-def test_times_are_told_and_those_of_the_reference():
-    root = read(replace(ACCEPTED, time=Timing(0.125, 0.25, Ratio(1.25, 1.0, 1.5, 5))))
-    assert (root.get("time"), properties(root)["ratio"]) == ("0.125", "1.250")
-    assert [case.get("time") for case in root.iter("testcase")] == ["0.062"]
-
-
-@pytest.mark.parametrize("verdict", [Verdict.WA, Verdict.RTE, Verdict.CE, Verdict.JE])
+@pytest.mark.parametrize("verdict", [Verdict.WA, Verdict.CE, Verdict.JE])
 def test_nothing_of_a_submission_breaks_the_document(verdict):
     groups = () if verdict in (Verdict.CE, Verdict.JE) else (group("grid", verdict),)
     failure = Failure(EVIL, "grid" if groups else None, 1, {"cx": 1}, "2", EVIL)
@@ -92,3 +80,27 @@ def test_what_does_not_compile_is_a_failed_case_and_the_judges_own_fault_an_erro
         assert told[3] in case[0].get("message")
         assert (root.get("errors"), root.get("failures")) == (("1", "0") if result is fault else ("0", "1"))
     assert read().get("tests") == "0"
+
+
+FULL = replace(
+    past_result(failed=("band",), ratio=2.0),
+    levels=(LevelResult(KataLevel.INTERVIEW, 3, 3, 2),),
+    pitfall=Pitfall(("a", "b"), 0.5, ("", ""), ("c",), (("x", "y"),)),
+    time=Timing(0.1, 0.2, None, True, None, 0.5, Against("C++", "why")),
+    counterexample={"input": {"r": 10**30}, "expected": "1", "got": "2", "replay": "x"},
+)
+
+
+@pytest.mark.parametrize("result", [FULL, judge_fault("count", "a.py", "why")])
+def test_what_is_published_is_read_back(result):
+    plain = msgspec.json.decode(msgspec.json.encode(result.as_json()))
+    points = {group.name: group.points for group in result.groups}
+    read = result_of(plain | {"thresholds": []}, points)  # which older judges wrote
+    assert read.as_json() == result.as_json()
+    assert read.failure == (replace(result.failure, given=None) if result.failure else None)
+
+
+def test_a_row_that_cannot_be_read_is_a_fault_of_its_own():
+    broken = replace(ROWS[0], json='{"result": {"verdict": "??"}}')
+    (result,) = results_of([broken], {})
+    assert (result.verdict, result.submission) == (Verdict.JE, "ann/count-1.py")

@@ -1,0 +1,96 @@
+"""Pages of the manual say what the code does: every key, type, hook and attack, and no other."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import msgspec
+
+from judge.problem import schema
+from judge.problem.topic import Topic
+from judge.sandbox.attacks import ATTACKS
+from judge.values.grammar import ALIASES, VECTORS
+
+ROOT = Path(__file__).parents[2]
+MANUAL = ROOT / "judge" / "manual"
+PAGE = (MANUAL / "problem-toml.md").read_text(encoding="utf-8")
+TABLES = {
+    "The file": schema.ProblemTable,
+    "Parameters": schema.ParameterTable,
+    "Limits": schema.LimitsTable,
+    "Tolerance": schema.ToleranceTable,
+    "Time": schema.TimeTable,
+    "Growth": schema.GrowthTable,
+    "Groups": schema.GroupTable,
+    "Time of a group": schema.GroupTimeTable,
+    "Limits of a group": schema.GroupLimitsTable,
+    "Sets and skills": schema.SkillTable,
+    "Words": schema.WordsTable,
+    "Source": schema.SourceTable,
+}
+
+
+def sections() -> dict[str, str]:
+    parts = re.split(r"^## (.*)$", PAGE, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def told(section: str) -> dict[str, bool]:
+    """The keys of a section's table, each with whether it may be missing."""
+    rows = re.findall(r"^\| `(\w+)` \| (yes|no) \|", sections()[section], re.MULTILINE)
+    return {key: word == "yes" for key, word in rows}
+
+
+def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
+    tables = {*schema._TABLES.values(), *schema._TABLES_OF_GROUPS.values(), schema.ProblemTable}
+    assert tables == set(TABLES.values())
+    for section, table in TABLES.items():
+        assert told(section) == {field.name: not field.required for field in msgspec.structs.fields(table)}
+        (example, *_) = re.findall(r"^```toml\n(.*?)^```$", sections()[section], re.MULTILINE | re.DOTALL)
+        assert tomllib.loads(example), section
+
+
+def test_every_type_of_the_loader_is_told():
+    rows = set(re.findall(r"`([^`]+)`", re.sub(r"^```.*?^```$", "", sections()["Types"], flags=re.M | re.S)))
+    told = {word for row in rows for word in re.findall(r"^[a-z][a-z0-9-]*", row)}
+    atoms = {path.stem for path in (MANUAL.parent / "values" / "atoms").glob("[a-z]*.py")}
+    assert atoms
+    assert {*ALIASES, *VECTORS, *atoms} <= told
+
+
+def test_every_name_and_every_hook_of_a_problem_py_is_told():
+    rows = re.findall(r"^\| `(\w+)", (MANUAL / "problem-py.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]
+
+
+SECURITY = (MANUAL / "security.md").read_text(encoding="utf-8")
+ROWS = [
+    [cell.strip() for cell in line.split("|")[1:-1]]
+    for line in SECURITY.splitlines()
+    if line.startswith("| ")
+]
+PROMISES = [row for row in ROWS if len(row) == 5 and row[1] in ("yes", "no")]
+ALWAYS = {"environment", "descriptors", "limits", "memory", "output", "loop", "sleep"}
+
+
+def attacks_of(row):
+    return re.findall(r"`([\w-]+)`", row[4])
+
+
+def test_each_attack_is_named_once_beside_a_promise():
+    named = [name for row in PROMISES for name in attacks_of(row)]
+    assert sorted(named) == sorted(attack.name for attack in ATTACKS)
+
+
+def test_what_is_promised_at_limits_is_what_holds_there():
+    for row in PROMISES:
+        for name in attacks_of(row):
+            assert (row[3] == "yes") == (name in ALWAYS), name
+
+
+def test_every_file_it_names_is_there():
+    named = re.findall(r"`((?:tests|judge)/[\w./-]+\.(?:py|toml))`", SECURITY)
+    assert len(named) > 15
+    assert [path for path in named if not (ROOT / path).exists()] == []

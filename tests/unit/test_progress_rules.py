@@ -1,0 +1,203 @@
+"""Sets, skills and spaced review: what ships is sound, what is broken says so, what runs make of them."""
+
+from __future__ import annotations
+
+import shutil
+from datetime import timedelta
+from itertools import count
+from pathlib import Path
+
+import pytest
+from past_runs import START, StoppedClock, past_result
+
+from judge.errors import ProblemError
+from judge.kata.answers import Rating
+from judge.kata.history import History
+from judge.kata.review import LADDER, reviews
+from judge.kata.sets import find_set
+from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
+from judge.problem.find import all_problems, find_problem
+from judge.problem.load import load_problem
+
+ROOT = Path(__file__).parents[2]
+PACK = ROOT / "tests" / "fixtures" / "pack"
+
+
+@pytest.fixture(autouse=True)
+def _no_other_pack(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS", raising=False)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder of problems of one's own, empty but for what the test writes."""
+    (tmp_path / "problems" / "sets").mkdir(parents=True)
+
+    def write(name, text):
+        (tmp_path / "problems" / name).write_bytes(text.encode(errors="surrogateescape"))
+        return [tmp_path / "problems"]
+
+    return write
+
+
+@pytest.fixture
+def problem(tmp_path):
+    """Write a small problem into a folder of one's own; its problem.toml begins and ends with these lines."""
+
+    def write(name, head="", tail=""):
+        place = tmp_path / "problems" / name
+        shutil.copytree(PACK / "problems" / "middle", place)
+        text = (place / "problem.toml").read_text(encoding="utf-8")
+        (place / "problem.toml").write_text(f"{head}\n{text}\n{tail}\n", encoding="utf-8")
+        return [tmp_path / "problems"]
+
+    return write
+
+
+def ids(chosen):
+    return [problem.id for problem in chosen.problems]
+
+
+def test_the_shipped_skills_are_shown_by_every_group_and_each_by_some():
+    problems = all_problems()
+    needs = [need for skill in skills_of(problems) for need in skill.needs]
+    needed = {(need.problem, group) for need in needs for group in need.groups}
+    there = {(problem.id, group.name) for problem in problems for group in problem.groups}
+    assert {(problem, group) for problem, group in there - needed if group != "examples"} == set()
+
+
+def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
+    own = '[skills]\n"no slopes" = ["whole"]\n"half" = { groups = ["half"], about = "Halves are kept." }\n'
+    extra = problem("halves", 'sets = ["junior"]\nplace = 1', own)
+    junior = find_set("junior", extra)
+    assert ids(junior) == ["halves", *ids(find_set("junior"))], "its place comes first"
+    skills = {skill.name: skill for skill in skills_of(junior.problems, extra)}
+    assert Need("halves", ("whole",)) in skills["no slopes"].needs
+    assert skills["half"] == Skill("half", "Halves are kept.", (Need("halves", ("half",)),))
+    assert list(skills)[-1] == "half", "what a problem brings comes last"
+
+
+@pytest.mark.parametrize(
+    ("head", "tail", "wanted"),
+    [
+        ('sets = "path"', "", r"mine/problem.toml:1: sets is text; give a list"),
+        ('sets = ["Path"]', "", r"mine/problem.toml:1: 'Path' is no name for a practice set; use small"),
+        ('sets = ["path", "path"]', "", r"mine/problem.toml:1: 'path' is there twice in sets; remove one"),
+        ("", '[skills]\n"a b" = 1', r"mine/problem.toml:\d+: skills.a b is a whole number; give a list"),
+        ("", '[skills]\na = ["half"]\nb = []', r"mine/problem.toml:LAST: no group shows 'b'; name at least"),
+    ],
+)
+def test_what_a_problem_says_wrongly_of_sets_and_skills_is_one_clear_line(head, tail, wanted, problem):
+    (folder,) = problem("mine", head, tail)
+    last = len((folder / "mine" / "problem.toml").read_text(encoding="utf-8").splitlines())
+    with pytest.raises(ProblemError) as caught:
+        load_problem(folder / "mine")
+    assert caught.match(wanted.replace("LAST", str(last)))
+    assert "\n" not in str(caught.value)
+
+
+CLAMP = Skill("clamp", "…", (Need("segment", ("beyond", "tangent-beyond")),))
+
+
+@pytest.fixture
+def after():
+    """The progress of skills after results, a day apart."""
+    clock = StoppedClock()
+
+    def run(skill, *results):
+        with History.open(clock=clock) as history:
+            for result in results:
+                history.add(result, repr(result).encode(), "")
+                clock.forward(days=1)
+            problems = [find_problem(name) for name in ("segment", "count")]
+            return assess([skill], history.runs(), problems)[0]
+
+    return run
+
+
+def test_a_skill_is_shown_by_one_run_that_passes_all_its_groups(after):
+    parts = after(
+        CLAMP,
+        past_result(passed=("beyond",), failed=("tangent-beyond",)),
+        past_result(passed=("tangent-beyond",), failed=("beyond",)),
+    )
+    assert (parts.state, parts.attempts, parts.since) == (SkillState.OPEN, 2, None)
+    both = after(CLAMP, past_result(passed=("beyond", "tangent-beyond")), past_result(passed=("beyond",)))
+    assert (both.state, both.attempts) == (SkillState.SHOWN, 3)
+    assert both.since == START + timedelta(days=2)
+
+
+def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
+    lost = after(
+        CLAMP,
+        past_result(passed=("beyond", "tangent-beyond")),
+        past_result(passed=("tangent-beyond",), failed=("beyond",)),
+        past_result(passed=("grid",)),  # says nothing of it
+    )
+    assert (lost.state, lost.since, lost.attempts) == (SkillState.LOST, START, 1)
+    assert lost.needs[0].failing == ("beyond",)
+    again = after(
+        CLAMP,
+        past_result(passed=("beyond", "tangent-beyond")),
+        past_result(passed=(), failed=("beyond", "tangent-beyond")),  # a file that is begun anew
+    )
+    assert (again.state, again.since) == (SkillState.SHOWN, START)
+
+
+WRONG = past_result(passed=("grid",), failed=("tangent",))
+RIGHT = past_result()
+
+
+class Person:
+    """A person at work: results follow each other by minutes, each of a new source unless one is given."""
+
+    def __init__(self, history, clock):
+        self.history, self.clock = history, clock
+        self._sources = count()
+
+    def judge(self, *results, source=None):
+        for result in results:
+            self.history.add(result, source or b"%d" % next(self._sources), "")
+            self.clock.forward(minutes=5)
+
+    def pause(self, **amount):
+        self.clock.forward(**amount)
+
+    def stands(self):
+        found = reviews(self.history.runs(), self.history.helps())
+        return [(each.rating, each.sittings, each.days) for each in found]
+
+
+@pytest.fixture
+def person():
+    clock = StoppedClock()
+    with History.open(clock=clock) as history:
+        yield Person(history, clock)
+
+
+def test_the_ladder(person):
+    days = []
+    for _ in range(len(LADDER)):
+        person.judge(RIGHT)
+        (review,) = reviews(person.history.runs(), [])
+        assert review.due == review.last + timedelta(days=review.days)
+        days.append(review.days)
+        person.pause(days=review.days)
+    assert days == [3, 8, 21, 60, 180, 180]
+    assert review.in_a_row == len(LADDER)
+    person.judge(WRONG, RIGHT)
+    assert person.stands() == [(Rating.HARD, 7, 60)]
+    person.pause(days=60)
+    person.judge(WRONG)
+    assert person.stands() == [(Rating.AGAIN, 8, 1)]
+
+
+def test_hints_and_giving_up(person):
+    person.history.see_hints("segment", 2)
+    assert person.stands() == []
+    person.judge(RIGHT)
+    assert person.stands() == [(Rating.HARD, 1, 1)]
+    person.pause(days=1)
+    person.history.give_up("segment")
+    person.judge(RIGHT)
+    assert person.stands() == [(Rating.AGAIN, 2, 1)]

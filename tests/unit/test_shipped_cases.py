@@ -1,0 +1,126 @@
+"""Cases of shipped katas: replay ids, neighbours, the smallest number, thresholds beside the bands."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.data.fresh import Fresh
+from judge.data.module import load_module
+from judge.data.validate import Validator, least_double
+from judge.diagnose.replay import decode, encode, problem_name
+from judge.errors import ProblemError, UsageError
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.problem.load import load_problem
+from judge.run.execute import run_submission
+
+
+@pytest.fixture(scope="module", params=["segment", "exact-count"])
+def problem(request):
+    return find_problem(request.param)
+
+
+def test_every_group_comes_back(problem):
+    module = load_module(problem)
+    for data in load_data(problem).groups:
+        for case in (data.cases[0], data.cases[-1]):
+            replay = encode(problem, data.group, case)
+            assert problem_name(replay) == problem.id
+            group, again, answer = decode(replay, problem, module)
+            assert (group, repr(again)) == (data.group, repr(case))
+            assert answer == module.solve(*case).answer
+
+
+def test_a_bad_id_is_a_short_line_however_long_it_is():
+    """The others are in golden/transcripts: refused/replay-ids.txt."""
+    problem = find_problem("count")
+    with pytest.raises(UsageError, match="no replay id") as caught:
+        decode("count:grid:v" + "9" * 20_000 + ":123456", problem, load_module(problem))
+    assert len(str(caught.value)) < 200
+
+
+PROBLEMS = Path(__file__).parents[2] / "problems"
+
+
+def changed(one, other):
+    return [place for place, (a, b) in enumerate(zip(one, other, strict=True)) if a != b]
+
+
+def assert_neighbours(cases):
+    turns = dict.fromkeys(range(5), 0)
+    for number in range(1, len(cases)):
+        if number % 11 == 0:
+            continue  # it stands for itself
+        assert changed(cases[number - 1], cases[number]) == [(number % 11 - 1) % 5]
+        turns[(number % 11 - 1) % 5] += 1
+    assert min(turns.values()) >= 5
+
+
+def test_fresh_neighbours_are_such_too_with_nothing_between_them():
+    problem = load_problem(PROBLEMS / "segment")
+    fresh = Fresh(problem, load_module(problem), [problem.group("neighbours")], 7)
+    series = next(fresh.series())
+    cases = series.data.cases
+    assert_neighbours(cases)
+    assert fresh.choices_of(series, 3) is None
+
+
+SMALLEST = Fraction(1, 10**30)
+
+
+def test_a_smaller_number_is_out_of_bounds_whatever_its_place_and_0_is_not():
+    problem = load_problem(PROBLEMS / "segment")
+    validator = Validator(problem, load_module(problem).solve)
+
+    def bounds(flat):
+        return validator.bounds((*flat[:3], tuple(flat[3:5]), tuple(flat[5:])))
+
+    for place in range(7):
+        for sign in (1, -1) if place != 2 else (1,):  # a radius
+            flat = [1.0] * 7
+            flat[place] = sign * math.nextafter(1e-30, 0)
+            assert "nearer to 0 than 1e-30 but not 0" in bounds(flat)
+            flat[place] = sign * least_double(SMALLEST)
+            assert bounds(flat) is None
+    assert bounds([0, 0.0, 0, 0.0, 0, 0, 0.0]) is None
+    assert bounds([0, 0.0, 5e-324, 0.0, 0, 0, 0.0]) is not None
+
+
+def test_the_double_of_a_bound_is_not_below_it():
+    for bound in (SMALLEST, Fraction(1, 3), Fraction(2, 3), Fraction(1, 2)):
+        least = least_double(bound)
+        assert least >= bound > math.nextafter(least, 0)
+
+
+@pytest.mark.parametrize(
+    ("smallest", "fault"),
+    [("2", "other than 0 is 2"), ("-1", "other than 0 is -1"), ("1e-9", "holds no real")],
+)
+def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest, fault):
+    source = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
+    folder = shutil.copytree(source, tmp_path / "root-count")
+    text = (source / "problem.toml").read_text()
+    (folder / "problem.toml").write_text(text.replace("low = -9\n", f"low = -9\nsmallest = {smallest}\n"))
+    with pytest.raises(ProblemError, match=fault):
+        load_problem(folder)
+
+
+SILHOUETTE = (find_problem("silhouette").solutions / "accepted" / "state_machine.py").read_text()
+WIDTH = "1e-10 * max(r, abs(fx), abs(fy))"
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("width", "verdict"),
+    [("1.1e-12", Verdict.AC), ("9.5e-8", Verdict.AC), ("9e-13", Verdict.WA), ("1.2e-7", Verdict.WA)],
+)
+def test_any_threshold_in_the_gap_is_right_and_none_outside_of_it(width, verdict):
+    assert WIDTH in SILHOUETTE
+    problem, source = find_problem("silhouette"), SILHOUETTE.replace(WIDTH, WIDTH.replace("1e-10", width))
+    assert run_submission(problem, load_data(problem), source.encode(), "mine.py").verdict is verdict
