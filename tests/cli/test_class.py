@@ -16,7 +16,6 @@ from cli_support import FLOOR, MEAN
 from judge.batch import standard
 from judge.batch.store import Store
 from judge.errors import StoreError
-from judge.manual import page
 
 pytestmark = pytest.mark.slow
 
@@ -178,37 +177,6 @@ def untimed(found):
     return plain
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (("gone",), "gone: this folder cannot be read (no such file or directory)"),
-        (("mad",), "mad: nothing is handed in here; it holds STUDENT/PROBLEM.py"),
-        (("homework", "other"), "other: a class is one folder"),
-        (("homework", "--shard", "0/3"), "--shard: '0/3' is no shard; write --shard 3/20"),
-        (("homework", "--shard", "1/3", "--merge", "x"), "--shard and --merge contradict each other"),
-        (("homework", "--problem", "middel"), "no problem is called 'middel'"),
-        (("homework", "--students", "mad.csv"), "mad.csv:3: ada is in line 2 already"),
-        (("homework", "--again", "nobody"), "--again: nothing here is called 'nobody'"),
-        (("homework", "--merge", "mad.csv"), "of the judge; --merge takes the files that --shard wrote"),
-        (("homework", "--merge", "none.sqlite3"), "none.sqlite3: there is no such file of results"),
-        (("homework", "--out", "mad.csv"), "mad.csv: this is no file of results of the judge"),
-        (
-            ("homework", "--out", "mad.csv/x"),
-            "mad.csv/x: the file of results cannot be written",
-        ),
-    ],
-)
-def test_what_cannot_be_is_one_line(judge, submit, words, told):
-    submit(MEAN, "homework/ada/middle.py")
-    Path("mad").mkdir()
-    submit("id\nada\nada\n" if "--students" in words else "mad\n", "mad.csv")
-    ended = judge("class", *words)
-    assert ended.status in (2, 3)
-    assert told in ended.err
-    assert (ended.out, ended.err.count("\n")) == ("", 1)
-    assert [path.name for path in Path().iterdir() if "judge" in path.name] == []
-
-
 def started(*words):
     """The command as a process of its own, the first of its group."""
     return subprocess.Popen(
@@ -262,68 +230,3 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
 
 
 # -- the recipes of the manual --------------------------------------------------------------------------
-
-FAKES = {
-    "judge": 'echo "$@" >> asked',
-    "sbatch": """
-for word in "$@"; do
-    case "$word" in --array=1-*) last=${word#--array=1-};; esac
-    command=$word
-done
-for SLURM_ARRAY_TASK_ID in $(seq "$last"); do
-    export SLURM_ARRAY_TASK_ID
-    sh -c "$command"
-done""",
-    "parallel": """
-shift 2
-command=
-while [ "$1" != ::: ]; do command="$command $1"; shift; done
-shift
-for value in "$@"; do sh -c "$(echo "$command" | sed "s/{}/$value/g")"; done""",
-}
-
-
-def recipe(word):
-    """The block of the manual's page that has this word in it."""
-    blocks = page("class").text.split("```")[1::2]
-    (found,) = [block.partition("\n")[2] for block in blocks if word in block]
-    return found
-
-
-def condor():
-    """What HTCondor does with its recipe: each process has its number in the arguments' place."""
-    lines = dict(
-        line.replace(" ", "", 1).split("=", 1) for line in recipe("queue").splitlines() if "=" in line
-    )
-    settings = {name.strip(): value.strip() for name, value in lines.items()}
-    arguments = settings["arguments"].strip('"')
-    assert (settings["executable"], arguments[:4]) == ("/bin/sh", "-c '")
-    count = int(recipe("queue").split("queue")[1])
-    return [arguments[4:-1].replace("$(Process)", str(number)) for number in range(count)]
-
-
-def kubernetes():
-    """What an indexed job does with its recipe."""
-    text = recipe("JOB_COMPLETION_INDEX")
-    assert "completionMode: Indexed" in text
-    count = int(text.split("completions: ")[1].split()[0])
-    command = json.loads(text.split("args: ")[1].strip())[0]
-    return [f"JOB_COMPLETION_INDEX={number}; {command}" for number in range(count)]
-
-
-@pytest.mark.parametrize(
-    "commands",
-    [lambda: [recipe("sbatch")], lambda: [recipe("parallel -j")], condor, kubernetes],
-    ids=["slurm", "parallel", "condor", "kubernetes"],
-)
-def test_the_recipes_ask_for_each_shard_once(commands, tmp_path):
-    tools = tmp_path / "bin"
-    tools.mkdir()
-    for name, text in FAKES.items():
-        (tools / name).write_text(f"#!/bin/sh\n{text}\n")
-        (tools / name).chmod(0o755)
-    for command in commands():
-        path = f"{tools}:{os.environ['PATH']}"
-        subprocess.run(["sh", "-e", "-c", command], check=True, env={**os.environ, "PATH": path}, timeout=60)
-    asked = (tmp_path / "asked").read_text().splitlines()
-    assert sorted(asked) == sorted(f"class homework --shard {number}/20" for number in range(1, 21))

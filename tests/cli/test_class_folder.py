@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
-from test_run_screen import on_a_terminal
 
 from judge.schema import schema_of
 
@@ -84,37 +83,6 @@ def test_scripts_miss_none(class_, judge):
     assert len(judge("history").lines) == 1 + 3
 
 
-def test_a_problem_that_is_named_is_that_of_all(class_, judge):
-    ended = judge("run", "-q", "middle", class_, "--json")
-    assert {json.loads(line)["problem"] for line in ended.lines} == {"middle"}
-
-
-def test_the_only_file_that_cannot_be_read_is_told_of_as_before(class_, judge):
-    for name in ("class/bob/huge.py", "class/bob/gone.py", "class/bob/pipe.py", "class/bob/folder.py"):
-        ended = judge("run", "middle", name)
-        assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
-    ended = judge("run", "-q", "middle", "class/ann/middle.py", "class/bob/huge.py")
-    assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted  middle")
-
-
-def test_a_broken_problem_costs_its_own_files_only(judge, submit, pack, tmp_path, monkeypatch):
-    import shutil
-
-    broken = tmp_path / "more" / "third"
-    shutil.copytree(pack / "problems" / "middle", broken)
-    text = (broken / "problem.toml").read_text().replace('entry = "middle"', 'entry = "third"')
-    (broken / "problem.toml").write_text(text)
-    (broken / "statement.md").write_text((broken / "statement.md").read_text().replace("middle(", "third("))
-    (broken / "problem.py").write_text("raise ValueError('broken')\n")
-    monkeypatch.setenv("JUDGE_PROBLEMS", f"{broken.parent}:{os.environ['JUDGE_PROBLEMS']}")
-    submit("def third(a, b):\n    return 1\n", "class/a.py")
-    submit(MEAN, "class/b.py")
-    ended = judge("run", "-q", "class")
-    assert ended.status == 3
-    assert "broken" in next(line for line in ended.lines if "class/a.py" in line)
-    assert " AC " in next(line for line in ended.lines if "class/b.py" in line)
-
-
 def test_ctrl_c_shows_the_table_so_far(submit):
     submit(MEAN, "class/a.py")
     submit(SLOW, "class/b.py")
@@ -131,14 +99,6 @@ def test_ctrl_c_shows_the_table_so_far(submit):
     assert out.splitlines()[-1] == "1 of 1 accepted, 2 not judged  middle"
     assert "class/a.py" in out
     assert len(ElementTree.parse("out.xml").getroot()) == 1
-
-
-def test_a_bar_counts_the_files(submit):
-    for name in "ab":
-        submit(SLOW, f"class/{name}.py")
-    _, written = on_a_terminal("run", "-q", "middle", "class", NO_COLOR="1", COLUMNS="100")
-    assert "1 of 2: class/a.py" in written
-    assert "2 of 2: class/b.py" in written
 
 
 def test_a_folder_that_is_no_class_ends_soon(judge, submit):

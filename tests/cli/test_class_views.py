@@ -90,16 +90,6 @@ def test_the_cohort_for_scripts(judge, homework):
     assert judge("class", homework, "--no-name", "-q").out.count("handed in") == 0
 
 
-@pytest.mark.parametrize("option", ["--csv", "--html", "--junit"])
-def test_what_is_something_else_is_not_overwritten(judge, homework, option):
-    ended = judge("class", homework, option, f"{homework}/ada/middle.py")
-    assert ended.status == 2
-    assert "it is there already and is no " in ended.err
-    assert not Path("homework.judge.sqlite3").exists()
-    refused = judge("class", homework, "--shard", "1/2", option, "new")
-    assert (refused.status, refused.err.count("--merge")) == (2, 1)
-
-
 @pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
 def test_a_browser_shows_the_page_and_runs_nothing(judge, homework, tmp_path):
     assert (

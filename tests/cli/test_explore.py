@@ -74,12 +74,6 @@ def test_the_case_that_broke_a_file(judge, submit):
     assert [float(x) for x in start["numbers"]] == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
 
 
-def test_without_a_problem_it_is_that_of_the_kata_in_hand(judge):
-    assert json.loads(judge("explore", "--json").out)["problem"] == "chord"
-    assert judge("init", "segment").status == 0
-    assert json.loads(judge("explore", "--json").out)["problem"] == "segment"
-
-
 def test_open_asks_for_the_browser_and_nothing_else_does(judge, monkeypatch):
     asked = []
     monkeypatch.setattr("webbrowser.open", lambda address: asked.append(address) or len(asked) < 2)
@@ -92,29 +86,6 @@ def test_open_asks_for_the_browser_and_nothing_else_does(judge, monkeypatch):
         0,
         "judge: there is no browser here; open judge-explore.html yourself\n",
     )
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (
-            ("tangents",),
-            "tangents has no page to explore; chord, count, line-points, segment, ray-nearest, exact-count, ",
-        ),
-        (("count", "1 2"), "this is no case of count"),
-        (("count", "--opne"), "no such option '--opne'; see 'judge explore --help'"),
-        (("count:grid:v1:000000",), "this replay id cannot be used"),
-        (("count:grid:v1:000000", "1 2"), "a replay ID is a case already; leave one of them out"),
-        (("count", "--out", "mine.txt"), "mine.txt: it is there already and is no page of judge explore"),
-        (("count", "--out", "nowhere/x.html"), "its folder does not exist"),
-    ],
-)
-def test_what_cannot_be_explored_is_one_line(judge, submit, words, told):
-    submit("mine", "mine.txt")
-    ended = judge("explore", *words)
-    assert (ended.status, ended.out, len(ended.err.splitlines())) == (2, "", 1), ended
-    assert told in ended.err
-    assert Path("mine.txt").read_text() == "mine"
 
 
 # -- in a browser --------------------------------------------------------------------------------------------
@@ -161,14 +132,6 @@ def test_what_it_says(tmp_path, problem, part, case, answer, promise):
     assert promise in text_of(page, "promise")
     cx, cy, r, a, b = case
     assert text_of(page, "case") == f'judge try {problem} "{cx}, {cy}, {r}, {a}, {b}"'
-
-
-@pytest.mark.slow
-@browser
-def test_doubles_that_say_something_else_are_told(tmp_path):
-    page = shown(tmp_path, "count", Part.LINE, values(0, 0, 1, (-1, 1 + 3e-13), (1, 1 + 3e-13)))
-    assert text_of(page, "answer") == "1 point"
-    assert "in doubles: 0 points" in text_of(page, "promise")
 
 
 MOVES = """
@@ -225,16 +188,3 @@ def test_it_fits_and_every_word_stands_out(tmp_path, width, dark):
     assert found["words"] > 60
     assert found["faint"] == []
     assert found["least"] >= 9
-
-
-@pytest.mark.slow
-@browser
-def test_its_policy_lets_its_own_script_run_and_no_other(tmp_path):
-    page = tmp_path / "page.html"
-    html = explored(Part.LINE, find_problem("count"), None)
-    page.write_text(
-        html.replace("</body>", "<script>document.title = 'pwned'</script></body>"), encoding="utf-8"
-    )
-    found = dom(page)
-    assert text_of(found, "answer") == "2 points"
-    assert "<title>pwned</title>" not in found

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
@@ -51,16 +50,3 @@ def test_fresh_cases_are_for_a_file_alone_and_a_problem_alone_too(word, judge, s
     submit(FLOOR, "middle.py")
     ended = judge("stress", word, "--for", "5s", "--seed", "1", "--no-name", "--no-shrink", "--json")
     assert (ended.status, json.loads(ended.out)["submission"]) == (1, "middle.py")
-
-
-def test_a_hurdle_is_told_before_fresh_cases(judge, submit, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "80")
-    told = judge("stress", "middle", submit("def middle(a, b, c):\n    return a\n"), "--for", "20s")
-    assert (told.status, len(told.lines)) == (1, 4)
-    assert told.lines[1] == "  line 1  middle takes 3 arguments and is called with 2: middle(a, b)"
-
-
-def test_a_module_that_is_known_but_not_here_is_told_with_the_command_that_adds_it(judge, submit):
-    gone = "raise ModuleNotFoundError(\"No module named 'shapely'\")"  # which may be installed here
-    ended = judge("run", "middle", submit(f"{gone}\n{MEAN}"))
-    assert f"To add it: {sys.executable} -m pip install shapely" in ended.out

@@ -6,7 +6,6 @@ What it says is in the transcripts of `hack/`.
 from __future__ import annotations
 
 import ast
-import json
 
 import pytest
 from cli_support import ROOT
@@ -17,8 +16,7 @@ from judge.errors import ProblemError
 from judge.kata.hacks import Hack, HackState, Outcome, broken, hack_shares, hack_states
 from judge.kata.history import History
 from judge.mistakes.killing import Jury
-from judge.mistakes.makers import read_makers
-from judge.mistakes.puzzles import read_puzzles, without_pass
+from judge.mistakes.puzzles import read_puzzles
 from judge.problem.find import find_problem, problem_folders
 
 SHIPPED = sorted(
@@ -49,48 +47,21 @@ def test_what_was_tried_last_says_the_state_of_a_program(own_history):
     assert isinstance(hacks[0], Hack)
 
 
-def test_a_case_that_breaks_a_promise_is_not_kept(judge, own_history):
-    assert judge("hack", "count", "2", "0 0 -1 0 0 1 1").status == 1
-    assert not own_history.exists()  # it says nothing of the person
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("name", daily(SHIPPED, ("count", "nearest")))
+@pytest.mark.parametrize("name", daily(SHIPPED, ("diameter",)))
 def test_a_shipped_problem_has_its_puzzles(name):
     problem = find_problem(name)
     puzzles = read_puzzles(problem)
-    makers = read_makers(problem).all
     assert len(puzzles) >= 10
     assert [puzzle.number for puzzle in puzzles] == list(range(1, len(puzzles) + 1))
     for puzzle in puzzles:
         text = puzzle.source.decode()
-        shown = ast.dump(ast.parse(text))
         bodies = [node.body for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
         assert not any(isinstance(each, ast.Pass) for body in bodies if len(body) > 1 for each in body)
         assert "#" not in text.replace("'#'", "")
         assert puzzle.mistake not in text
         assert "right_way" not in text
         assert f"def {problem.entry}(" in text or "input(" in text or "stdin" in text
-        if puzzle.source.count(b"def ") == 1:  # the function is that of the mistake, but for its docstring
-            named = [maker for maker in makers if maker.name == puzzle.mistake]
-            whole = [ast.parse(without_pass(maker.program.source.decode())) for maker in named]
-            assert any(_entry(tree, problem.entry) in shown for tree in whole)
-
-
-def _entry(tree, name):
-    (function,) = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name]
-    if isinstance(function.body[0], ast.Expr):
-        del function.body[0]
-    return ast.dump(function)
-
-
-@pytest.mark.nightly
-def test_every_program_is_broken_by_a_case_of_the_data(judge):
-    """Of one small problem here; `judge verify` holds all mistakes against their groups."""
-    for puzzle in read_puzzles(find_problem("diameter")):
-        found = json.loads(judge("hack", "diameter", str(puzzle.number), "--give-up", "--json").out)
-        assert found["case"]["verdict"] != "AC", puzzle.mistake
-        assert found["mistake"] == puzzle.mistake
 
 
 @pytest.mark.slow
@@ -128,16 +99,6 @@ ON_AN_END = (0, 0, 5, (3, 4), (9, 12))
 def test_what_the_jury_says(jury, cases, family, why):
     said = jury.why_not(cases, family)
     assert said is None if why is None else why in said
-
-
-@pytest.mark.nightly
-def test_what_is_killed_is_what_judge_hack_calls_broken(jury, judge):
-    puzzles = {puzzle.mistake: puzzle.number for puzzle in read_puzzles(find_problem("segment"))}
-    for case, killed in ((INSIDE, {"no-clamp"}), (ON_AN_END, {"no-clamp", "open-interval"})):
-        assert jury.killed([case]) == killed
-        for name in ("no-clamp", "open-interval", "zero-radius"):
-            ended = judge("hack", "segment", str(puzzles[name]), ", ".join(map(repr, case)))
-            assert (ended.status == 0) == (name in killed)
 
 
 def test_a_family_of_unknown_mistakes_is_the_problems_fault():

@@ -13,8 +13,8 @@ import pytest
 from terminals import on_a_terminal
 
 from judge.cli.app import app
-from judge.cli.table import COMMANDS, EXAMPLES, FIRST, FURTHER, TOPICS
-from judge.manual import page, pages, search, topics
+from judge.cli.table import COMMANDS, EXAMPLES, TOPICS
+from judge.manual import page, topics
 
 QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --row Q7",
@@ -55,25 +55,7 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
     assert "The report loads and runs nothing" in on_a_terminal("help", "privacy", PAGER="false")[1]
 
 
-def test_headings_are_found_first(judge):
-    assert judge("help", "--search", "Exit", "status").lines[0].startswith("scripts: Exit status")
-    assert next(hit.heading for hit in search(["fresh", "cases"])) == "Fresh cases"
-
-
-def test_no_heading_within_a_block_is_a_section():
-    assert "my-kata" not in "".join(each.heading for each in page("problem-toml").sections)
-    for each in pages():
-        headings = [section.heading for section in each.sections]
-        assert len(headings) == len(set(headings)), each.name
-
-
 # -- the help of each command -------------------------------------------------------------------------------
-
-
-def test_every_command_has_examples_and_a_page():
-    assert [*EXAMPLES] == [*COMMANDS] == [*TOPICS]
-    assert {*TOPICS.values()} <= {*topics()}
-    assert len(FURTHER) + sum(map(len, FIRST.values())) == len(COMMANDS)
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -6,8 +6,6 @@ What `judge history` shows is in the transcripts of `history/`.
 from __future__ import annotations
 
 import json
-import os
-import re
 from pathlib import Path
 
 import pytest
@@ -45,17 +43,6 @@ def test_a_file_that_is_no_history_is_left_alone(judge, submit):
     assert Path("diary").read_text() == "Dear diary,\n"
 
 
-def test_what_was_read_from_a_pipe_has_no_path(judge, submit):
-    submit(MEAN)
-    reading, writing = os.pipe()
-    with os.fdopen(writing, "w") as pipe:
-        pipe.write(MEAN)
-    assert judge("run", "-q", "middle", f"/dev/fd/{reading}").status == 0
-    os.close(reading)
-    with History.open() as history:
-        assert history.run(1).path == ""
-
-
 def test_the_last_of_many(judge):
     with History.open() as history:
         for _ in range(32):
@@ -68,12 +55,6 @@ def test_the_last_of_many(judge):
     assert len(judge("history", "--json", "--limit", 5).lines) == 5
 
 
-def test_a_problem_that_can_no_longer_be_found(judge, submit, monkeypatch):
-    judge("run", "-q", "middle", submit(MEAN))
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    assert len(judge("history", "middle").lines) == 2
-
-
 def test_a_name_that_steers_the_terminal(judge, submit):
     judge("run", "-q", "middle", submit(MEAN, "a\x1b[31m\nb.py"))
     for words in (("history",), ("history", "--csv"), ("history", "--json")):
@@ -81,14 +62,6 @@ def test_a_name_that_steers_the_terminal(judge, submit):
         assert shown.status == 0
         assert "\x1b" not in shown.out
     assert r"a\x1b[31m\nb.py" in judge("history").out
-
-
-def test_a_source_comes_back_to_a_file_that_is_gone(judge, submit):
-    judge("run", "-q", "middle", submit(FLOOR))
-    Path("mine.py").unlink()
-    ended = judge("history", "--restore", "1")
-    assert re.fullmatch(r"mine\.py  the source of run 1, \S+ \S+, middle\n  Nothing was there\.\n", ended.out)
-    assert Path("mine.py").read_text() == FLOOR
 
 
 def test_a_run_of_no_file_needs_a_name(judge):

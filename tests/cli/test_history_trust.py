@@ -62,15 +62,6 @@ def test_the_others_are_all_there(judge, three_runs, own_history):
     assert "run 2 is damaged" in ended.err
 
 
-def test_a_result_that_cannot_be_read_costs_scripts_that_run(judge, three_runs, own_history):
-    changed(own_history, "result = x'00'")
-    ended = judge("history", "--json")
-    assert ([json.loads(line)["run"] for line in ended.lines], ended.status) == ([1, 3], 0)
-    assert SAID in ended.err
-    assert len(judge("history", "--csv").lines) == 3
-    assert len(judge("history").lines) == 4
-
-
 @pytest.mark.parametrize("words", [("history",), ("run", "-q", "middle", "middle.py"), ("next",)])
 def test_a_file_that_cannot_be_read_is_set_aside_and_that_is_said_once(words, judge, three_runs, own_history):
     content = own_history.read_bytes()

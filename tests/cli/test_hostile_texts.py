@@ -86,12 +86,6 @@ def test_of_several_files_such_a_one_is_a_row(judge, submit, slow_language):
     assert all((row["verdict"] == "JE") == (_TAKES_LONG in json.dumps(row)) for row in rows)
 
 
-def test_alone_it_is_one_line(judge, submit, slow_language):
-    ended = judge("run", submit(slow_language, "any.slow"))
-    assert (ended.status, ended.out) == (3, "")
-    assert ended.err == f"judge: any.slow: it {_TAKES_LONG}; take out what no person would write\n"
-
-
 @pytest.mark.parametrize("size", [60_000, 200_000])
 def test_a_mistake_is_named_as_long_as_the_text_is_no_longer_than_a_person_writes(judge, submit, size):
     text = f"{FLOOR}# {'.' * size}\n"

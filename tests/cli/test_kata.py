@@ -11,7 +11,6 @@ import re
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
@@ -69,13 +68,6 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
         assert [each.hints for each in history.helps("middle")] == [1, 2, 0]
 
 
-def test_giving_up_what_is_solved_is_not_noted(judge, submit):
-    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
-    assert judge("solution", "middle", "--give-up").status == 0
-    with History.open() as history:
-        assert not history.gave_up("middle")
-
-
 @pytest.fixture
 def two_ways(pack, tmp_path, monkeypatch):
     """A pack whose problem `middle` has two approaches, which are timed."""
@@ -121,13 +113,6 @@ def test_the_approaches_stand_side_by_side_with_yours(judge, submit, two_ways, m
     assert told["yours"] == {"run": 1, "file": "mine.py", "ratio": None}
 
 
-@pytest.mark.slow
-def test_the_times_of_approaches_are_measured_unless_that_is_not_wanted(judge, two_ways):
-    told = json.loads(judge("solution", "middle", "--give-up", "--json").out)
-    assert all(each["ratio"] is None or each["ratio"] > 0 for each in told["approaches"])  # or too short
-    assert "reference" not in judge("solution", "middle", "--no-time").out
-
-
 def test_times_that_cannot_be_measured_cost_a_line(judge, two_ways, tmp_path):
     (tmp_path / "ways" / "problems" / "middle" / "problem.py").write_text("BUILDERS = {}\n")
     ended = judge("solution", "middle", "--give-up")
@@ -135,13 +120,6 @@ def test_times_that_cannot_be_measured_cost_a_line(judge, two_ways, tmp_path):
     assert ended.err.startswith("judge: the times are not measured: ")
     assert len(ended.err.splitlines()) == 1
     assert "reference" not in ended.out
-
-
-def test_a_solution_without_one(judge, tmp_path, pack):
-    shutil.copytree(pack / "problems", tmp_path / "problems")
-    ended = judge("solution", "middle", "--give-up", "--problems", tmp_path / "problems")
-    assert ended.status == 3
-    assert "there is no accepted solution that defines middle; add one to " in ended.err
 
 
 def test_what_is_written_is_said_before_it_is(judge, tmp_path):
@@ -161,12 +139,6 @@ def test_what_is_written_is_said_before_it_is(judge, tmp_path):
     ended = judge(*words)
     assert ended.lines[0].startswith("Writing ")
     assert (tmp_path / ended.lines[0].split()[1].rstrip(",")).is_file()
-
-
-def test_next_takes_up_a_file_that_is_there(judge, submit):
-    submit("# mine\n", "distance_squared.py")
-    assert judge("next").lines[0].startswith("distance_squared.py  distance-squared: ")
-    assert Path("distance_squared.py").read_text() == "# mine\n"
 
 
 # -- a pack that only --problems finds -------------------------------------------------------------------
@@ -191,30 +163,9 @@ def test_a_packs_kata_is_gone_on_with_by_every_command(lone, judge, submit):
     assert judge("next").status == 0
 
 
-def test_a_packs_kata_is_watched(lone, judge, submit, monkeypatch):
-    judge("init", "middle", "--problems", lone)
-    submit(MEAN, "middle.py")
-    seen = []
-
-    def once(watched, *, as_json):
-        assert watched.saved()
-        seen.append((watched.judge().result.verdict.value, as_json))
-        raise SystemExit(0)
-
-    monkeypatch.setattr("judge.cli.commands.watch._write_on", once)
-    assert judge("watch", "--json").status == 0
-    assert seen == [("AC", True)]
-
-
 def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
     judge("init", "middle", "--problems", lone)
     (tmp_path / "elsewhere" / "pack").rename(tmp_path / "moved")
     for words in (["run"], ["hint"], ["watch"]):
         refused(judge(*words), f"{lone}: the problem of the kata in hand, middle, is not there", "--problems")
     assert judge("run", "-q", "--problems", tmp_path / "moved" / "problems").status == 1
-
-
-def test_a_kata_of_the_judges_own_keeps_no_folder(judge):
-    judge("init", "count")
-    with History.open(reading=True) as history:
-        assert history.current().problems == ""

@@ -78,13 +78,6 @@ def kept_programs(file):
     return json.loads(file.read_bytes().partition(b"\n")[2])
 
 
-def test_several_at_once_share_what_is_learnt(judge, submit, own_cache):
-    names = [submit(FLOOR, f"{letter}.py") for letter in "abc"]
-    ended = judge("run", "middle", *names, "--json", "-j", 3)
-    assert [json.loads(line)["pitfall"]["name"] for line in ended.lines] == ["floor-division"] * 3
-    assert len(list(own_cache.iterdir())) == 1
-
-
 @pytest.mark.slow
 def test_two_runs_at_once_leave_one_sound_file(process, submit, own_cache, tmp_path):
     submit(FLOOR)
@@ -101,20 +94,3 @@ def test_two_runs_at_once_leave_one_sound_file(process, submit, own_cache, tmp_p
         run.join()
     assert [json.loads(each.out)["pitfall"]["name"] for each in found] == ["floor-division"] * 2
     assert len(list(own_cache.iterdir())) == 1
-
-
-def test_a_pack_without_solutions_names_nothing(judge, submit, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    shutil.rmtree(tmp_path / "pack" / "solutions")
-    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", tmp_path / "pack" / "problems")
-    assert (json.loads(ended.out)["verdict"], json.loads(ended.out)["pitfall"]) == ("WA", None)
-
-
-def test_a_wrong_program_that_cannot_be_a_known_mistake_is_told(judge, submit, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    (program,) = (tmp_path / "pack" / "solutions" / "middle" / "wrong").iterdir()
-    program.write_text(FLOOR)
-    problems = tmp_path / "pack" / "problems"
-    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", problems)
-    assert json.loads(ended.out)["pitfall"] is None
-    assert f"a known mistake is left out: middle/wrong/{program.name}: it has no docstring; " in ended.err

@@ -7,7 +7,6 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from cli_support import ROOT
 
 from judge.kata import begin
 from judge.problem.find import find_problem
@@ -98,11 +97,6 @@ def test_a_link_to_nothing_is_not_followed(judge, tmp_path):
     assert not (tmp_path / "elsewhere").exists()
 
 
-def test_an_empty_folder_is_filled(judge, tmp_path):
-    (tmp_path / "pack" / "problems" / "mine").mkdir(parents=True)
-    assert judge("new", "pack", "mine").status == 0
-
-
 @pytest.mark.parametrize("fault", [OSError(28, "No space left on device", "x"), KeyboardInterrupt()])
 def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_path, monkeypatch):
     def fail(*_, **__):
@@ -114,13 +108,3 @@ def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_pa
     assert ended.status == (2 if isinstance(fault, OSError) else 130)
     assert list((tmp_path / "pack").iterdir()) == [tmp_path / "pack" / "problems"]
     assert list((tmp_path / "pack" / "problems").iterdir()) == []
-
-
-def test_the_template_names_its_kata_only_as_itself():
-    text = (ROOT / "judge" / "manual" / "new-kata.md").read_text(encoding="utf-8")
-    told = dict(begin._files("my-kata"))
-    assert {name.format("my-kata") for name in FILES} - {"problems/my-kata/hashes.json"} == set(told)
-    assert text.count("```") == 2 * len(told), "every block is a file"
-    for name, content in begin._files("else-where"):
-        assert "my-kata" not in name + content
-        assert "my_kata" not in content

@@ -10,7 +10,7 @@ import sys
 import pytest
 
 from judge.languages import find
-from judge.languages.model import language_called, languages
+from judge.languages.model import language_called
 
 pytestmark = pytest.mark.slow
 
@@ -23,10 +23,6 @@ MEAN = {  # of two numbers, right
     "rust": "fn middle(a: f64, b: f64) -> f64 { (a + b) / 2.0 }",
     "pypy": "def middle(a, b):\n    return (a + b) / 2.0\n",
 }
-PROGRAM = (
-    '#include <cstdio>\nint main() { int t; double a, b; std::scanf("%d", &t);'
-    ' while (t-- > 0) { std::scanf("%lf%lf", &a, &b); std::printf("%.17g\\n", (a + b) / 2); } }'
-)
 
 
 def need(name):
@@ -56,25 +52,6 @@ def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     assert "middle is still to be written" in ended.out
 
 
-def test_the_files_name_says_the_language_of_a_stub(judge, tmp_path):
-    assert judge("init", "middle", "mine.go").status == 0
-    assert "func middle(a, b float64) (float64, bool) {" in (tmp_path / "mine.go").read_text()
-
-
-def test_an_unknown_language_is_one_line(judge):
-    ended = judge("init", "middle", "--language", "Jova")
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err == "judge: there is no language Jova; did you mean java?\n"
-
-
-def test_a_program_is_accepted_and_told_that_its_time_is_not_raced(judge, submit):
-    need("cpp")
-    ended = judge("run", "middle", submit(PROGRAM, "middle.cpp"))
-    assert ended.status == 0, ended
-    assert "run as a program" in ended.out
-    assert "no reference solution in C++" in ended.err
-
-
 def test_a_wrong_function_is_shrunk_and_replayed(judge, submit):
     need("cpp")
     path = submit(
@@ -100,21 +77,6 @@ def test_a_saved_case_is_a_test_that_replays_it(judge, submit, tmp_path):
     assert passed.returncode == 0, passed.stdout
 
 
-def test_the_function_of_a_file_says_its_problem(judge, submit):
-    need("cpp")
-    ended = judge("run", submit(MEAN["cpp"], "mine.cpp"))
-    assert ended.status == 0, ended
-    assert ended.lines[0].startswith("AC  mine.cpp  middle"), ended.lines
-
-
-def test_what_does_not_compile_is_told_with_line_and_column(judge, submit):
-    need("c")
-    ended = judge("run", "middle", submit("double middle(double a, double b)\n{ return a + ; }", "m.c"))
-    assert ended.status == 1
-    assert "expected expression" in ended.out
-    assert "m.c:2:14" in ended.out
-
-
 def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp_path):
     good = submit("def middle(a, b):\n    return (a + b) / 2\n", "good.py")
     other = submit(MEAN["go"], "other.go")
@@ -129,26 +91,6 @@ def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp
     assert ended.status == 3, ended
     assert "Go needs go, which is not installed; dnf install golang" in ended.out
     assert any("AC" in line and "good.py" in line for line in ended.lines), ended.out
-
-
-def test_doctor_has_a_line_for_each_language(judge):
-    shown = judge("doctor")
-    found = json.loads(judge("doctor", "--json").out)["languages"]
-    assert [each["name"] for each in found] == [language.name for language in languages()]
-    for each in found:
-        line = next(line for line in shown.lines if line.startswith(f"{each['name']} "))
-        assert (each["version"] or each["remedy"])[:20] in line
-        assert bool(each["version"]) != bool(each["missing"])
-
-
-def test_doctor_names_the_command_for_what_is_missing(judge, monkeypatch, tmp_path):
-    (tmp_path / "brew").write_text("#!/bin/sh\n")
-    (tmp_path / "brew").chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    find.toolchain.cache_clear()
-    ended = judge("doctor")
-    find.toolchain.cache_clear()
-    assert "missing javac: brew install openjdk" in ended.out
 
 
 def test_doctor_tries_languages_where_it_is_asked_to(judge, monkeypatch, tmp_path):

@@ -13,7 +13,7 @@ from judge.kata import history as kept
 from judge.kata.history import History
 from judge.kata.sets import find_set
 from judge.problem import Verdict
-from judge.problem.find import all_problems, find_problem
+from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
 
 START = datetime(2026, 3, 1, 9, tzinfo=UTC)
@@ -86,25 +86,6 @@ def test_the_checklist(judge, own_pack):
     assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
     passed("middle", without=("half",))
     assert "Fails middle half." in judge("progress", "means").out
-
-
-def test_a_skill_that_nothing_explains_is_told(judge, own_pack):
-    text = (own_pack / "middle" / "problem.toml").read_text()
-    (own_pack / "middle" / "problem.toml").write_text(text + '[skills]\n"no rof" = ["half"]\n')
-    ended = judge("progress", "means", "--json")
-    assert [skill["name"] for skill in json.loads(ended.out)["skills"]] == ["no floor"]
-    assert "no skill is called 'no rof'" in ended.err
-    faults = json.loads(judge("verify", "middle", "--json").out)["faults"]
-    assert [fault["what"] for fault in faults if fault["where"].startswith("middle/")] == [
-        "no skill is called 'no rof'"
-    ]
-
-
-def test_everything_passed_is_every_skill_shown(judge):
-    passed(*(problem.id for problem in all_problems()))
-    found = json.loads(judge("progress", "--json").out)
-    assert len(found["skills"]) >= 25
-    assert {skill["state"] for skill in found["skills"]} == {"shown"}
 
 
 def test_progress_of_the_path_is_a_row_a_set(judge):

@@ -42,12 +42,6 @@ def library(pytester):
     return run
 
 
-def test_a_test_for_each_group(library):
-    ended = library(MEAN, MARKED + GROUPS, "-v")
-    ended.assert_outcomes(passed=3)
-    ended.stdout.fnmatch_lines([f"*::test_it[[]{name}[]] PASSED*" for name in ("examples", "whole", "half")])
-
-
 def test_a_failure_is_that_of_its_group(library):
     ended = library(FLOOR, MARKED + GROUPS)
     ended.assert_outcomes(passed=1, failed=2)
@@ -84,15 +78,6 @@ def test_the_smallest_case_is_sought_once_for_a_routine(monkeypatch):
     assert len(sought) == 3
 
 
-def test_a_failed_search_leaves_the_failure_as_it_was(monkeypatch):
-    def broken(*_):
-        raise RuntimeError
-
-    monkeypatch.setattr("judge.testing.explained", broken)
-    with pytest.raises(AssertionError, match="half should catch"):
-        judge_problem("middle").check(lambda *_: 7, ["half"])
-
-
 @pytest.mark.parametrize(
     ("marker", "outcome"),
     [
@@ -103,16 +88,6 @@ def test_a_failed_search_leaves_the_failure_as_it_was(monkeypatch):
 def test_chosen_groups(marker, outcome, library):
     tests = GROUPS.replace("'middle'", marker)
     library(MEAN, MARKED + tests).assert_outcomes(passed=outcome)
-
-
-def test_a_marker_on_a_class_or_a_module(library):
-    tests = (
-        "pytestmark = pytest.mark.judge_problem('middle')\n"
-        "def test_it(judge_group):\n    judge_group.check(middle)\n"
-        "@pytest.mark.judge_problem('middle', ['whole'])\n"
-        "class TestHere:\n    def test_it(self, judge_group):\n        judge_group.check(middle)\n"
-    )
-    library(MEAN, MARKED + tests).assert_outcomes(passed=4)
 
 
 @pytest.mark.parametrize(
@@ -144,11 +119,6 @@ def test_a_bad_marker_is_one_line_and_fails_its_own_test_alone(marker, said, lib
     ended.stdout.fnmatch_lines([said])
     assert "Traceback" not in ended.stdout.str()
     assert "INTERNALERROR" not in ended.stdout.str()
-
-
-def test_the_marker_and_the_fixture_explain_themselves(library):
-    library(MEAN, "", "--markers").stdout.fnmatch_lines(["@pytest.mark.judge_problem(name, groups=None*"])
-    library(MEAN, "", "--fixtures").stdout.fnmatch_lines(["judge_group*"])
 
 
 def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
@@ -215,38 +185,10 @@ def test_a_wrong_one_counts_the_failures_of_each_group():
     ]
 
 
-@pytest.mark.parametrize("groups", ["whole", ["whole"], ("whole",)])
-def test_only_chosen_groups_are_called(groups):
-    judge_problem("middle").check(floor, groups)
-
-
 @pytest.mark.parametrize("groups", ["hlaf", ["whole", "hlaf"]])
 def test_an_unknown_group(groups):
     with pytest.raises(UsageError, match="did you mean 'half'"):
         judge_problem("middle").check(middle, groups)
-
-
-@pytest.mark.parametrize("groups", [[], (), iter([])])
-def test_no_group_at_all_is_no_success(groups):
-    with pytest.raises(UsageError, match="no group is named"):
-        judge_problem("middle").check(floor, groups)
-
-
-def test_an_unknown_problem():
-    with pytest.raises(UsageError, match="did you mean 'middle'"):
-        judge_problem("middel")
-
-
-def test_problems_of_ones_own(pack, monkeypatch):
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    judge_problem("middle", problems=[pack / "problems"]).check(middle)
-
-
-def test_another_signature_is_wrapped():
-    def of_pair(pair):
-        return sum(pair) / 2
-
-    judge_problem("middle").check(lambda a, b: of_pair((a, b)))
 
 
 def test_an_exception_is_a_failure_that_leads_to_its_line():
@@ -282,11 +224,3 @@ def test_what_is_no_failure_passes_through():
 
     with pytest.raises(pytest.skip.Exception):
         judge_problem("middle").check(skips)
-
-
-def test_a_shipped_problem_and_its_hints(monkeypatch):
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    monkeypatch.setattr("judge.testing.explained", lambda *_: None)  # no name is found
-    with pytest.raises(AssertionError, match="grid should catch") as failed:
-        judge_problem("count").check(lambda cx, cy, r, a, b: 0, ["grid"])
-    assert "forgotten-centre: " in str(failed.value)

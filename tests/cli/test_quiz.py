@@ -67,14 +67,6 @@ def test_ctrl_c_keeps_what_was_answered_and_says_how_it_went(judge, monkeypatch)
     assert len(answers()) == 1
 
 
-def test_bytes_that_are_no_text_are_no_answer(judge, monkeypatch):
-    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\xff\xfe\x00\n3.5\n"), encoding="utf-8"))
-    ended = judge("quiz", "--card", "halves/half-of-seven")
-    assert "is no answer here" in ended.out
-    assert "✓ right" in ended.out
-    assert "\x00" not in ended.out
-
-
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
     noon = kept.now().replace(hour=12)
     monkeypatch.setattr("judge.kata.history.now", lambda: noon)
@@ -88,15 +80,6 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
     assert json.loads(judge("next", "--json").out)["cards_due"] == 1
     again = typing(["b"], "quiz", "halves", "--seed", "3")
     assert again.out.startswith("1 of 1  choice")
-
-
-def test_a_listed_card_has_one_line_where_there_is_room(judge, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "80")
-    listed = judge("quiz", "middle", "--list").lines
-    assert max(map(len, listed)) <= 80
-    assert len(listed) == int(listed[-1].split()[0]) + 3
-    assert any(line.endswith(" …") for line in listed)
-    assert len(judge("quiz", "--list", "--json").lines) > 120
 
 
 # -- the interview -----------------------------------------------------------------------------------------

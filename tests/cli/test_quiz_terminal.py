@@ -51,13 +51,6 @@ def test_a_question_with_its_figure_fits_the_screen(card, rows, columns):
         assert terminal.ends() == 0
 
 
-def test_where_there_is_no_room_the_figure_is_told_in_numbers():
-    with Terminal("quiz", "--card", "middle/order-drawn", "--seed", "4", columns=30) as terminal:
-        shown = plain(terminal.until(" > "))
-        assert drawn(shown) == []
-        assert "centre (" in " ".join(shown.split())
-
-
 @pytest.mark.parametrize(("key", "status"), [("\x03", 130), nightly("\x04", 0)])
 def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
     with Terminal("quiz", "halves", "--seed", "3") as terminal:
@@ -84,11 +77,3 @@ def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():
         terminal.until("accepted, 100 of 100 points")
         terminal.until("middle: AC, 100 of 100 points after 1 run")
         assert terminal.ends() == 0
-
-
-def test_ctrl_c_in_the_kata_ends_with_the_page():
-    with Terminal("quiz", "--interview", "--cards", "0", "--kata", "middle") as terminal:
-        terminal.until("q to go on")
-        terminal.press("\x03")
-        terminal.until("middle: not judged")
-        assert terminal.ends() == 130

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import re
 import sys
 from pathlib import Path
@@ -53,19 +52,6 @@ def test_cards_alone_are_reported(judge, monkeypatch):
     assert 'id="ready"' in page
 
 
-def test_a_broken_program_alone_is_reported(judge):
-    assert judge("hack", "count", "2", "0, 0, 1, (-1, -1), (1, -1)").status == 0
-    assert judge("report").status == 0
-    page = USUAL.read_text(encoding="utf-8")
-    assert "by a wrong program that was broken" in page
-    assert not any("cards" in label for label in tiles(page))
-
-
-def test_without_the_matrix(judge, judged):
-    assert judge("report", "--no-matrix").status == 0
-    assert "yours, 1 ×" not in USUAL.read_text(encoding="utf-8")
-
-
 def test_a_problem_whose_own_solution_was_judged_alone_has_no_matrix(judge, pack, submit):
     own = pack / "solutions" / "middle"
     assert judge("run", "middle", str(own / "accepted" / "mean.py")).status == 0
@@ -84,26 +70,6 @@ def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):
     assert USUAL.read_bytes() == first
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
     assert "$SOURCE_DATE_EPOCH: 'soon' is no time" in judge("report").err
-
-
-def test_a_link_stays_a_link(judge, judged):
-    USUAL.symlink_to("real.html")
-    assert judge("report").status == 0
-    assert USUAL.is_symlink()
-    assert Path("real.html").is_file()
-
-
-def test_for_scripts(judge, judged):
-    ended = judge("report", "--out", "page.html", "--json")
-    assert ended.status == 0
-    told = json.loads(ended.out)
-    size = Path("page.html").stat().st_size
-    assert told == {"schema": 1, "out": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
-
-
-def test_whose_it_is(judge, judged):
-    assert judge("report", "--name", "Ada <3").status == 0
-    assert "<title>Kata report: Ada &lt;3</title>" in USUAL.read_text(encoding="utf-8")
 
 
 def test_what_is_no_report_is_not_overwritten(judge, judged):
@@ -136,23 +102,6 @@ def test_what_cannot_be_done(judge, judged, words, wanted):
     assert wanted in ended.err
     assert ended.err.count("\n") == 1
     assert not Path("empty.sqlite3").exists()
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_is_not_ones_own(judge, judged, tmp_path):
-    tmp_path.chmod(0o555)
-    try:
-        assert "cannot be written (permission denied)" in judge("report").err
-    finally:
-        tmp_path.chmod(0o755)
-
-
-def test_a_history_of_something_else(judge, judged):
-    Path("other.db").write_bytes(b"no database at all, whatever it says")
-    ended = judge("report", "--db", "other.db")
-    assert ended.status == 3
-    assert ended.err.startswith("judge: other.db: ")
-    assert not USUAL.exists()
 
 
 def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):

@@ -9,10 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import pytest
-from cli_support import BROKEN, FLOOR, MEAN, ROOT
-
-from judge.languages import find
-from judge.languages.model import language_called
+from cli_support import FLOOR, MEAN
 
 
 @pytest.fixture
@@ -41,30 +38,6 @@ def test_what_the_submission_prints_and_returns_cannot_break_it(judge, submit):
     assert r"the str '\x08]]>\ud800<' where a number" in failure.get("message")
 
 
-def test_a_broken_problem_is_an_error_for_each_submission(judge, team):
-    ended = judge("run", "misspelt-key", team, "--problems", BROKEN, "--junit", "out.xml")
-    assert (ended.status, ended.out) == (3, "")
-    root = Xml.parse("out.xml").getroot()
-    assert [suite.get("errors") for suite in root] == ["1", "1"]
-    assert "problem.toml" in next(root.iter("error")).get("message")
-
-
-@pytest.mark.slow
-def test_only_who_asks_for_xml_imports_it(submit, judge):
-    name = submit(MEAN)
-    judge("run", "middle", name)
-    script = (
-        "import sys\nfrom judge.cli import main\n"
-        f"sys.argv = ['judge', 'run', 'middle', {name!r}]\n"
-        "try:\n    main()\nexcept SystemExit:\n    pass\n"
-        "print('xml.etree' in sys.modules, file=sys.stderr)\n"
-    )
-    command = [sys.executable, "-c", script]
-    settings = {**os.environ, "PYTHONPATH": str(ROOT)}
-    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True, env=settings)
-    assert ended.stderr.split() == ["False"]
-
-
 # -- pictures ------------------------------------------------------------------------------------------------
 
 COUNT = "Line and circle: how many common points"
@@ -80,13 +53,6 @@ def test_the_failing_case_is_drawn_into_a_file(judge, submit):
         titles.append(Xml.parse("case.svg").getroot()[0].text)
     assert titles[0] == titles[2] == titles[3] == f"{COUNT} – counterexample"
     assert titles[1].startswith(f"{COUNT} – grid, case")
-
-
-def test_a_case_of_ones_own_is_drawn_into_a_file(judge, submit):
-    wrong = submit("def circle_segment(cx, cy, r, A, B):\n    return [(0, 3)]\n", "wrong.py")
-    ended = judge("try", "segment", "0, 0, 5, (-6, 3), (6, 3)", wrong, "--svg", "case.svg")
-    assert (ended.status, ended.err) == (1, "")
-    assert "your case" in Path("case.svg").read_text()
 
 
 @pytest.mark.parametrize(("source", "status"), [(MEAN, 0), (FLOOR, 1)])
@@ -122,20 +88,6 @@ def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
     for name in ("work/mine.py", "other.py", "a/x².py", "b/x².py", "b/x_.py", "b/-x.py"):
         submit(MEAN, name)
     assert run_pytest("test_kept.py").returncode == 0
-
-
-@pytest.mark.slow
-def test_a_kept_case_of_another_language_is_replayed(judge, submit):
-    if find.why_not(language_called("cpp")):
-        pytest.skip("no C++ here")
-    right = "double middle(double a, double b) { return (a + b) / 2; }"
-    path = submit(right.replace("/ 2", "/ 3"), "m.cpp")
-    assert judge("run", "middle", path, "--save-regression", "test_m.py").status == 1
-    failed = run_pytest("test_m.py")
-    assert failed.returncode == pytest.ExitCode.TESTS_FAILED
-    assert "wrong answer" in failed.stdout
-    submit(right, "m.cpp")
-    assert run_pytest("test_m.py").returncode == 0
 
 
 def test_a_file_that_is_no_text_is_left_alone(judge, submit):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import json
-import os
 import threading
 
 import pytest
@@ -52,14 +51,6 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")
     assert ended.err.count("\n") == 1
-
-
-def test_a_pipe_that_is_full_is_no_lack_of_processes(judge, monkeypatch):
-    def blocked(_folders):
-        raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
-
-    monkeypatch.setattr(list_module, "sound_problems", blocked)
-    assert "process" not in judge("list").err
 
 
 def test_a_judge_without_a_thread_to_spare_judges_one_after_the_other(judge, submit, monkeypatch):

@@ -57,19 +57,6 @@ def test_a_judge_that_is_killed_has_kept_what_it_has_shown(form, submit, tmp_pat
         assert {name: kept.get(name) for name in shown} == {name: TEAM[name] for name in shown}
 
 
-def test_a_run_is_in_the_history_when_its_verdict_is_shown(judge, submit, monkeypatch):
-    kept = []
-
-    def shown(*_words, **_settings):
-        with History.open(reading=True) as history:
-            kept.append([run.submission for run in history.runs()])
-        return []
-
-    monkeypatch.setattr("judge.report.results.verdict_lines", shown)
-    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
-    assert kept == [["mine.py"]]
-
-
 @pytest.mark.parametrize("words", [["--json"], []])
 def test_watch_has_kept_what_it_has_shown(words, submit, own_history):
     quick = ["--no-shrink", "--no-name", "--isolation", "limits"]
@@ -92,13 +79,6 @@ def test_a_hint_that_was_shown_counts_as_seen():
     assert ended.returncode == 141
     with History.open() as history:
         assert history.hints_seen("middle") == 1
-
-
-def test_a_hint_is_given_where_it_cannot_be_kept(judge, tmp_path):
-    (tmp_path / "diary").write_text("Dear diary,\n")
-    ended = judge("hint", "middle", "--step", "1", "--db", tmp_path / "diary")
-    assert ended.status == 3
-    assert "Half of what?" in ended.out
 
 
 @pytest.mark.parametrize("step", ["open", "add"])

@@ -66,14 +66,6 @@ def test_the_reference_is_started_once_and_the_data_are_read_once(problem, start
     assert first.result.verdict is second.result.verdict is Verdict.AC
 
 
-def test_right_and_wrong_take_turns(problem):
-    right = solution(problem, problem.time.function)
-    wrong = b"def which_side(*given):\n    return 0\n"
-    with closing(Sitting(problem, WISH)) as sitting:
-        found = [verdict(sitting, source) for source in (right, wrong, b"def", right, wrong)]
-    assert found == [Verdict.AC, Verdict.WA, Verdict.CE, Verdict.AC, Verdict.WA]
-
-
 def test_a_problem_that_has_changed_is_read_again(problem):
     right = solution(problem, problem.time.function)
     with closing(Sitting(problem, WISH)) as sitting:

@@ -37,10 +37,6 @@ def test_a_name_no_file_can_have(words, told, judge, submit):
     assert [path.name for path in Path().iterdir()] == ["mine.py"]
 
 
-def test_a_name_that_steers_the_terminal_is_written_out(judge, submit):
-    refused(judge("run", "middle", "\x1b[31mred.py"), r"\x1b[31mred.py")
-
-
 def test_a_file_too_large_to_be_a_program(judge, submit):
     refused(judge("run", "middle", submit(b"#" * (5 * 2**20))), "larger than 4 MB")
 
@@ -72,16 +68,3 @@ def test_a_folder_that_may_not_be_written_is_told_of_before_anything_is_done(wor
     judge("run", "middle", submit(MEAN), "-q")
     Path("closed").mkdir(mode=0o555)
     refused(judge(*words.split()), told)
-
-
-def test_a_link_that_leads_nowhere_is_called_one(judge):
-    Path("link.py").symlink_to("nowhere.py")
-    refused(judge("run", "middle", "link.py"), "no such file; it is a link to a file that is not there")
-    refused(judge("init", "middle", "link.py"), "there already")
-
-
-def test_a_wrong_use_leaves_the_last_file_alone(judge, submit):
-    judge("run", "middle", submit(MEAN), "--junit", "out.xml")
-    before = Path("out.xml").read_bytes()
-    assert judge("run", "middel", "mine.py", "--junit", "out.xml").status == 2
-    assert Path("out.xml").read_bytes() == before

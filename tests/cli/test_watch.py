@@ -171,17 +171,6 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     terminal.leaves()
 
 
-@pytest.mark.nightly
-def test_another_size_is_drawn_anew(watch, submit):
-    terminal = watch("middle", submit(FLOOR), rows=12)
-    lines = terminal.sees("WA  wrong answer")
-    assert "  1 more rejected, 1 group accepted" in lines
-    terminal.resize(200, 60)
-    lines = terminal.sees("half      WA")
-    assert "  1 group accepted" in lines
-    terminal.leaves()
-
-
 @pytest.mark.parametrize(
     ("ending", "status"),
     [("\x03", 130), nightly(signal.SIGINT, 130), nightly(signal.SIGTERM, 143), nightly("\x04", 0)],
@@ -190,15 +179,6 @@ def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submi
     terminal = watch("middle", submit(MEAN))
     terminal.sees("AC  accepted")
     terminal.leaves(ending, status)
-
-
-@pytest.mark.nightly
-def test_it_ends_in_the_middle_of_judging_too(watch, submit):
-    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.5)\n    return a\n"))
-    terminal.begins()
-    terminal.leaves()
-    with History.open() as history:
-        assert history.runs("middle") == []
 
 
 @pytest.mark.nightly
@@ -253,36 +233,6 @@ def piped():
     for process in open_ones:
         process.kill()
         process.communicate()
-
-
-@pytest.mark.nightly
-def test_without_a_terminal_each_result_is_written(piped, submit):
-    watching = piped("middle", submit(FLOOR))
-    while not (line := watching.stdout.readline()).startswith("WA  "):
-        assert line
-    submit(MEAN)
-    while not (line := watching.stdout.readline()).startswith("AC  "):
-        assert line
-        assert "\x1b" not in line
-    watching.send_signal(signal.SIGINT)
-    out, err = watching.communicate(timeout=PATIENCE)
-    assert (watching.returncode, out, err.strip()) == (130, "", "")
-
-
-@pytest.mark.nightly
-def test_without_a_terminal_too_a_save_gives_up_the_run_before(piped, submit, tmp_path):
-    watching = piped("middle", submit(SLEEPS), "--json", "--no-history")
-    while not _judging_below(watching.pid):
-        assert watching.poll() is None
-        time.sleep(0.05)
-    submit(MEAN)
-    assert json.loads(watching.stdout.readline())["verdict"] == "AC"
-
-
-def _judging_below(pid):
-    """Whether a process has children: the containers of what is judged."""
-    listed = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, check=False)
-    return bool(listed.stdout.split())
 
 
 def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
