@@ -12,10 +12,12 @@ from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
+from sampling import nightly
 
 from judge.batch import standard
 from judge.batch.store import Store
 from judge.errors import StoreError
+from judge.manual import page
 
 pytestmark = pytest.mark.slow
 
@@ -143,20 +145,20 @@ def test_a_broken_problem_costs_its_own_files_alone(judge, submit):
 
 
 def test_shards_merged_are_the_plain_run(judge, homework, submit):
-    for at in range(2, 6):
+    for at in (2, 3):
         submit(WRONG.format(at), f"homework/s{at}/middle.py")
     assert judge("class", "homework", *QUICK, "-q", "--out", "plain.sqlite3").status == 3
     for number in (1, 2, 3):
         assert judge("class", "homework", *QUICK, "-q", "--shard", f"{number}/3").status in (0, 1, 3)
     parts = [f"homework.judge.{number}-of-3.sqlite3" for number in (1, 2, 3)]
-    assert sum(len(stored(part)) for part in parts) == 8
-    assert all(len(stored(part)) < 8 for part in parts)
+    assert sum(len(stored(part)) for part in parts) == 6
+    assert all(len(stored(part)) < 6 for part in parts)
     part = judge("class", "homework", "--merge", parts[0], "--out", "one.sqlite3")
     assert part.status in (1, 3)
-    assert f"{8 - len(stored(parts[0]))} files in none of the files that were merged" in part.err
+    assert f"{6 - len(stored(parts[0]))} files in none of the files that were merged" in part.err
     merged = judge("class", "homework", "--merge", *parts)
     assert (merged.status, merged.err.count("\n")) == (3, 2)
-    assert "8 rows merged from 3 files" in merged.err
+    assert "6 rows merged from 3 files" in merged.err
     assert untimed(stored()) == untimed(stored("plain.sqlite3"))
     other = judge("class", "homework", "--level", "interview", "-q", "--out", "level.sqlite3")
     assert other.status == 3  # the problem has one level only, which is no reason to stop
@@ -201,10 +203,10 @@ def some_rows(least=1):
     raise AssertionError("no row is kept")
 
 
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+@pytest.mark.parametrize("how", [nightly(signal.SIGKILL), signal.SIGINT])
 def test_the_same_command_goes_on_after_any_end(judge, submit, how):
-    sleepy = "import time\ntime.sleep(0.2)\n"
-    for at in range(8):
+    sleepy = "import time\ntime.sleep(1)\n"
+    for at in range(6):
         submit(f"{sleepy}\n{WRONG.format(at + 2)}", f"homework/s{at}/middle.py")
     process = started("-j", "2")
     some_rows()
@@ -214,19 +216,35 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
     os.killpg(process.pid, how) if how == signal.SIGINT else process.kill()
     printed, said = process.communicate(timeout=120)
     kept = stored()
-    assert 1 <= len(kept) < 8
+    assert 1 <= len(kept) < 6
     if how == signal.SIGINT:
         assert process.returncode == 130
-        left = 8 - len(kept)
+        left = 6 - len(kept)
         assert f"{left} file{'s' * (left > 1)} left; the same command goes on" in said
-        assert f"0 of {len(kept)} accepted, 8 students, 1 problem" in printed
+        assert f"0 of {len(kept)} accepted, 6 students, 1 problem" in printed
         assert "Traceback" not in said
     ended = judge("class", "homework", *QUICK)
     assert f"{len(kept)} kept from before" in ended.err
     final = stored()
-    assert len(final) == len({row.key for row in final}) == 8
+    assert len(final) == len({row.key for row in final}) == 6
     assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()
     assert {row.verdict for row in final} == {"WA"}
 
 
-# -- the recipes of the manual --------------------------------------------------------------------------
+SBATCH = """#!/bin/sh
+for word in "$@"; do command=$word; done
+while [ "$task" != 20 ]; do task=$((task + 1)); SLURM_ARRAY_TASK_ID=$task sh -c "$command"; done
+"""
+
+
+def test_the_manuals_recipe_asks_for_each_shard_once(tmp_path):
+    blocks = page("class").text.split("```")[1::2]
+    (recipe,) = [block.partition("\n")[2] for block in blocks if "sbatch" in block]
+    for name, text in (("sbatch", SBATCH), ("judge", '#!/bin/sh\necho "$@" >> asked\n')):
+        (tmp_path / name).write_text(text)
+        (tmp_path / name).chmod(0o755)
+    settings = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    command = recipe.partition("judge class homework --merge")[0]
+    subprocess.run(["sh", "-e", "-c", command], check=True, env=settings, timeout=60)
+    asked = (tmp_path / "asked").read_text().splitlines()
+    assert asked == [f"class homework --shard {number}/20" for number in range(1, 21)]

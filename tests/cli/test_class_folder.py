@@ -102,15 +102,12 @@ def test_ctrl_c_shows_the_table_so_far(submit):
 
 
 def test_a_folder_that_is_no_class_ends_soon(judge, submit):
-    """Not the whole of a disk is read, and one file is all that these take."""
+    """Not the whole of a disk is read."""
     submit(MEAN, "a/" * 25 + "deep.py")
     submit(MEAN, "a/near.py")
     ended = judge("run", "-q", "middle", "a")
     assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted  middle")
     assert "lies more than 20 levels down" in ended.out
-    submit(MEAN, "b/inner/one.py")
-    for words in (["stress", "middle", "b"], ["replay", "middle:half:v1,2:000000", "b"]):
-        assert "this folder holds no *.py file" in judge(*words).err
 
 
 def test_more_files_than_anybody_has(judge, submit, monkeypatch):
@@ -120,3 +117,31 @@ def test_more_files_than_anybody_has(judge, submit, monkeypatch):
     ended = judge("run", "middle", "class")
     assert (ended.status, ended.out) == (2, "")
     assert "class: this folder holds more than 3 *.py files; name a smaller one" in ended.err
+
+
+def test_a_student_gets_no_marks_by_a_link(judge, submit):
+    submit(MEAN, "class/bob/middle.py")
+    submit(FLOOR, "class/eve/middle.py")
+    Path("class/ada").mkdir()
+    Path("class/ada/middle.py").symlink_to("../bob/middle.py")
+    ended = judge("class", "class", "--json", "--no-name")
+    rows = {row["student"]: row for row in map(json.loads, ended.lines)}
+    assert {name: row["verdict"] for name, row in rows.items()} == {"ada": "JE", "bob": "AC", "eve": "WA"}
+    assert rows["ada"]["score"] == 0
+    assert ended.status == 3
+
+
+def test_a_folder_is_left_by_no_link(judge, submit):
+    submit(MEAN, "outside.py")
+    submit(MEAN, "folder/inside.py")
+    Path("folder/out.py").symlink_to("../outside.py")
+    Path("folder/in.py").symlink_to("inside.py")
+    ended = judge("run", "-q", "middle", "folder", "--no-history")
+    rows = {line.split()[0]: line for line in ended.lines if "folder/" in line}
+    assert "JE" in rows["folder/out.py"]
+    assert "it is a link out of the folder, which is not followed" in rows["folder/out.py"]
+    assert "AC" in rows["folder/in.py"]
+    ended = judge("run", "-q", "middle", "folder", "--no-history", "--follow-links")
+    assert (ended.status, ended.out.count(" AC ")) == (0, 3)
+    ended = judge("run", "-q", "middle", "folder/out.py", "--no-history")  # named by the person
+    assert ended.status == 0

@@ -8,6 +8,7 @@ import shutil
 import pytest
 from cli_support import ROOT
 from mistaken import mistaken
+from sampling import nightly
 
 from judge.judging.containment import Containment
 from judge.problem.load import load_problem
@@ -101,7 +102,7 @@ def wrong(tmp_path):
     return tmp_path
 
 
-@pytest.mark.parametrize("jobs", ["1", "2", "4"])
+@pytest.mark.parametrize("jobs", ["2", nightly("4")])
 def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs, wrong):
     files = [
         ACCEPTED / "exact.py",
@@ -116,6 +117,7 @@ def test_several_at_once_come_in_order_with_the_same_verdicts(judge, jobs, wrong
     assert results[1]["failure"]["group"] == "near-hit"
 
 
+@pytest.mark.nightly
 def test_an_accepted_submission_has_a_ratio(judge):
     result = json.loads(judge("run", "count", str(ACCEPTED / "exact.py"), "--json").out)
     ratio = result["time"]["ratio"]

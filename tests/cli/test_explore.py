@@ -8,7 +8,7 @@ from html import unescape
 from pathlib import Path
 
 import pytest
-from chromium import CHROMIUM, dom, measured
+from chromium import CHROMIUM, dom
 
 from judge.problem.find import find_problem
 from judge.topics.circles.explore import explored
@@ -49,7 +49,6 @@ def test_it_writes_one_file_that_loads_nothing(judge):
             "line",
             ["0", "0", str(10**40), "1", "2", "3", "4"],
         ),
-        (("ray-nearest", "0 0 1 -3 0 2 0"), "ray", ["0", "0", "1", "-3", "0", "2", "0"]),
         (("segment", "0, 0, 5, (-6, 3), (6, 3.5)"), "segment", ["0", "0", "5", "-6", "3", "6", "3.5"]),
     ],
 )
@@ -117,13 +116,9 @@ def values(*case):
     ("problem", "part", "case", "answer", "promise"),
     [
         ("count", Part.LINE, (0, 0, 1, (-1, 1), (1, 1)), "1 point", "keeps the promise"),
-        ("count", Part.LINE, (0, 0, 1, (-1, 1), (-1, 1)), "None: no line", "keeps the promise"),
-        ("count", Part.LINE, (0.1, 0.2, 0.5, (-0.4, 1.2), (1.2, 0)), "1 point", "keeps the promise"),
         ("count", Part.LINE, (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "between the bands"),
-        ("segment", Part.SEGMENT, (0, 0, 5, (0, 0), (9, 0)), "1 point", "keeps the promise"),
         ("segment", Part.SEGMENT, (0, 0, 5, (3, 4), (3, 4)), "1 point", "keeps the promise"),
         ("ray-nearest", Part.RAY, (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "keeps the promise"),
-        ("ray-nearest", Part.RAY, (0, 0, 1, (3, 0), (2, 0)), "None: no hit", "keeps the promise"),
     ],
 )
 def test_what_it_says(tmp_path, problem, part, case, answer, promise):
@@ -174,17 +169,3 @@ def test_keys_fingers_and_fields_move_it(tmp_path):
     assert int(moved[1]) in range(3, 12)
     assert turned.startswith(f'judge try ray-nearest "{moved[1]}, 0, 5.1, (-8, -0.9), (14, 4.8999999')
     assert invalid == "true"
-
-
-@pytest.mark.slow
-@browser
-@pytest.mark.parametrize(("width", "dark"), [(390, False), (390, True), (800, True), (1200, False)])
-def test_it_fits_and_every_word_stands_out(tmp_path, width, dark):
-    page = tmp_path / "page.html"
-    page.write_text(explored(Part.SEGMENT, find_problem("segment"), None), encoding="utf-8")
-    found = measured(page, width=width, dark=dark)
-    assert (found["width"], found["dark"]) == (width, dark)
-    assert found["needed"] <= width
-    assert found["words"] > 60
-    assert found["faint"] == []
-    assert found["least"] >= 9

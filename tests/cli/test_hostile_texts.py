@@ -73,6 +73,7 @@ def test_a_class_with_such_files_ends_and_all_others_are_judged(judge, submit, h
     assert "two/other.cpp: no problem is called so" in told
 
 
+@pytest.mark.nightly
 def test_of_several_files_such_a_one_is_a_row(judge, submit, slow_language):
     files = [
         submit(slow_language, "any.slow"),

@@ -9,7 +9,6 @@ import pytest
 from cli_support import MEAN
 from terminals import on_a_terminal
 
-from judge.cli.kata import Kata
 from judge.judging.isolation import keep_level, kept_level
 from judge.sandbox import levels, probe
 
@@ -114,25 +113,3 @@ def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch
         patch.setattr(os, "uname", lambda: os.uname_result(("Linux", "elsewhere", *here[2:])))
         keep_level("strong")
     assert kept_level() == "full"
-
-
-@pytest.mark.usefixtures("own_cache")
-def test_a_watched_file_demands_what_it_has_had(submit, tmp_path, monkeypatch):
-    if BEST != "full":
-        pytest.skip("full cannot be had here")
-    from judge.cli.watching import WatchedFile
-    from judge.cli.wish import Wish
-    from judge.judging.job import Terms
-    from judge.problem.find import find_problem
-
-    path = tmp_path / submit(MEAN)
-    watched = WatchedFile(Kata(find_problem("middle", []), path), Wish(Terms(), kept=False))
-    assert watched.saved()
-    assert watched.judge().result.isolation == "full"
-    for _ in range(2):
-        with monkeypatch.context() as patch:
-            patch.setattr("judge.sandbox.launch.bubblewrap_path", lambda: str(tmp_path / "gone"))
-            failed = watched.judge().result
-        assert failed.verdict.value == "JE"
-        assert failed.failure.message.startswith("isolation full was had and is now refused: ")
-    assert watched.judge().result.isolation == "full"

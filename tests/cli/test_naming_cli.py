@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import threading
 
 import pytest
@@ -21,7 +20,6 @@ def own_cache(tmp_path, monkeypatch):
     ("source", "options"),
     [
         (FLOOR, ["--no-name"]),
-        (FLOOR, ["-q"]),
         (MEAN, []),
         ("def middle(a, b: pass\n", ["--json"]),
     ],
@@ -50,32 +48,6 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, submit, tmp_path, mo
     ended = judge("run", "middle", submit(FLOOR))
     assert "  floor-division" in ended.out
     assert "the known mistakes' answers are not kept" in ended.err
-
-
-def test_only_what_is_new_is_learnt(judge, submit, own_cache, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    problems = tmp_path / "pack" / "problems"
-    name = submit(FLOOR)
-    judge("run", "middle", name, "--problems", problems)
-    (file,) = own_cache.iterdir()
-    before = kept_programs(file)
-    wrong = tmp_path / "pack" / "solutions" / "middle" / "wrong"
-    (wrong / "floor-division-int.py").write_text('"""floor-division"""\n' + FLOOR)
-    (wrong / "unreadable.py").write_text("def (:\n")
-    assert "  floor-division" in judge("run", "middle", name, "--problems", problems).out
-    assert list(own_cache.iterdir()) == [file]
-    after = kept_programs(file)
-    assert len(after) == len(before) + 1
-    assert before.items() <= after.items()
-    (wrong / "floor-division-int.py").unlink()
-    (wrong / "floor-division-round.py").write_text('"""floor-division"""\n\n' + FLOOR)
-    judge("run", "middle", name, "--problems", problems)
-    assert before.keys() < kept_programs(file).keys() != after.keys()
-
-
-def kept_programs(file):
-    """What is kept of each program, by its hash."""
-    return json.loads(file.read_bytes().partition(b"\n")[2])
 
 
 @pytest.mark.slow

@@ -119,13 +119,9 @@ def test_watch_runs_it(practised, mark):
     assert mark.exists()
 
 
-@pytest.mark.parametrize("line", ["run mid"])
-def test_completion_only_reads(line, practised, mark, judge, monkeypatch):
-    words = ["judge", *line.split(" ")]
-    monkeypatch.setenv("_JUDGE_COMPLETE", "bash_complete")
-    monkeypatch.setenv("COMP_WORDS", " ".join(words))
-    monkeypatch.setenv("COMP_CWORD", str(len(words) - 1))
-    assert judge().status == 0
+def test_completion_only_reads(practised, mark, process):
+    asked = {"_JUDGE_COMPLETE": "bash_complete", "COMP_WORDS": "judge run mid", "COMP_CWORD": "2"}
+    assert "middle" in process(**asked).out
     assert not mark.exists()
 
 

@@ -102,14 +102,6 @@ def test_progress_of_the_path_is_a_row_a_set(judge):
         assert words in everything
 
 
-def test_a_lost_skill_stands_out(judge):
-    first = find_problem("diameter").groups[-1].name
-    passed("diameter")
-    passed("diameter", without=(first,))
-    (said,) = [line for line in judge("progress").lines if line.startswith("  lost  ")]
-    assert f"fails diameter {first}" in said
-
-
 # -- judge due --------------------------------------------------------------------------------------------
 
 

@@ -131,6 +131,7 @@ def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
     assert ended.stdout.split() == ["judge", "judge.pytest_plugin"]
 
 
+@pytest.mark.nightly
 def test_the_manuals_example(pytester, library, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
     (example,) = re.findall(r"^```py\n(.*?)^```$", page("testing").text, re.MULTILINE | re.DOTALL)
@@ -201,26 +202,6 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
     assert isinstance(failed.value.__cause__, ZeroDivisionError)
 
 
-def test_an_exception_whose_own_text_fails():
-    class MuteError(Exception):
-        def __str__(self):
-            raise ValueError
-
-    def mute(a, b):
-        raise MuteError
-
-    with pytest.raises(AssertionError, match=r"MuteError: \(its text cannot be shown\)"):
-        judge_problem("middle").check(mute)
-
-
 def test_a_wrong_type_says_so():
     with pytest.raises(AssertionError, match=r"why     the str '1\.5' where a number or None is meant"):
         judge_problem("middle").check(lambda a, b: str((a + b) / 2))
-
-
-def test_what_is_no_failure_passes_through():
-    def skips(a, b):
-        pytest.skip("not here")
-
-    with pytest.raises(pytest.skip.Exception):
-        judge_problem("middle").check(skips)

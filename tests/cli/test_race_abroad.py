@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 from cli_support import PACK
 from jsonschema import Draft202012Validator
-from sampling import nightly
 
 from judge.languages import find
 from judge.languages.model import language_called
@@ -70,6 +69,7 @@ def test_it_is_raced_against_its_own_language(raced):
     assert "held to" not in ended.err
 
 
+@pytest.mark.nightly
 def test_without_a_reference_it_is_held_to_pythons(raced):
     need("go")
     result, ended = raced(GO, "mine.go")
@@ -80,6 +80,7 @@ def test_without_a_reference_it_is_held_to_pythons(raced):
     assert why in ended.err
 
 
+@pytest.mark.nightly
 def test_too_slow_beside_the_reference(raced):
     result, ended = raced(WORK.replace("COUNT", "200000"), "mine.cpp")
     assert result["verdict"] == "TLE"
@@ -95,53 +96,20 @@ long long inversions(std::vector<long long> values) {
     return found;
 }
 """
-MERGE = """// Merge.
-#include <algorithm>
-#include <vector>
-static long long sorted(std::vector<long long>& v, size_t from, size_t to) {
-    if (to - from < 2) return 0;
-    size_t half = (from + to) / 2, right = half;
-    long long found = sorted(v, from, half) + sorted(v, half, to);
-    for (size_t left = from; left < half; ++left) {
-        while (right < to && v[right] < v[left]) ++right;
-        found += right - half;
-    }
-    std::inplace_merge(v.begin() + from, v.begin() + half, v.begin() + to);
-    return found;
-}
-long long inversions(std::vector<long long> values) { return sorted(values, 0, values.size()); }
-"""
 
 
-@pytest.fixture
-def grown(judge, submit, tmp_path, monkeypatch):
-    """Judge a file on `inversions`, with a reference in C++ or without."""
+@pytest.mark.nightly
+def test_the_growth_of_another_language(judge, submit, monkeypatch):
     need("cpp")
-    shutil.copytree(GROWTH, tmp_path / "growth")
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "growth" / "problems"))
-
-    def run(source, *, own):
-        if own:
-            (tmp_path / "growth" / "solutions" / "inversions" / "accepted" / "reference.cpp").write_text(
-                MERGE
-            )
-            toml = tmp_path / "growth" / "problems" / "inversions" / "problem.toml"
-            table = '[time.references]\ncpp = "reference.cpp"\n\n[growth]'
-            toml.write_text(toml.read_text().replace("[growth]", table, 1))
-        return json.loads(judge("run", "--json", "inversions", submit(source, "mine.cpp")).out)
-
-    return run
-
-
-@pytest.mark.parametrize("own", [nightly(True), False])
-def test_the_growth_of_another_language(grown, own):
-    result = grown(QUADRATIC, own=own)
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(GROWTH / "problems"))
+    result = json.loads(judge("run", "--json", "inversions", submit(QUADRATIC, "mine.cpp")).out)
     growth = result["time"]["growth"]
     assert result["verdict"] == "TLE", result
     assert growth["exponent"] > growth["reference"] + 0.4
-    assert result["time"]["reference"]["language"] == ("C++" if own else "Python")
+    assert result["time"]["reference"]["language"] == "Python"
 
 
+@pytest.mark.nightly
 def test_the_solution_in_another_language_is_shown(judge, raced):
     assert judge("run", "-q", "middle", "mine.cpp").status == 2  # nothing there yet
     raced(CPP.replace("// Mean.", "// Mine."), "mine.cpp")

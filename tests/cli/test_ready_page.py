@@ -1,44 +1,18 @@
-"""The questions in the report: what they say, and that they are one page on paper."""
+"""The questions in the report, and the state of each."""
 
 from __future__ import annotations
 
 import io
 import re
-import subprocess
 import sys
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from chromium import CHROMIUM
 from cli_support import ROOT
 
 from judge.kata.checklist import read_checklist
 
 pytestmark = pytest.mark.slow
-
-
-class Ready(HTMLParser):
-    """The words of the section, and the state of each of its entries."""
-
-    def __init__(self, html):
-        super().__init__()
-        self.inside, self.words, self.states = False, [], []
-        self.feed(html)
-
-    def handle_starttag(self, tag, attributes):
-        given = dict(attributes)
-        self.inside = given.get("id") == "ready" if tag == "section" else self.inside
-        if self.inside and tag == "li":
-            self.states.append(given["class"])
-
-    def handle_data(self, data):
-        if self.inside:
-            self.words.append(data)
-
-    @property
-    def text(self):
-        return " ".join(" ".join(self.words).split())
 
 
 @pytest.fixture
@@ -54,18 +28,16 @@ def report(judge, submit, monkeypatch):
 
 
 def test_every_question_is_there_with_its_state(report):
-    ready = Ready(report.read_text(encoding="utf-8"))
-    rows = read_checklist().rows
-    assert len(ready.states) == len(rows)
-    assert all(f"{row.id}" in ready.text for row in rows)
-    state = dict(zip([row.id for row in rows], ready.states, strict=True))
+    page = report.read_text(encoding="utf-8")
+    ready = page[page.index('<section id="ready"') : page.index('<section id="skills"')]
+    rows = [row.id for row in read_checklist().rows]
+    states = re.findall(r'<li class="(\w+)"', ready)
+    state = dict(zip(rows, states, strict=True))
     assert state["M4"] == "passed"  # by the kata
     assert state["J13"] == "passed"  # by the card
-    assert (state["S10"], state["P14"]) == ("open", "open")
-    assert {state[f"Q{number}"] for number in (2, 9, 14)} == {"open"}
+    assert {state[name] for name in ("S10", "P14", "Q2", "Q9", "Q14")} == {"open"}
     assert state["Q7"] == "open"  # that of a segment is shown, that of a ray is not
-    assert "J13 : Where is it used? Done" in ready.text
-    assert re.search(r"Ready\? (\d+) of 14 ticked", ready.text)
+    assert re.search(r"Ready\?", ready)
 
 
 def test_a_broken_checklist_costs_the_report_its_questions_only(judge, submit, tmp_path):
@@ -77,24 +49,3 @@ def test_a_broken_checklist_costs_the_report_its_questions_only(judge, submit, t
     assert ended.status == 0
     assert "the questions are left out: own/checklist.toml:1" in ended.err
     assert 'id="ready"' not in Path("judge-report.html").read_text(encoding="utf-8")
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
-def test_the_questions_are_one_page_on_paper(report):
-    html = report.read_text(encoding="utf-8")
-    start, end = html.index('<section id="ready"'), html.index('<section id="skills"')
-    before, after = html.index("<header>"), html.index("</main>")
-    alone = report.with_name("alone.html")
-    alone.write_text(f"{html[:before]}<main>{html[start:end]}{html[after:].partition('<footer')[0]}")
-    command = [
-        CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-        f"--user-data-dir={report.parent / 'chromium'}", "--no-pdf-header-footer",
-        f"--print-to-pdf={report.parent / 'alone.pdf'}", alone.as_uri(),
-    ]  # fmt: skip
-    subprocess.run(command, capture_output=True, timeout=120, check=True)
-    assert pages((report.parent / "alone.pdf").read_bytes()) == 1
-
-
-def pages(pdf):
-    """How many pages a PDF of Chromium's has."""
-    return len(re.findall(rb"/Type\s*/Page\b(?!s)", pdf))

@@ -35,15 +35,6 @@ def test_a_terminal_is_coloured_unless_it_asks_for_none(settings, coloured, subm
 
 
 @pytest.mark.slow
-def test_a_long_run_shows_a_bar_on_a_terminal(submit):
-    submit("import time\ndef middle(a, b):\n    time.sleep(0.03)\n    return (a + b) / 2\n")
-    status, written = on_a_terminal("run", "middle", "mine.py", **PLAIN, COLUMNS="100")
-    assert status == 0
-    assert "52/52" in written
-    assert written.rstrip().splitlines()[-1].startswith("AC  accepted")
-
-
-@pytest.mark.slow
 def test_the_bar_of_a_class_counts_its_files(submit):
     for name in "ab":
         submit("import time\ndef middle(a, b):\n    time.sleep(0.05)\n    return a\n", f"class/{name}.py")
@@ -87,9 +78,9 @@ def big(digits, advice=""):
     )
 
 
-@pytest.mark.parametrize("digits", [1, 60, 200, 1000, 4000])
+@pytest.mark.parametrize("digits", [1, 200, 4000])
 @pytest.mark.parametrize("advice", ["", "Do it otherwise. " * 4, "Do it otherwise. " * 60])
-@pytest.mark.parametrize("width", [60, 80, 200])
+@pytest.mark.parametrize("width", [60, 200])
 def test_whatever_is_long_is_cut(digits, advice, width):
     lines = glance_lines(big(digits, advice), width, 23)
     assert taken(lines, width) <= 23

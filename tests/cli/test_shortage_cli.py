@@ -11,7 +11,6 @@ from cli_support import FLOOR, MEAN
 
 from judge.cli.commands import list as list_module
 from judge.judging import session
-from judge.sandbox import container
 
 SHORTAGES = [
     (OSError(errno.EMFILE, "Too many open files"), "the judge has no file descriptor left; use a smaller -j"),
@@ -71,22 +70,3 @@ def test_a_judge_without_a_thread_to_spare_judges_one_after_the_other(judge, sub
     for row in ended.lines:
         assert json.loads(row)["failure"]["message"].startswith(SHORTAGES[3][1])
     assert ended.status == 3
-
-
-def test_without_any_thread_every_submission_says_so(judge, submit, monkeypatch):
-    def start(_thread):
-        raise RuntimeError("can't start new thread")
-
-    monkeypatch.setattr(threading.Thread, "start", start)
-    monkeypatch.setattr(container, "_STARTER", container._Starter())
-    monkeypatch.setattr("judge.sandbox.holder.PAUSES", (0.0,) * 9)
-    files = [submit(MEAN, name) for name in ("a.py", "b.py")]
-    ended = judge("run", "middle", *files, "--json")
-    results = [json.loads(row) for row in ended.lines]
-    assert [result["verdict"] for result in results] == ["JE", "JE"]
-    for result in results:
-        message = result["failure"]["message"]
-        assert message.startswith(
-            "no container could be started: no further process or thread can be started"
-        )
-    assert (ended.status, ended.err) == (3, "")

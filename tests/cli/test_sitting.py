@@ -11,7 +11,6 @@ from judge.cli.judging import Sitting
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.errors import ProblemError
-from judge.judging.containment import Containment
 from judge.judging.job import Terms
 from judge.problem import Verdict
 from judge.problem.find import find_problem
@@ -77,24 +76,3 @@ def test_a_problem_that_has_changed_is_read_again(problem):
         after = sitting.judged(Submission("mine.py", right))
     assert after.data is not before
     assert after.result.verdict is Verdict.AC
-
-
-@pytest.mark.parametrize("fault", [KeyboardInterrupt, RuntimeError])
-def test_what_breaks_it_off_ends_the_boxes(fault, problem, monkeypatch):
-    right = solution(problem, problem.time.function)
-    closed = []
-    usual = Containment.close
-    monkeypatch.setattr(Containment, "close", lambda self: (closed.append(1), usual(self)))
-
-    def fail(*_args, **_named):
-        raise fault
-
-    with closing(Sitting(problem, WISH)) as sitting:
-        assert verdict(sitting, right) is Verdict.AC
-        assert not closed
-        with monkeypatch.context() as patch:
-            patch.setattr("judge.cli.drawings.Recording.open", fail)
-            with pytest.raises(fault):
-                verdict(sitting, right)
-        assert closed
-        assert verdict(sitting, right) is Verdict.AC

@@ -149,6 +149,7 @@ def test_the_keys(watch, submit):
         assert len(history.runs("middle")) == 2
 
 
+@pytest.mark.nightly
 def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):
     shutil.copytree(pack / "problems", tmp_path / "problems")
     shutil.copytree(pack / "problems" / "middle", tmp_path / "problems" / "mid-twin")
@@ -181,24 +182,10 @@ def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submi
     terminal.leaves(ending, status)
 
 
-@pytest.mark.nightly
-def test_a_save_while_judging_causes_one_more_run(watch, submit):
-    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.02)\n    return a\n"))
-    terminal.begins()
-    submit(FLOOR)
-    submit(MEAN)
-    terminal.sees("AC  accepted")
-    for _ in range(5):  # nothing follows
-        terminal.read()
-    terminal.leaves()
-    with History.open() as history:
-        assert [run.verdict.value for run in history.runs("middle")][-1] == "AC"
-        assert len(history.runs("middle")) <= 2
-
-
 SLEEPS = "import time\ndef middle(a, b):\n    time.sleep(999)\n"
 
 
+@pytest.mark.nightly
 def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
     """Every call of it would wait for the wall limit; nothing is told or kept of it."""
     terminal = watch("middle", submit(SLEEPS))
