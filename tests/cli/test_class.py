@@ -119,15 +119,6 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "the options (" in named.err
 
 
-def test_the_best_of_several_files_counts(judge, submit):
-    submit(FLOOR, "homework/ada/middle.py")
-    submit(MEAN, "homework/ada/later/middle.py")
-    ended = judge("class", "homework", *QUICK)
-    assert ended.status == 0
-    assert "ada  AC 100+" in ended.out
-    assert len(stored()) == 2
-
-
 def test_a_broken_problem_costs_its_own_files_alone(judge, submit):
     submit("x = 1\n", "homework/ada/misspelt-key.py")
     submit("x = 1\n", "homework/ada/module-raises.py")  # whose data cannot be built

@@ -145,3 +145,6 @@ def test_a_folder_is_left_by_no_link(judge, submit):
     assert (ended.status, ended.out.count(" AC ")) == (0, 3)
     ended = judge("run", "-q", "middle", "folder/out.py", "--no-history")  # named by the person
     assert ended.status == 0
+
+
+# -- what could not be held ------------------------------------------------------------------------------

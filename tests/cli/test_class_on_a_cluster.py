@@ -16,9 +16,6 @@ import sys
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
-from judge.batch.elsewhere import Elsewhere
-from judge.errors import JudgeError, UsageError
-
 pytest.importorskip("distributed", reason="distributed is not installed")
 
 from clusters import served
@@ -175,19 +172,6 @@ def test_a_worker_that_would_judge_otherwise_is_named_once_and_left_out(homework
     assert len(said) == len(set(said)) == 2
     assert sum("the problem's files (" in line for line in said) == 1
     assert sum("it has 2 threads; start it with --nthreads 1" in line for line in said) == 1
-
-
-@pytest.mark.nightly
-def test_no_worker_is_a_line_and_one_without_our_judge_is_left_out(tmp_path):
-    (tmp_path / "judge.py").write_text("")
-    with served(tmp_path, 0) as cluster:
-        alone = Elsewhere(cluster.address, patience=1)
-        with pytest.raises(JudgeError, match="no worker is ready at tcp"), alone:
-            pass
-        cluster.add(1, PYTHONPATH=str(tmp_path))
-        alone = Elsewhere(cluster.address)
-        with pytest.raises(UsageError, match=r"it cannot begin \(ModuleNotFoundError.*judge"), alone:
-            pass
 
 
 def test_plain_class_imports_nothing_of_it_and_a_missing_package_is_a_line(

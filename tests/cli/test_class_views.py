@@ -11,7 +11,6 @@ from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import pytest
-from chromium import CHROMIUM, dom, measured
 from cli_support import FLOOR, MEAN
 from jsonschema import Draft202012Validator
 
@@ -88,22 +87,3 @@ def test_the_cohort_for_scripts(judge, homework):
     for text in (*rows, last):
         checked.validate(json.loads(text))
     assert judge("class", homework, "--no-name", "-q").out.count("handed in") == 0
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
-def test_a_browser_shows_the_page_and_runs_nothing(judge, homework, tmp_path):
-    assert (
-        judge("class", homework, "--students", "list.csv", "--no-name", "-q", "--html", "class.html").status
-        == 1
-    )
-    page = Path("class.html").absolute()
-    shown = dom(page)
-    assert "<title>Class: homework</title>" in shown
-    assert not re.findall(r"<(script|img)\b", shown)
-    for width, dark in ((360, True), (1200, False)):
-        found = measured(page, width=width, dark=dark)
-        assert found["needed"] <= width
-        assert found["dark"] is dark
-        assert found["words"] > 90
-        assert found["faint"] == []
-        assert found["least"] >= 9

@@ -14,6 +14,8 @@ from judge.problem.find import find_problem
 from judge.topics.circles.explore import explored
 from judge.topics.circles.part import Part
 
+pytestmark = pytest.mark.slow
+
 browser = pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
 TOUCH = "0, 0, 1, (-1, 1), (1, 1)"
 
@@ -110,7 +112,6 @@ def values(*case):
     return dict(zip(("cx", "cy", "r", "A", "B"), case, strict=True))
 
 
-@pytest.mark.slow
 @browser
 @pytest.mark.parametrize(
     ("problem", "part", "case", "answer", "promise"),
@@ -158,7 +159,6 @@ document.getElementById("said").textContent = JSON.stringify([keyed, dragged, tu
 """
 
 
-@pytest.mark.slow
 @browser
 def test_keys_fingers_and_fields_move_it(tmp_path):
     page = shown(tmp_path, "count", Part.LINE, values(0, 0, 5, (-7, -1), (6, 4)), MOVES)

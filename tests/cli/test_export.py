@@ -87,14 +87,6 @@ def test_a_package_of_the_problem_is_replaced_whole_and_nothing_else(judge):
     assert (NEW / "problem.yaml").read_text() == "uuid: another\n"
 
 
-def test_a_link_is_not_followed(judge, tmp_path):
-    assert judge(*BARE).status == 0
-    LEGACY.rename(tmp_path / "elsewhere")
-    LEGACY.symlink_to(tmp_path / "elsewhere")
-    assert judge(*BARE).status == 2
-    assert (tmp_path / "elsewhere/problem.yaml").is_file()
-
-
 def test_two_problems_of_one_short_name_are_refused(judge, pack, tmp_path):
     for name in ("mid-dle", "middle"):
         shutil.copytree(pack / "problems/middle", tmp_path / "pack/problems" / name)

@@ -13,11 +13,11 @@ from sampling import daily
 from terminals import on_a_terminal
 
 from judge.errors import ProblemError
-from judge.kata.hacks import Hack, HackState, Outcome, broken, hack_shares, hack_states
-from judge.kata.history import History
 from judge.mistakes.killing import Jury
 from judge.mistakes.puzzles import read_puzzles
 from judge.problem.find import find_problem, problem_folders
+
+pytestmark = pytest.mark.slow
 
 SHIPPED = sorted(
     folder.name
@@ -26,28 +26,6 @@ SHIPPED = sorted(
 )
 
 
-def test_what_was_tried_last_says_the_state_of_a_program(own_history):
-    problem = find_problem("count")
-    with History.open() as history:
-        history.add_hack("count", "forgotten-abs", "a", Outcome.GIVEN_UP)
-        history.add_hack("count", "forgotten-abs", "a", Outcome.WON)
-        history.add_hack("count", "equality", "b", Outcome.LOST)
-        history.add_hack("count", "no-such-mistake", "c", Outcome.WON)
-        hacks = history.hacks("count")
-        assert history.hacks("segment") == []
-        assert broken(hacks) == {"no-such-mistake": hacks[-1].when}
-        assert hack_states(["forgotten-abs", "equality"], hacks) == {
-            "forgotten-abs": HackState.GIVEN_UP,
-            "equality": HackState.OPEN,
-        }
-        assert [dict(share.broken) for share in hack_shares([problem], hacks)] == [{}]
-        history.add_hack("count", "forgotten-abs", "d", Outcome.WON)
-        (share,) = hack_shares([problem], history.hacks())
-        assert list(share.broken) == ["forgotten-abs"]
-    assert isinstance(hacks[0], Hack)
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("name", daily(SHIPPED, ("diameter",)))
 def test_a_shipped_problem_has_its_puzzles(name):
     problem = find_problem(name)
@@ -64,7 +42,6 @@ def test_a_shipped_problem_has_its_puzzles(name):
         assert f"def {problem.entry}(" in text or "input(" in text or "stdin" in text
 
 
-@pytest.mark.slow
 def test_a_terminal_asks_until_it_is_broken():
     status, written = on_a_terminal("hack", "middle", "1", typed="nonsense\n1 1\n1 2\n", NO_COLOR="1")
     assert status == 0
@@ -90,8 +67,6 @@ ON_AN_END = (0, 0, 5, (3, 4), (9, 12))
         ([INSIDE, ON_AN_END], "ends", None),
         ([INSIDE], "ends", "1 of 2 wrong programs found out, 2 needed; not "),
         ([INSIDE, ON_AN_END], "one", "0 of 1 wrong programs found out, 1 needed; not zero-radius"),
-        ([INSIDE], "no family", None),
-        ([], "no family", "no case is given"),
         ([(0, 0, -1, (0, 0), (9, 1))], "no family", "case 1 is no case of segment: r has -1"),
         ([INSIDE, (0, 0, 1, (-2, 1 + 1e-9), (2, 1 + 1e-9))], "ends", "case 2 is no case of segment: "),
     ],

@@ -18,15 +18,10 @@ from judge.manual import page, topics
 
 QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --row Q7",
-    "judge list --json",
-    "judge show count",
     "judge help quiz",
     "judge help --search tolerance",
-    "judge show count --groups",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
-    "judge schema run",
-    'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
 )
 
 
@@ -35,11 +30,6 @@ def test_pages_go_into_a_pipe_as_they_are(judge):
         ended = judge("help", name)
         assert (ended.status, ended.out.rstrip()) == (0, page(name).text.rstrip())
     assert judge("help", "problem", "toml").out == judge("help", "problem-toml").out
-
-
-def test_the_name_of_a_command_that_is_no_topic_shows_its_help(judge):
-    for name in {*COMMANDS} - {*topics()}:
-        assert judge("help", name).out == judge(name, "--help").out
 
 
 @pytest.mark.slow

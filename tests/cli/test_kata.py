@@ -5,7 +5,6 @@ What these commands show is in the transcripts of `kata/`.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -16,6 +15,8 @@ import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
 from judge.kata.history import History
+
+pytestmark = pytest.mark.slow
 
 
 def refused(ended, *words):
@@ -35,7 +36,6 @@ main()
 """
 
 
-@pytest.mark.slow
 def test_init_that_runs_out_of_room_leaves_no_half_of_a_file(tmp_path):
     command = [sys.executable, "-c", FULL]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -66,60 +66,6 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
         assert history.hints_seen("middle") == 2
         assert history.gave_up("middle")
         assert [each.hints for each in history.helps("middle")] == [1, 2, 0]
-
-
-@pytest.fixture
-def two_ways(pack, tmp_path, monkeypatch):
-    """A pack whose problem `middle` has two approaches, which are timed."""
-    shutil.copytree(pack, tmp_path / "ways")
-    accepted = tmp_path / "ways" / "solutions" / "middle" / "accepted"
-    (accepted / "half_way.py").write_text(
-        '"""from-a-on\n\nHalf of the way from a to b. Then on.\n"""\n\n\n'
-        "def middle(a, b):\n    return a + (b - a) / 2\n"
-    )
-    toml = tmp_path / "ways" / "problems" / "middle" / "problem.toml"
-    rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'
-    toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "ways" / "problems"))
-    monkeypatch.setenv("COLUMNS", "80")
-
-
-TABLE = """\
-  approach  × reference  idea
-  mean              1.0  the one above
-  half-way           12  Half of the way from a to b.
-  yours                  run 1, mine.py
-
-  judge solution middle half-way  shows another one
-"""
-
-
-def test_the_approaches_stand_side_by_side_with_yours(judge, submit, two_ways, monkeypatch):
-    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
-    asked = []
-
-    def paces(problem, programs, bars):
-        asked.extend((problem.id, name, source.decode()) for name, source in programs)
-        return [1.0, 12.3, None]  # so that nothing depends on how busy the machine is
-
-    monkeypatch.setattr("judge.judging.pace.paces", paces)
-    ended = judge("solution", "middle")
-    assert (ended.status, ended.err) == (0, "")
-    assert ended.out.endswith(f"\n```\n\n{TABLE}")
-    assert [name for _, name, _ in asked] == ["mean.py", "half_way.py", "mine.py"]
-    assert asked[2][2] == MEAN
-    told = json.loads(judge("solution", "middle", "--json").out)
-    assert [each["ratio"] for each in told["approaches"]] == [1.0, 12.3]
-    assert told["yours"] == {"run": 1, "file": "mine.py", "ratio": None}
-
-
-def test_times_that_cannot_be_measured_cost_a_line(judge, two_ways, tmp_path):
-    (tmp_path / "ways" / "problems" / "middle" / "problem.py").write_text("BUILDERS = {}\n")
-    ended = judge("solution", "middle", "--give-up")
-    assert ended.status == 0
-    assert ended.err.startswith("judge: the times are not measured: ")
-    assert len(ended.err.splitlines()) == 1
-    assert "reference" not in ended.out
 
 
 def test_what_is_written_is_said_before_it_is(judge, tmp_path):

@@ -7,7 +7,6 @@ import os
 
 import pytest
 from cli_support import MEAN
-from terminals import on_a_terminal
 
 from judge.judging.isolation import keep_level, kept_level
 from judge.sandbox import levels, probe
@@ -15,7 +14,6 @@ from judge.sandbox import levels, probe
 pytestmark = pytest.mark.slow
 
 BEST = next(level.name for level in levels() if level.available)
-NOTE = "isolation is 'strong', not 'full'"
 
 
 @pytest.fixture
@@ -54,14 +52,6 @@ def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp
     assert (ended.status, ended.err, json.loads(ended.out)["isolation"]) == (0, "", "strong")
     ended = process("run", "middle", file, "--json")
     assert (ended.status, ended.err, json.loads(ended.out)["isolation"]) == (0, "", "full")
-
-
-@pytest.mark.usefixtures("own_cache")
-def test_that_full_is_missing_is_said_once_a_day_on_a_terminal(submit, tmp_path, bare):
-    file = str(tmp_path / submit(MEAN))
-    for words, said in ((["-q"], 0), ([], 1), ([], 0)):
-        status, shown = on_a_terminal("run", "middle", file, *words, PATH=bare)
-        assert (status, shown.count(NOTE)) == (0, said)
 
 
 def test_the_doctor_keeps_what_it_found(judge, own_cache):

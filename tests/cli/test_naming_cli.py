@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-import threading
 
 import pytest
 from cli_support import FLOOR, MEAN
 from sampling import nightly
+
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
@@ -50,19 +51,44 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, submit, tmp_path, mo
     assert "the known mistakes' answers are not kept" in ended.err
 
 
-@pytest.mark.slow
-def test_two_runs_at_once_leave_one_sound_file(process, submit, own_cache, tmp_path):
-    submit(FLOOR)
-    found = []
-    runs = [
-        threading.Thread(
-            target=lambda: found.append(process("run", "middle", tmp_path / "mine.py", "--json"))
-        )
-        for _ in range(2)
-    ]
-    for run in runs:
-        run.start()
-    for run in runs:
-        run.join()
-    assert [json.loads(each.out)["pitfall"]["name"] for each in found] == ["floor-division"] * 2
-    assert len(list(own_cache.iterdir())) == 1
+# -- texts made to keep the judge busy -------------------------------------------------------------------
+
+
+WITNESSES = {  # the first took 49 s, and eight times that for each doubling
+    "one/middle.cpp": "auto middle()->" * 800,
+    "two/other.cpp": "auto middle()->" * 8000,
+    "three/middle.c": "x middle(" * 6000 + ")" * 60_000,
+    "four/middle.go": "/" * 5000 + "\nx; func middle(",
+    "five/middle.js": "\nimport {" * 10_000 + "function middle(",
+    "six/middle.rs": "struct Pt {" + "a" * 100_000 + "} fn middle(",
+    "seven/middle.java": "int middle(" * 10_000 + "<" * 5000 + ">" * 5000 + ") {",
+    "eight/middle.py": "a,\n" * 300_000,
+    "nine/middle.py": f"{FLOOR}x = [{'0,' * 60_000}]\n",
+}
+
+
+@pytest.fixture
+def handed_in(submit):
+    for name, text in {**WITNESSES, "ann/middle.py": MEAN, "zoe/middle.py": FLOOR}.items():
+        submit(text, f"homework/{name}")
+
+
+def verdicts(outcome):
+    return {row["file"]: row["verdict"] for row in map(json.loads, outcome.out.splitlines())}
+
+
+@pytest.mark.nightly
+def test_a_class_with_such_files_ends_and_all_others_are_judged(judge, handed_in):
+    found = verdicts(judge("class", "homework", "--json", "--no-name"))
+    assert set(found) == {*WITNESSES, "ann/middle.py", "zoe/middle.py"} - {"two/other.cpp"}
+    assert found["ann/middle.py"] == "AC"
+    assert found["zoe/middle.py"] == found["nine/middle.py"] == "WA"
+    assert "AC" not in {verdict for name, verdict in found.items() if name in WITNESSES}
+
+
+@pytest.mark.parametrize("size", [60_000, 200_000])
+def test_a_mistake_is_named_as_long_as_the_text_is_no_longer_than_a_person_writes(judge, submit, size):
+    text = f"{FLOOR}# {'.' * size}\n"
+    result = json.loads(judge("run", "middle", submit(text, "middle.py"), "--json", "--no-shrink").out)
+    assert result["verdict"] == "WA"
+    assert (result["pitfall"] is None) == (size > 65_536)

@@ -12,6 +12,8 @@ from judge.kata import begin
 from judge.problem.find import find_problem
 from judge.problem.solutions import Kind, read_solutions
 
+pytestmark = pytest.mark.slow
+
 FILES = {
     "problems/{}/problem.toml",
     "problems/{}/problem.py",

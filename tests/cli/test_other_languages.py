@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import shutil
+from pathlib import Path
 
 import pytest
+from cli_support import PACK
+from jsonschema import Draft202012Validator
 from sampling import daily
 
 from judge.languages import find
 from judge.languages.model import language_called
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -51,18 +55,6 @@ def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     assert "middle is still to be written" in ended.out
 
 
-def test_a_wrong_function_is_shrunk_and_replayed(judge, submit):
-    need("cpp")
-    path = submit(
-        "#include <cmath>\ndouble middle(double a, double b) { return std::floor((a + b) / 2); }", "m.cpp"
-    )
-    ended = judge("run", "middle", path)
-    assert ended.status == 1
-    assert "smallest case found" in ended.out
-    again = next(line for line in ended.lines if "judge replay" in line).partition("judge replay ")[2]
-    assert "WA" in judge("replay", *again.split()).out
-
-
 def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp_path):
     good = submit("def middle(a, b):\n    return (a + b) / 2\n", "good.py")
     other = submit(MEAN["go"], "other.go")
@@ -79,31 +71,110 @@ def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp
     assert any("AC" in line and "good.py" in line for line in ended.lines), ended.out
 
 
+# -- the race --------------------------------------------------------------------------------------------
+
+
+GROWTH = Path(__file__).parents[1] / "fixtures" / "growth"
+CPP = "// Mean.\ndouble middle(double a, double b) { return (a + b) / 2; }\n"
+WORK = """volatile int sink;
+double middle(double a, double b) {
+    for (int i = 0; i < COUNT; ++i) sink = i;
+    return (a + b) / 2;
+}
+"""
+RULE = """[time]
+limit = 20
+function = "mean.py"
+program = "program.py"
+
+[time.references]
+cpp = "reference.cpp"
+
+[tolerance]"""
+GO = "package main\n\nfunc middle(a, b float64) (float64, bool) { return (a + b) / 2, true }\n"
+
+
+@pytest.fixture
+def raced(judge, submit, tmp_path, monkeypatch):
+    """Judge a file on `middle`, which has references in Python and C++; its result, and what was written."""
+    need("cpp")
+    shutil.copytree(PACK, tmp_path / "two")
+    (tmp_path / "two" / "solutions" / "middle" / "accepted" / "reference.cpp").write_text(CPP)
+    toml = tmp_path / "two" / "problems" / "middle" / "problem.toml"
+    toml.write_text(toml.read_text().replace("[tolerance]", RULE, 1))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "two" / "problems"))
+
+    def run(source, name):
+        path = submit(source, name)
+        result = json.loads(judge("run", "--json", "middle", path).out)
+        Draft202012Validator(schema_of("run")).validate(result)
+        return result, judge("run", "middle", path)
+
+    return run
+
+
+def test_it_is_raced_against_its_own_language(raced):
+    result, ended = raced(CPP, "mine.cpp")
+    assert result["verdict"] == "AC"
+    assert result["time"]["reference"] == {"language": "C++"}
+    assert result["time"]["ratio"]["median"] > 0
+    assert "× the reference in C++" in ended.out
+    assert "held to" not in ended.err
+
+
 @pytest.mark.nightly
-def test_doctor_tries_languages_where_it_is_asked_to(judge, monkeypatch, tmp_path):
-    need("c")
-    for name in ("gcc", "bwrap"):
-        if found := shutil.which(name):
-            (tmp_path / name).symlink_to(found)
-    (tmp_path / "g++").write_text("#!/bin/sh\n[ $1 = --version ] && echo g++ 0.1\n")
-    (tmp_path / "apt-get").write_text("#!/bin/sh\n")
-    for name in ("g++", "apt-get"):
-        (tmp_path / name).chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    find.toolchain.cache_clear()
-    untried = {each["name"]: each["works"] for each in json.loads(judge("doctor", "--json").out)["languages"]}
-    found = {
-        each["name"]: each for each in json.loads(judge("doctor", "--json", "--languages").out)["languages"]
-    }
-    shown = judge("doctor", "--languages")
-    find.toolchain.cache_clear()
-    assert set(untried.values()) == {None}
-    assert (found["C"]["works"], found["C"]["why_not"], found["C"]["remedy"]) == (True, None, None)
-    assert found["C++"]["works"] is False
-    assert found["C++"]["why_not"].startswith("the empty C++ program fails: ")
-    assert found["C++"]["remedy"] == "repair it, or apt-get install g++"
-    assert (found["Go"]["works"], found["Go"]["missing"]) == (None, "go")
-    assert any(line.startswith("C  ") and ", works at " in line for line in shown.lines)
-    place = next(i for i, line in enumerate(shown.lines) if line.startswith("C++ "))
-    assert "fails     the empty C++ program fails" in shown.lines[place + 1]
-    assert "remedy    repair it, or apt-get install g++" in shown.out
+def test_without_a_reference_it_is_held_to_pythons(raced):
+    need("go")
+    result, ended = raced(GO, "mine.go")
+    assert result["verdict"] == "AC"
+    why = "no reference in Go: held to Python's"
+    assert result["time"]["reference"] == {"language": "Python", "why": why}
+    assert "× the reference in Python" in ended.out
+    assert why in ended.err
+
+
+@pytest.mark.nightly
+def test_too_slow_beside_the_reference(raced):
+    result, ended = raced(WORK.replace("COUNT", "200000"), "mine.cpp")
+    assert result["verdict"] == "TLE"
+    assert "times the CPU time of the reference solution in C++; the limit is 20 times" in ended.out
+
+
+QUADRATIC = """
+#include <vector>
+long long inversions(std::vector<long long> values) {
+    long long found = 0;
+    for (size_t i = 0; i < values.size(); ++i)
+        for (size_t j = i + 1; j < values.size(); ++j) found += values[i] > values[j];
+    return found;
+}
+"""
+
+
+@pytest.mark.nightly
+def test_the_growth_of_another_language(judge, submit, monkeypatch):
+    need("cpp")
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(GROWTH / "problems"))
+    result = json.loads(judge("run", "--json", "inversions", submit(QUADRATIC, "mine.cpp")).out)
+    growth = result["time"]["growth"]
+    assert result["verdict"] == "TLE", result
+    assert growth["exponent"] > growth["reference"] + 0.4
+    assert result["time"]["reference"]["language"] == "Python"
+
+
+@pytest.mark.nightly
+def test_the_solution_in_another_language_is_shown(judge, raced):
+    assert judge("run", "-q", "middle", "mine.cpp").status == 2  # nothing there yet
+    raced(CPP.replace("// Mean.", "// Mine."), "mine.cpp")
+    ended = judge("solution", "middle", "--language", "c++", "--no-time")
+    assert (ended.status, ended.err) == (0, "")
+    assert "```cpp" in ended.out
+    assert "double middle(double a, double b)" in ended.out
+    assert any(row.split()[:1] == ["mean"] for row in ended.lines)
+    told = json.loads(judge("solution", "middle", "reference.cpp", "--no-time", "--json").out)
+    Draft202012Validator(schema_of("solution")).validate(told)
+    assert (told["file"], told["language"]) == ("reference.cpp", "C++")
+    assert [each["language"] for each in told["approaches"]] == ["Python", "C++"]
+    refused = judge("solution", "middle", "--language", "go")
+    assert (refused.status, len(refused.err.splitlines())) == (2, 1)
+    assert "middle has no solution in Go; there are some in Python, C++" in refused.err

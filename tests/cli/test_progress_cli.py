@@ -11,10 +11,11 @@ from cli_support import ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
-from judge.kata.sets import find_set
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
+
+pytestmark = pytest.mark.slow
 
 START = datetime(2026, 3, 1, 9, tzinfo=UTC)
 SET = 'title = "Means"\nabout = "The middle of two numbers."\n'
@@ -23,7 +24,6 @@ SKILL = """
 about = "Half of an odd number is no integer."
 groups = ["half"]
 """
-SETS = ["first-steps", "junior", "middle", "senior", "professional"]
 
 
 @pytest.fixture
@@ -86,20 +86,6 @@ def test_the_checklist(judge, own_pack):
     assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
     passed("middle", without=("half",))
     assert "Fails middle half." in judge("progress", "means").out
-
-
-def test_progress_of_the_path_is_a_row_a_set(judge):
-    passed("diameter", "chord")
-    shown = judge("progress")
-    rows = {line.split()[0]: " ".join(line.split()[1:]) for line in shown.lines if line.split()[:1]}
-    assert [name for name in rows if name in SETS] == SETS
-    assert rows["first-steps"] == f"1 of {len(find_set('first-steps').problems)} 1 of 6"
-    katas = len(find_set("junior").problems)
-    assert rows["junior"].startswith(f"1 of {katas} 1 of {katas} 1 of {katas} ")
-    assert len(shown.lines) < 36
-    everything = judge("progress", "--all").out
-    for words in ("close the loop", "interview level"):  # a skill, and the table of levels
-        assert words in everything
 
 
 # -- judge due --------------------------------------------------------------------------------------------

@@ -10,8 +10,6 @@ from importlib.metadata import entry_points
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
-import judge.testing
-from judge.errors import UsageError
 from judge.manual import page
 from judge.testing import judge_problem
 
@@ -63,33 +61,6 @@ def test_a_failure_is_that_of_its_group(library):
     assert "judge/testing.py" not in ended.stdout.str()  # the traceback ends at the test's own line
 
 
-def test_the_smallest_case_is_sought_once_for_a_routine(monkeypatch):
-    sought = []
-    explained = judge.testing.explained
-    monkeypatch.setattr("judge.testing.explained", lambda *words: sought.append(words) or explained(*words))
-    problem = judge_problem("middle")
-    for group in ("half", "whole", "half"):  # one lambda of the text, though a new one each time
-        with pytest.raises(AssertionError, match="smallest case found"):
-            problem.check(lambda a, b: (a + b) // 2 + 1, [group])
-    assert len(sought) == 1
-    for offset in (1, 2):  # a lambda with something else around it is another routine
-        with pytest.raises(AssertionError):
-            problem.check(lambda a, b: (a + b) // 2 + offset, ["half"])  # noqa: B023
-    assert len(sought) == 3
-
-
-@pytest.mark.parametrize(
-    ("marker", "outcome"),
-    [
-        ("'middle', groups=['half', 'whole']", 2),
-        ("name='middle', groups=('half',)", 1),
-    ],
-)
-def test_chosen_groups(marker, outcome, library):
-    tests = GROUPS.replace("'middle'", marker)
-    library(MEAN, MARKED + tests).assert_outcomes(passed=outcome)
-
-
 @pytest.mark.parametrize(
     ("marker", "said"),
     [
@@ -102,13 +73,6 @@ def test_chosen_groups(marker, outcome, library):
             "*middle has no group 'hlaf'; did you mean 'half'?",
         ),
         ("@pytest.mark.judge_problem('middle', 'half')", "the marker judge_problem cannot be understood: *"),
-        ("@pytest.mark.judge_problem('middle', [])", "the marker judge_problem cannot be understood: *"),
-        ("@pytest.mark.judge_problem()", "the marker judge_problem cannot be understood: write *"),
-        ("@pytest.mark.judge_problem('middle', seed=1)", "the marker judge_problem cannot be understood: *"),
-        (
-            "@pytest.mark.judge_problem('middle', problems=['no'])",
-            "judge_problem: --problems: no is not a folder*",
-        ),
         ("", "the fixture judge_group needs a problem: write @pytest.mark.judge_problem*"),
     ],
 )
@@ -160,14 +124,6 @@ def floor(a, b):
     return (a + b) // 2
 
 
-def test_a_right_routine():
-    problem = judge_problem("middle")
-    assert problem.check(middle) is None
-    assert problem.groups == ("examples", "whole", "half")
-    assert repr(problem.group("half")) == "judge_problem('middle').group('half')"
-    assert "half" in problem.group("half").about
-
-
 def test_a_wrong_one_counts_the_failures_of_each_group():
     with pytest.raises(AssertionError) as failed:
         judge_problem("middle").check(floor)
@@ -186,12 +142,6 @@ def test_a_wrong_one_counts_the_failures_of_each_group():
     ]
 
 
-@pytest.mark.parametrize("groups", ["hlaf", ["whole", "hlaf"]])
-def test_an_unknown_group(groups):
-    with pytest.raises(UsageError, match="did you mean 'half'"):
-        judge_problem("middle").check(middle, groups)
-
-
 def test_an_exception_is_a_failure_that_leads_to_its_line():
     def stumbles(a, b):
         return a / (b - b)
@@ -200,8 +150,3 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
         judge_problem("middle").check(stumbles)
     assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
     assert isinstance(failed.value.__cause__, ZeroDivisionError)
-
-
-def test_a_wrong_type_says_so():
-    with pytest.raises(AssertionError, match=r"why     the str '1\.5' where a number or None is meant"):
-        judge_problem("middle").check(lambda a, b: str((a + b) / 2))

@@ -11,6 +11,8 @@ from xml.etree import ElementTree as Xml
 import pytest
 from cli_support import FLOOR, MEAN
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def team(submit):
@@ -43,7 +45,6 @@ def test_what_the_submission_prints_and_returns_cannot_break_it(judge, submit):
 COUNT = "Line and circle: how many common points"
 
 
-@pytest.mark.slow
 def test_the_failing_case_is_drawn_into_a_file(judge, submit):
     name = submit("def line_count(cx, cy, r, A, B):\n    return 1\n")
     words = ("run", "count", name, "--svg", "case.svg", "--group", "grid", "--no-name")
@@ -72,7 +73,6 @@ def run_pytest(name):
     return subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
 
 
-@pytest.mark.slow
 def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
     for source, name in (
         (FLOOR, "work/mine.py"),

@@ -1,23 +1,19 @@
 """The published JSON Schemas: each is whole, and refuses what is not what its command writes.
 
 What commands write is held against them where the transcripts of `json/` are played; here are the
-commands that measure, ask the machine or do not end.
+commands that measure or ask the machine; watch has a test of its own.
 """
 
 from __future__ import annotations
 
 import copy
 import json
-import os
-import signal
-import subprocess
-import sys
 from collections.abc import Iterator
 from typing import Any
 from unittest.mock import patch
 
 import pytest
-from cli_support import FLOOR, MEAN, ROOT
+from cli_support import FLOOR, MEAN
 from jsonschema import Draft202012Validator
 from sampling import daily, nightly
 from transcripts import play as transcripts
@@ -35,7 +31,6 @@ DIALECT = "https://json-schema.org/draft/2020-12/schema"
 SAMPLES = {  # of commands whose words are the machine's
     "doctor": ["doctor"],
     "stress": ["stress middle mean.py --for 0.1s", "stress middle floor.py --for 20s"],
-    "watch": [],  # it does not end by itself: below
 }
 RECORDED = [name for name in transcripts.names() if name.startswith("json/") and name != "json/schema"]
 OPTIONAL = {"matrix", "unreliable", "busy", "level", "levels", "growth", "size"}  # keys that may be missing
@@ -54,20 +49,9 @@ def objects(judge, submit):
             ended = judge(*words.split(), "--json")
             assert ended.out, (words, ended.err)
             written += [json.loads(line) for line in ended.lines]
-        return written or [watched()]
+        return written
 
     return write
-
-
-def watched() -> Any:
-    """The first line of a watch that nobody tells to end."""
-    command = [sys.executable, "-m", "judge", "watch", "middle", "floor.py", "--json"]
-    settings = {**os.environ, "PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, env=settings) as running:
-        line = running.stdout.readline()
-        running.send_signal(signal.SIGINT)
-        running.stdout.read()
-    return json.loads(line)
 
 
 def wrong(value: Any, place: str = "") -> Iterator[tuple[str, Any]]:
@@ -192,7 +176,3 @@ def test_every_part_of_a_result(result):
 def test_values_that_an_accepted_result_cannot_have(key, value):
     changed = copy.deepcopy(ACCEPTED.as_json()) | {key: value}
     assert not Draft202012Validator(schema_of("run")).is_valid(changed)
-
-
-def test_a_rejection_has_a_failure():
-    assert not Draft202012Validator(schema_of("run")).is_valid(REJECTED.as_json() | {"failure": None})

@@ -80,16 +80,3 @@ def test_a_hint_that_was_shown_counts_as_seen():
     assert ended.returncode == 141
     with History.open() as history:
         assert history.hints_seen("middle") == 1
-
-
-@pytest.mark.parametrize("step", ["open", "add"])
-def test_a_fault_of_ours_in_keeping_it_leaves_the_verdict_alone(step, judge, submit, monkeypatch):
-    def faulty(*_arguments, **_settings):
-        raise ArithmeticError("too many digits")
-
-    monkeypatch.setattr(History, step, faulty)
-    ended = judge("run", "middle", submit(MEAN), submit(FLOOR, "floor.py"), "-q", "--json")
-    assert ended.status == 1
-    assert [json.loads(line)["verdict"] for line in ended.lines] == ["AC", "WA"]
-    assert ended.err.startswith("judge: not kept in the history: internal fault: ArithmeticError")
-    assert ended.err.count("\n") == 1

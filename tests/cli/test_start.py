@@ -10,7 +10,7 @@ import pytest
 from cli_support import MEAN, ROOT
 from sampling import daily
 
-from judge import __version__
+pytestmark = pytest.mark.slow
 
 HEAVY = (
     "rich",
@@ -56,8 +56,3 @@ def test_a_warm_run_into_a_pipe_imports_only_what_it_needs(submit, judge):
     assert judge("run", "middle", name).status == 0  # warms the cache
     looked_at = ("rich", "hypothesis", "sqlite3", "jinja2", "importlib.metadata", "numpy", "judge.exact")
     assert imported("run", "middle", name, "--no-history", heavy=looked_at) == []
-
-
-def test_version(judge):
-    ended = judge("--version")
-    assert (ended.status, ended.out) == (0, f"judge {__version__}\n")

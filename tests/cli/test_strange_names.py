@@ -123,9 +123,3 @@ def test_whatever_is_written_is_no_command(text, capsys):
     written = capsys.readouterr().out
     assert harmless(written)
     assert written.replace(r"\x3a", ":").replace(r"\x23", "#") == text
-
-
-@pytest.mark.parametrize("text", ["a::b\n", "x ::error::\n", "#[x] ## [\n", "a[1::2]\n", ":\n:\n"])
-def test_everything_else_is_written_as_it_is(text, capsys):
-    Screen.of(sys.stdout).write(text)
-    assert capsys.readouterr().out == text

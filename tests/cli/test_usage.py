@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from cli_support import MEAN
 
+pytestmark = pytest.mark.slow
+
 
 def refused(ended, *words):
     assert ended.status == 2, ended

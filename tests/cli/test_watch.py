@@ -11,13 +11,22 @@ import subprocess
 import sys
 import termios
 import time
+from contextlib import closing
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from jsonschema import Draft202012Validator
 from sampling import nightly
 from terminals import PATIENCE, Terminal
 
+from judge.cli.judging import Sitting
+from judge.cli.submissions import Submission
+from judge.cli.wish import Wish
+from judge.errors import ProblemError
+from judge.judging.job import Terms
 from judge.kata.history import History
+from judge.problem.load import load_problem
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -230,8 +239,23 @@ def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
     submit(MEAN)
     told = json.loads(watching.stdout.readline())
     assert (told["verdict"], [group["name"] for group in told["groups"]]) == ("AC", ["half"])
+    Draft202012Validator(schema_of("watch")).validate(told)
     watching.terminate()
     out, err = watching.communicate(timeout=PATIENCE)
     assert (watching.returncode, out, err) == (143, "", "")
     with History.open() as history:
         assert (history.runs(), history.current()) == ([], None)
+
+
+def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, tmp_path):
+    shutil.copytree(pack, tmp_path / "pack")
+    folder = tmp_path / "pack" / "problems" / "middle"
+    mine = Submission("mine.py", MEAN.encode())
+    module = (folder / "problem.py").read_text()
+    with closing(Sitting(load_problem(folder), Wish(Terms(), kept=False))) as sitting:
+        assert sitting.judged(mine).result.verdict.value == "AC"
+        (folder / "problem.py").write_text("raise RuntimeError('half written')\n")
+        with pytest.raises(ProblemError, match="half written"):
+            sitting.judged(mine)
+        (folder / "problem.py").write_text(module)
+        assert sitting.judged(mine).result.verdict.value == "AC"
