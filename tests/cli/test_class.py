@@ -119,22 +119,6 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "the options (" in named.err
 
 
-def test_a_broken_problem_costs_its_own_files_alone(judge, submit):
-    submit("x = 1\n", "homework/ada/misspelt-key.py")
-    submit("x = 1\n", "homework/ada/module-raises.py")  # whose data cannot be built
-    submit(MEAN, "homework/ada/middle.py")
-    ended = judge("class", "homework", *QUICK, "--problems", "BROKEN", "--json")
-    found = rows(ended)
-    assert ended.status == 3
-    assert {file: row["verdict"] for file, row in found.items()} == {
-        "ada/middle.py": "AC",
-        "ada/misspelt-key.py": "JE",
-        "ada/module-raises.py": "JE",
-    }
-    assert "module-raises/problem.py" in found["ada/module-raises.py"]["result"]["failure"]["message"]
-    assert "problem.toml" in found["ada/misspelt-key.py"]["result"]["failure"]["message"]
-
-
 def test_shards_merged_are_the_plain_run(judge, homework, submit):
     for at in (2, 3):
         submit(WRONG.format(at), f"homework/s{at}/middle.py")

@@ -110,15 +110,6 @@ def test_a_folder_that_is_no_class_ends_soon(judge, submit):
     assert "lies more than 20 levels down" in ended.out
 
 
-def test_more_files_than_anybody_has(judge, submit, monkeypatch):
-    monkeypatch.setattr("judge.cli.submissions._MOST", 3)
-    for name in "abcd":
-        submit(MEAN, f"class/{name}/x.py")
-    ended = judge("run", "middle", "class")
-    assert (ended.status, ended.out) == (2, "")
-    assert "class: this folder holds more than 3 *.py files; name a smaller one" in ended.err
-
-
 def test_a_student_gets_no_marks_by_a_link(judge, submit):
     submit(MEAN, "class/bob/middle.py")
     submit(FLOOR, "class/eve/middle.py")

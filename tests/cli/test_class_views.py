@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import re
 from pathlib import Path
@@ -12,9 +11,6 @@ from xml.etree import ElementTree as Xml
 
 import pytest
 from cli_support import FLOOR, MEAN
-from jsonschema import Draft202012Validator
-
-from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -72,18 +68,3 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert Path("homework.judge.similar/middle-python.zip").exists()
     assert judge("class", homework, "--students", "list.csv", "-q", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html
-
-
-def test_the_cohort_for_scripts(judge, homework):
-    plain = judge("class", homework, "--no-name", "--json").lines
-    *rows, last = judge("class", homework, "--no-name", "--json", "--all").lines
-    assert len(rows) == len(plain) == 4
-    found = json.loads(last)["cohort"]
-    assert (found["students"], found["handins"], found["nothing_accepted"]) == (4, 4, [MARKUP, "bob", "cy"])
-    assert [each["students"] for each in found["equal_files"]] == [["bob", "cy"]]
-    (problem,) = found["problems"]
-    assert problem["mistakes"] == [{"mistake": None, "verdict": "WA", "students": [MARKUP, "bob", "cy"]}]
-    checked = Draft202012Validator(schema_of("class"))
-    for text in (*rows, last):
-        checked.validate(json.loads(text))
-    assert judge("class", homework, "--no-name", "-q").out.count("handed in") == 0

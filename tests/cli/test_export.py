@@ -96,17 +96,6 @@ def test_two_problems_of_one_short_name_are_refused(judge, pack, tmp_path):
     assert not Path("packages").exists()
 
 
-def test_what_no_package_can_hold_is_told_in_a_line(judge):
-    done = judge(*BARE, "nearest", "vector", "test-writer")
-    assert done.status == 0
-    assert "nearest  left out: a package cannot measure how the time grows" in done.lines
-    assert "vector  left out: its cases are too large for a line" in done.lines
-    assert (
-        "test-writer  left out: no table says which of its answers are right: problem.py decides"
-        in done.lines
-    )
-
-
 def test_a_program_that_the_package_accepts_or_cannot_run_is_left_out(judge, pack, tmp_path):
     folder = tmp_path / "pack"
     shutil.copytree(pack, folder)

@@ -12,7 +12,6 @@ from cli_support import ROOT
 from sampling import daily
 from terminals import on_a_terminal
 
-from judge.errors import ProblemError
 from judge.mistakes.killing import Jury
 from judge.mistakes.puzzles import read_puzzles
 from judge.problem.find import find_problem, problem_folders
@@ -74,8 +73,3 @@ ON_AN_END = (0, 0, 5, (3, 4), (9, 12))
 def test_what_the_jury_says(jury, cases, family, why):
     said = jury.why_not(cases, family)
     assert said is None if why is None else why in said
-
-
-def test_a_family_of_unknown_mistakes_is_the_problems_fault():
-    with pytest.raises(ProblemError, match="has no wrong program 'no-such'"):
-        Jury(find_problem("segment"), {"x": ["no-such"]}).why_not([INSIDE], "x")

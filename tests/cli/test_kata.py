@@ -5,16 +5,18 @@ What these commands show is in the transcripts of `kata/`.
 
 from __future__ import annotations
 
-import os
-import re
+import json
 import shutil
-import subprocess
-import sys
+import tomllib
+from pathlib import Path
 
 import pytest
-from cli_support import FLOOR, MEAN, ROOT
+from cli_support import FLOOR, MEAN
 
+from judge.kata import begin
 from judge.kata.history import History
+from judge.problem.find import find_problem
+from judge.problem.solutions import Kind, read_solutions
 
 pytestmark = pytest.mark.slow
 
@@ -24,25 +26,6 @@ def refused(ended, *words):
     assert ended.err.count("\n") == 1, ended.err
     for word in words:
         assert word in ended.err
-
-
-FULL = """
-import resource, sys
-sys.dont_write_bytecode = True  # half a compiled module would break every process after this one
-resource.setrlimit(resource.RLIMIT_FSIZE, (200, resource.RLIM_INFINITY))
-sys.argv = ["judge", "init", "middle"]
-from judge.cli import main
-main()
-"""
-
-
-def test_init_that_runs_out_of_room_leaves_no_half_of_a_file(tmp_path):
-    command = [sys.executable, "-c", FULL]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    ended = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
-    assert ended.returncode == 2
-    assert ended.stderr == "judge: middle.py: cannot be written (file too large); name another file\n"
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_kata_in_hand_is_judged_from_any_folder(judge, submit, tmp_path, monkeypatch):
@@ -66,25 +49,6 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
         assert history.hints_seen("middle") == 2
         assert history.gave_up("middle")
         assert [each.hints for each in history.helps("middle")] == [1, 2, 0]
-
-
-def test_what_is_written_is_said_before_it_is(judge, tmp_path):
-    words = ("next", "--init")
-    usual = ("distance_squared", "middle")  # whichever of them comes first
-    for name in usual:
-        (tmp_path / f"{name}.py").symlink_to("elsewhere.py")  # no file yet, and none can be made there
-    ended = judge(*words)
-    assert ended.status == 2
-    assert re.fullmatch(r"Writing \w+\.py, which is not there yet: the stub of [\w-]+\.\n\n", ended.out), (
-        ended.out
-    )
-    assert "the file is there already" in ended.err
-    assert judge(*words, "--json").out == ""
-    for name in usual:
-        (tmp_path / f"{name}.py").unlink()
-    ended = judge(*words)
-    assert ended.lines[0].startswith("Writing ")
-    assert (tmp_path / ended.lines[0].split()[1].rstrip(",")).is_file()
 
 
 # -- a pack that only --problems finds -------------------------------------------------------------------
@@ -115,3 +79,94 @@ def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
     for words in (["run"], ["hint"], ["watch"]):
         refused(judge(*words), f"{lone}: the problem of the kata in hand, middle, is not there", "--problems")
     assert judge("run", "-q", "--problems", tmp_path / "moved" / "problems").status == 1
+
+
+# -- a kata of one's own ---------------------------------------------------------------------------------
+
+
+FILES = {
+    "problems/{}/problem.toml",
+    "problems/{}/problem.py",
+    "problems/{}/statement.md",
+    "problems/{}/hints.md",
+    "problems/{}/hashes.json",
+    "solutions/{}/accepted/pythagoras.py",
+    "solutions/{}/wrong/sum-of-legs.py",
+}
+
+
+def files(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_a_kata_is_whole_and_sound_at_once(judge, tmp_path):
+    written = json.loads(judge("new", "pack", "my-own", "--json").out)
+    assert (written["problem"], written["problems"]) == ("my-own", "pack/problems")
+    assert files(tmp_path / "pack") == {name.format("my-own") for name in FILES}
+    assert set(written["files"]) == {f"pack/{name.format('my-own')}" for name in FILES}
+
+    verified = judge("verify", "--problems", "pack/problems", "my-own", "--json")
+    report = json.loads(verified.out)
+    assert (verified.status, report["ok"], report["faults"], report["pins"]) == (0, True, [], "matching")
+    assert [solution["file"] for solution in report["solutions"]] == [
+        "accepted/pythagoras.py",
+        "wrong/sum-of-legs.py",
+    ]
+
+    problem = find_problem("my-own", [tmp_path / "pack" / "problems"])
+    for kind, status in ((Kind.ACCEPTED, 0), (Kind.WRONG, 1)):
+        (program,) = read_solutions(problem, kind).programs
+        ended = judge("run", "--problems", "pack/problems", "my-own", program.path, "--json")
+        assert ended.status == status
+    assert json.loads(ended.out)["pitfall"]["name"] == "sum-of-legs"
+
+
+@pytest.mark.parametrize(
+    ("words", "home"),
+    [
+        (["pack", "a-b"], "pack"),
+        ([".", "a-b"], "."),
+        (["problems", "a-b"], "."),  # a folder of problems, empty as yet
+        (["course/week-1", "a-b"], "course"),  # one of another name, that holds a problem
+        (["course", "a-b"], "course"),  # which holds no problem itself
+    ],
+)
+def test_where_it_goes(words, home, judge, tmp_path):
+    (tmp_path / "problems").mkdir()
+    judge("new", "course", "first")
+    (tmp_path / "course" / "problems").rename(tmp_path / "course" / "week-1")
+    ended = judge("new", *words, "--json")
+    assert (ended.status, ended.err) == (0, "")
+    problems = json.loads(ended.out)["problems"]
+    assert (tmp_path / home / "solutions" / "a-b" / "accepted" / "pythagoras.py").is_file()
+    assert (tmp_path / problems / "a-b" / "problem.toml").is_file()
+    assert (tmp_path / problems).parent.resolve() == (tmp_path / home).resolve()
+
+
+def test_any_name_that_a_problem_may_have_will_do(judge):
+    names = ["class", "x-2-y"]  # each joins those before
+    for name in names:
+        assert judge("new", "pack", name).status == 0
+        entry = tomllib.loads(Path(f"pack/problems/{name}/problem.toml").read_text())["entry"]
+        assert entry.rstrip("_") == name.replace("-", "_")
+    assert judge("verify", "--problems", "pack/problems", *names).status == 0
+
+
+def test_a_link_to_nothing_is_not_followed(judge, tmp_path):
+    (tmp_path / "pack" / "problems").mkdir(parents=True)
+    (tmp_path / "pack" / "problems" / "mine").symlink_to(tmp_path / "elsewhere")
+    assert judge("new", "pack", "mine").status == 2
+    assert not (tmp_path / "elsewhere").exists()
+
+
+@pytest.mark.parametrize("fault", [OSError(28, "No space left on device", "x"), KeyboardInterrupt()])
+def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_path, monkeypatch):
+    def fail(*_, **__):
+        raise fault
+
+    (tmp_path / "pack" / "problems").mkdir(parents=True)
+    monkeypatch.setattr(begin, "write_pins", fail)
+    ended = judge("new", "pack", "mine")
+    assert ended.status == (2 if isinstance(fault, OSError) else 130)
+    assert list((tmp_path / "pack").iterdir()) == [tmp_path / "pack" / "problems"]
+    assert list((tmp_path / "pack" / "problems").iterdir()) == []

@@ -15,7 +15,6 @@ from sampling import daily
 
 from judge.cli.table import COMMANDS
 from judge.manual import page
-from judge.testing import judge_problem
 
 pytestmark = pytest.mark.slow
 
@@ -123,15 +122,6 @@ def test_completion_only_reads(practised, mark, process):
     asked = {"_JUDGE_COMPLETE": "bash_complete", "COMP_WORDS": "judge run mid", "COMP_CWORD": "2"}
     assert "middle" in process(**asked).out
     assert not mark.exists()
-
-
-def test_in_a_librarys_tests_the_first_check_runs_it(marking_pack, mark):
-    problem = judge_problem("middle")
-    group = problem.group("half")
-    assert (problem.groups, group.about) == (("examples", "whole", "half"), group.about)
-    assert not mark.exists()
-    group.check(lambda a, b: (a + b) / 2)
-    assert mark.exists()
 
 
 @pytest.fixture

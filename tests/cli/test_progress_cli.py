@@ -108,10 +108,3 @@ def test_what_is_due(judge, monkeypatch):
     assert [review["problem"] for review in found["due"]] == ["count"]
     assert [review["problem"] for review in found["later"]] == ["middle"]
     assert found["due"][0]["rating"] == "again"
-
-
-def test_a_kata_that_cannot_be_found_from_here(judge, monkeypatch):
-    passed("middle")
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    assert judge("due").lines[-1] == "Not to be found from here: middle; see --problems."
-    assert json.loads(judge("due", "--json").out)["elsewhere"] == ["middle"]

@@ -57,21 +57,6 @@ def test_whenever_it_ends_what_was_answered_is_kept(typing, lines):
     assert len(answers()) == min(len(lines), 1)
 
 
-def test_ctrl_c_keeps_what_was_answered_and_says_how_it_went(judge, monkeypatch):
-    class Interrupted(io.StringIO):
-        def readline(self, *size):
-            text = super().readline(*size)
-            if not text:
-                raise KeyboardInterrupt
-            return text
-
-    monkeypatch.setattr(sys, "stdin", Interrupted("3.5\n"))
-    ended = judge("quiz", "halves", "--seed", "3")
-    assert ended.status == 130
-    assert ended.out.endswith("1 of 1 card known\n")
-    assert len(answers()) == 1
-
-
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
     noon = kept.now().replace(hour=12)
     monkeypatch.setattr("judge.kata.history.now", lambda: noon)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 import re
 import sys
 from pathlib import Path
@@ -35,25 +34,6 @@ def test_it_writes_the_page_and_says_where(judge, judged):
     assert "(a + b) / 2" in page  # the last source
     assert USUAL.stat().st_mode & 0o777 == 0o644
     assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
-
-
-def tiles(page):
-    """The figures at the head of the page, by their label."""
-    return dict(re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd></div>", page))
-
-
-def test_cards_alone_are_reported(judge, monkeypatch):
-    monkeypatch.setattr(sys, "stdin", io.StringIO("0\n"))
-    assert judge("quiz", "--card", "middle/complex-roots").status == 0
-    monkeypatch.setattr(sys, "stdin", io.StringIO("?\n"))
-    assert judge("quiz", "--card", "senior/cull-ratio").status == 0
-    ended = judge("report", "--json")
-    assert (ended.status, ended.err) == (0, "")
-    assert (json.loads(ended.out)["runs"], json.loads(ended.out)["problems"]) == (0, [])
-    page = USUAL.read_text(encoding="utf-8")
-    assert tiles(page)["answers to cards known"] == "1 of 2"
-    assert not any("run" in label for label in tiles(page))
-    assert 'id="ready"' in page
 
 
 def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):

@@ -35,6 +35,7 @@ def test_a_terminal_is_coloured_unless_it_asks_for_none(settings, coloured, subm
 
 
 @pytest.mark.slow
+@pytest.mark.nightly
 def test_the_bar_of_a_class_counts_its_files(submit):
     for name in "ab":
         submit("import time\ndef middle(a, b):\n    time.sleep(0.05)\n    return a\n", f"class/{name}.py")

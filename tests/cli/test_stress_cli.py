@@ -55,12 +55,6 @@ def test_json_has_one_object_and_the_seed_repeats_it(judge, submit):
     assert second["counterexample"] is None
 
 
-def test_only_the_groups_that_are_asked_for(judge, submit):
-    found = found_by(judge("stress", "middle", submit(FLOOR), "--json", "--group", "whole", *SHORT))
-    assert found["verdict"] == "AC"
-    assert [group["name"] for group in found["groups"]] == ["whole"]
-
-
 @pytest.fixture
 def pressed_early(monkeypatch):
     """Ctrl-C is pressed when the progress is shown for the third time."""

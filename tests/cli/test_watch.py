@@ -183,7 +183,7 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
 
 @pytest.mark.parametrize(
     ("ending", "status"),
-    [("\x03", 130), nightly(signal.SIGINT, 130), nightly(signal.SIGTERM, 143), nightly("\x04", 0)],
+    [("\x03", 130), nightly(signal.SIGTERM, 143)],
 )
 def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submit):
     terminal = watch("middle", submit(MEAN))
