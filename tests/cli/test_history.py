@@ -128,15 +128,6 @@ def test_a_file_that_is_no_history_is_left_alone(judge, submit):
     assert Path("diary").read_text() == "Dear diary,\n"
 
 
-def test_a_name_that_steers_the_terminal(judge, submit):
-    judge("run", "-q", "middle", submit(MEAN, "a\x1b[31m\nb.py"))
-    for words in (("history",), ("history", "--csv"), ("history", "--json")):
-        shown = judge(*words)
-        assert shown.status == 0
-        assert "\x1b" not in shown.out
-    assert r"a\x1b[31m\nb.py" in judge("history").out
-
-
 def test_a_run_of_no_file_needs_a_name(judge):
     with History.open() as history:
         history.add(Result("middle", "/dev/fd/63", Mode.FUNCTION, Verdict.AC), b"x = 1\n", "")

@@ -5,14 +5,12 @@ What commands say of them is in the transcripts of `topics/`.
 
 from __future__ import annotations
 
-import doctest
 import html
 import json
 import re
 import shutil
 import subprocess
 import sys
-import types
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,7 +18,6 @@ import pytest
 from cli_support import ROOT
 from sampling import daily, nightly
 
-from judge.kata.stub import make_stub
 from judge.problem.load import load_problem
 
 pytestmark = pytest.mark.slow
@@ -97,26 +94,6 @@ def test_data_are_what_programs_read_and_print(name, judge):
         lines = printed.stdout.decode("ascii").splitlines()
         assert len(lines) == len(wanted) == int(given.split(b"\n")[0])
         assert lines == wanted or not kata.exact
-
-
-@every
-def test_the_doctests_of_a_stub_pass_once_it_is_written(name):
-    kata, problem = BY_ID[name], load_problem(PROBLEMS / name)
-    stub = make_stub(problem)
-    module = types.ModuleType("mine")
-    exec(compile(stub, "mine.py", "exec"), module.__dict__)
-    tests = [test for test in doctest.DocTestFinder().find(module, "mine") if test.examples]
-    examples = [each for test in tests for each in test.examples]
-    if name == "root-enclosed":  # many are right, and none is asked for
-        assert examples == []
-        return
-    assert len(examples) == len(problem.examples)
-    exec(kata.accepted.read_text(encoding="utf-8"), module.__dict__)
-    runner, said = doctest.DocTestRunner(verbose=False), []
-    for test in tests:
-        test.globs = module.__dict__
-        runner.run(test, out=said.append)
-    assert runner.failures == 0, "".join(said)
 
 
 @pytest.mark.nightly

@@ -66,8 +66,11 @@ def mark(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def marking_pack(mark, submit, tmp_path, monkeypatch):
-    """`middle`, whose problem.py leaves a mark; two submissions of it, and a history of four runs."""
+def practised(judge, mark, submit, tmp_path, monkeypatch):
+    """`middle`, whose problem.py leaves a mark: a kata in hand with a history, and nothing in the cache.
+
+    The id of a case that fails.
+    """
     shutil.copytree(PACK, tmp_path / "pack")
     module = tmp_path / "pack" / "problems" / "middle" / "problem.py"
     module.write_text(module.read_text().replace("from __future__ import annotations\n", f"{MARKING}", 1))
@@ -75,16 +78,9 @@ def marking_pack(mark, submit, tmp_path, monkeypatch):
     rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'  # there are times to measure
     toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
-    submit(MEAN)
-    submit(FLOOR, "floor.py")
-    submit(FLOOR, "homework/ada/middle.py")
-    return module
-
-
-@pytest.fixture
-def practised(marking_pack, judge, mark, tmp_path):
-    """A kata in hand, runs in the history, and nothing in the cache; the id of a case that fails."""
-    for words in ("init middle other.py", "run middle floor.py -q", "hint middle"):
+    for source, name in ((MEAN, "mine.py"), (FLOOR, "floor.py"), (FLOOR, "homework/ada/middle.py")):
+        submit(source, name)
+    for words in ("init middle other.py", "hint middle"):
         judge(*words.split())
     run = judge("run", "middle", "floor.py", "--json")
     shutil.rmtree(tmp_path / "cache")
