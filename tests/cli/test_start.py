@@ -12,23 +12,9 @@ from sampling import nightly
 
 pytestmark = pytest.mark.slow
 
-HEAVY = tuple(
-    [
-        "rich",
-        "hypothesis",
-        "sqlite3",
-        "jinja2",
-        "importlib.metadata",
-        "msgspec",
-        "numpy",
-        "platformdirs",
-        "tomllib",
-        "subprocess",
-        "asyncio",
-        "judge.exact",
-        "judge.problem",
-        "judge.run",
-    ]
+HEAVY = (
+    *("rich", "hypothesis", "sqlite3", "jinja2", "importlib.metadata", "msgspec", "numpy", "platformdirs"),
+    *("tomllib", "subprocess", "asyncio", "judge.exact", "judge.problem", "judge.run"),
 )
 
 
