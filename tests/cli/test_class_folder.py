@@ -74,7 +74,7 @@ def test_each_is_judged_on_its_problem_and_what_cannot_be_is_a_row(class_, judge
 def test_scripts_miss_none(class_, judge):
     ended = judge("run", class_, "--json", "--no-shrink", "--no-name", "--junit", "out.xml")
     results = [json.loads(line) for line in ended.lines]
-    assert len(results) == 9
+    assert len(results) == 9, ended
     validator = Draft202012Validator(schema_of("run"))
     for result in results:
         validator.validate(result)
