@@ -6,12 +6,14 @@ What they say is in the transcripts of `help/` and `screens/help`.
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import shlex
+import subprocess
+import sys
 
 import pytest
 from cli_support import ROOT
-from click.shell_completion import ShellComplete
 from terminals import on_a_terminal
 
 from judge.cli.app import app
@@ -97,31 +99,45 @@ def test_examples_that_need_nothing_succeed(example, judge):
 # -- completion in a shell -------------------------------------------------------------------------------
 
 
-def offered(*words: str) -> list[str]:
-    """What may stand where the last word is being typed; files are left to the shell: <file>."""
-    *args, incomplete = words
+OFFERED = """
+import json, sys
+from click.shell_completion import ShellComplete
+from judge.cli.app import app
+for *args, incomplete in json.loads(sys.argv[1]):
     found = ShellComplete(app, {}, "judge", "_JUDGE_COMPLETE").get_completions(args, incomplete)
-    return [item.value if item.type == "plain" else f"<{item.type}>" for item in found]
+    print(json.dumps([item.value if item.type == "plain" else f"<{item.type}>" for item in found]))
+"""
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_the_script_of_a_shell(shell, judge, monkeypatch):
-    monkeypatch.setenv("_JUDGE_COMPLETE", f"{shell}_source")
-    ended = judge()
-    assert (ended.status, f"_JUDGE_COMPLETE={shell}_complete" in ended.out) == (0, True)
+def offered(*asked: tuple[str, ...]) -> list[list[str]]:
+    """What may stand where each last word is being typed; files are left to the shell: <file>.
+
+    In a process of its own: completion leaves click's types changed.
+    """
+    command = [sys.executable, "-c", OFFERED, json.dumps(asked)]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    return [json.loads(line) for line in ended.stdout.splitlines()]
+
+
+def test_the_script_of_a_shell(process):
+    ended = process(_JUDGE_COMPLETE="zsh_source")
+    assert (ended.status, "_JUDGE_COMPLETE=zsh_complete" in ended.out) == (0, True)
 
 
 def test_commands_and_options():
-    assert offered("") == list(COMMANDS)
-    assert "--junit" in offered("run", "middle", "--j")
-    assert offered("run", "middle", "mine.py", "--isolation", "s") == ["strong"]
+    first, options, levels = offered(
+        ("",), ("run", "middle", "--j"), ("run", "middle", "mine.py", "--isolation", "s")
+    )
+    assert first == list(COMMANDS)
+    assert "--junit" in options
+    assert levels == ["strong"]
 
 
 def test_katas_and_files(pack, monkeypatch):
     shipped = [path.parent.name for path in (ROOT / "problems").glob("*/problem.toml")]
-    assert offered("show", "") == sorted([*shipped, "middle"])
-    assert offered("run", "mi") == ["middle", "<file>"]
-    assert offered("run", "middle", "") == ["<file>"]
+    all_katas, begun, file = offered(("show", ""), ("run", "mi"), ("run", "middle", ""))
+    assert all_katas == sorted([*shipped, "middle"])
+    assert (begun, file) == (["middle", "<file>"], ["<file>"])
     monkeypatch.delenv("JUDGE_PROBLEMS")
-    assert offered("show", "mi") == []
-    assert offered("show", "--problems", str(pack / "problems"), "mi") == ["middle"]
+    elsewhere = ("show", "--problems", str(pack / "problems"), "mi")
+    assert offered(("show", "mi"), elsewhere) == [[], ["middle"]]

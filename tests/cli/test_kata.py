@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -141,15 +140,6 @@ def test_where_it_goes(words, home, judge, tmp_path):
     assert (tmp_path / home / "solutions" / "a-b" / "accepted" / "pythagoras.py").is_file()
     assert (tmp_path / problems / "a-b" / "problem.toml").is_file()
     assert (tmp_path / problems).parent.resolve() == (tmp_path / home).resolve()
-
-
-def test_any_name_that_a_problem_may_have_will_do(judge):
-    names = ["class", "x-2-y"]  # each joins those before
-    for name in names:
-        assert judge("new", "pack", name).status == 0
-        entry = tomllib.loads(Path(f"pack/problems/{name}/problem.toml").read_text())["entry"]
-        assert entry.rstrip("_") == name.replace("-", "_")
-    assert judge("verify", "--problems", "pack/problems", *names).status == 0
 
 
 def test_a_link_to_nothing_is_not_followed(judge, tmp_path):
