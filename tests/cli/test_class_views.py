@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import re
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import pytest
-from chromium import CHROMIUM, dom, measured
 from cli_support import FLOOR, MEAN
-from jsonschema import Draft202012Validator
-
-from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -73,47 +68,3 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert Path("homework.judge.similar/middle-python.zip").exists()
     assert judge("class", homework, "--students", "list.csv", "-q", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html
-
-
-def test_the_cohort_for_scripts(judge, homework):
-    plain = judge("class", homework, "--no-name", "--json").lines
-    *rows, last = judge("class", homework, "--no-name", "--json", "--all").lines
-    assert len(rows) == len(plain) == 4
-    found = json.loads(last)["cohort"]
-    assert (found["students"], found["handins"], found["nothing_accepted"]) == (4, 4, [MARKUP, "bob", "cy"])
-    assert [each["students"] for each in found["equal_files"]] == [["bob", "cy"]]
-    (problem,) = found["problems"]
-    assert problem["mistakes"] == [{"mistake": None, "verdict": "WA", "students": [MARKUP, "bob", "cy"]}]
-    checked = Draft202012Validator(schema_of("class"))
-    for text in (*rows, last):
-        checked.validate(json.loads(text))
-    assert judge("class", homework, "--no-name", "-q").out.count("handed in") == 0
-
-
-@pytest.mark.parametrize("option", ["--csv", "--html", "--junit"])
-def test_what_is_something_else_is_not_overwritten(judge, homework, option):
-    ended = judge("class", homework, option, f"{homework}/ada/middle.py")
-    assert ended.status == 2
-    assert "it is there already and is no " in ended.err
-    assert not Path("homework.judge.sqlite3").exists()
-    refused = judge("class", homework, "--shard", "1/2", option, "new")
-    assert (refused.status, refused.err.count("--merge")) == (2, 1)
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)")
-def test_a_browser_shows_the_page_and_runs_nothing(judge, homework, tmp_path):
-    assert (
-        judge("class", homework, "--students", "list.csv", "--no-name", "-q", "--html", "class.html").status
-        == 1
-    )
-    page = Path("class.html").absolute()
-    shown = dom(page)
-    assert "<title>Class: homework</title>" in shown
-    assert not re.findall(r"<(script|img)\b", shown)
-    for width, dark in ((360, True), (1200, False)):
-        found = measured(page, width=width, dark=dark)
-        assert found["needed"] <= width
-        assert found["dark"] is dark
-        assert found["words"] > 90
-        assert found["faint"] == []
-        assert found["least"] >= 9

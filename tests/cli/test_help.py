@@ -6,27 +6,28 @@ What they say is in the transcripts of `help/` and `screens/help`.
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import shlex
+import subprocess
+import sys
 
 import pytest
+from cli_support import ROOT
 from terminals import on_a_terminal
 
 from judge.cli.app import app
-from judge.cli.table import COMMANDS, EXAMPLES, FIRST, FURTHER, TOPICS
-from judge.manual import page, pages, search, topics
+from judge.cli.table import COMMANDS, EXAMPLES, TOPICS
+from judge.manual import page, topics
+
+pytestmark = pytest.mark.slow
 
 QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --row Q7",
-    "judge list --json",
-    "judge show count",
     "judge help quiz",
     "judge help --search tolerance",
-    "judge show count --groups",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
-    "judge schema run",
-    'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
 )
 
 
@@ -35,11 +36,6 @@ def test_pages_go_into_a_pipe_as_they_are(judge):
         ended = judge("help", name)
         assert (ended.status, ended.out.rstrip()) == (0, page(name).text.rstrip())
     assert judge("help", "problem", "toml").out == judge("help", "problem-toml").out
-
-
-def test_the_name_of_a_command_that_is_no_topic_shows_its_help(judge):
-    for name in {*COMMANDS} - {*topics()}:
-        assert judge("help", name).out == judge(name, "--help").out
 
 
 @pytest.mark.slow
@@ -55,25 +51,7 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
     assert "The report loads and runs nothing" in on_a_terminal("help", "privacy", PAGER="false")[1]
 
 
-def test_headings_are_found_first(judge):
-    assert judge("help", "--search", "Exit", "status").lines[0].startswith("scripts: Exit status")
-    assert next(hit.heading for hit in search(["fresh", "cases"])) == "Fresh cases"
-
-
-def test_no_heading_within_a_block_is_a_section():
-    assert "my-kata" not in "".join(each.heading for each in page("problem-toml").sections)
-    for each in pages():
-        headings = [section.heading for section in each.sections]
-        assert len(headings) == len(set(headings)), each.name
-
-
 # -- the help of each command -------------------------------------------------------------------------------
-
-
-def test_every_command_has_examples_and_a_page():
-    assert [*EXAMPLES] == [*COMMANDS] == [*TOPICS]
-    assert {*TOPICS.values()} <= {*topics()}
-    assert len(FURTHER) + sum(map(len, FIRST.values())) == len(COMMANDS)
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -116,3 +94,50 @@ def test_examples_that_need_nothing_succeed(example, judge):
     ended = judge(*shlex.split(example)[1:])
     assert (ended.status, ended.err) == (0, "")
     assert ended.out
+
+
+# -- completion in a shell -------------------------------------------------------------------------------
+
+
+OFFERED = """
+import json, sys
+from click.shell_completion import ShellComplete
+from judge.cli.app import app
+for *args, incomplete in json.loads(sys.argv[1]):
+    found = ShellComplete(app, {}, "judge", "_JUDGE_COMPLETE").get_completions(args, incomplete)
+    print(json.dumps([item.value if item.type == "plain" else f"<{item.type}>" for item in found]))
+"""
+
+
+def offered(*asked: tuple[str, ...]) -> list[list[str]]:
+    """What may stand where each last word is being typed; files are left to the shell: <file>.
+
+    In a process of its own: completion leaves click's types changed.
+    """
+    command = [sys.executable, "-c", OFFERED, json.dumps(asked)]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    return [json.loads(line) for line in ended.stdout.splitlines()]
+
+
+def test_the_script_of_a_shell(process):
+    ended = process(_JUDGE_COMPLETE="zsh_source")
+    assert (ended.status, "_JUDGE_COMPLETE=zsh_complete" in ended.out) == (0, True)
+
+
+def test_commands_and_options():
+    first, options, levels = offered(
+        ("",), ("run", "middle", "--j"), ("run", "middle", "mine.py", "--isolation", "s")
+    )
+    assert first == list(COMMANDS)
+    assert "--junit" in options
+    assert levels == ["strong"]
+
+
+def test_katas_and_files(pack, monkeypatch):
+    shipped = [path.parent.name for path in (ROOT / "problems").glob("*/problem.toml")]
+    all_katas, begun, file = offered(("show", ""), ("run", "mi"), ("run", "middle", ""))
+    assert all_katas == sorted([*shipped, "middle"])
+    assert (begun, file) == (["middle", "<file>"], ["<file>"])
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    elsewhere = ("show", "--problems", str(pack / "problems"), "mi")
+    assert offered(("show", "mi"), elsewhere) == [[], ["middle"]]

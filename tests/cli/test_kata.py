@@ -6,17 +6,18 @@ What these commands show is in the transcripts of `kata/`.
 from __future__ import annotations
 
 import json
-import os
-import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
-from cli_support import FLOOR, MEAN, ROOT
+from cli_support import FLOOR, MEAN
 
+from judge.kata import begin
 from judge.kata.history import History
+from judge.problem.find import find_problem
+from judge.problem.solutions import Kind, read_solutions
+
+pytestmark = pytest.mark.slow
 
 
 def refused(ended, *words):
@@ -24,26 +25,6 @@ def refused(ended, *words):
     assert ended.err.count("\n") == 1, ended.err
     for word in words:
         assert word in ended.err
-
-
-FULL = """
-import resource, sys
-sys.dont_write_bytecode = True  # half a compiled module would break every process after this one
-resource.setrlimit(resource.RLIMIT_FSIZE, (200, resource.RLIM_INFINITY))
-sys.argv = ["judge", "init", "middle"]
-from judge.cli import main
-main()
-"""
-
-
-@pytest.mark.slow
-def test_init_that_runs_out_of_room_leaves_no_half_of_a_file(tmp_path):
-    command = [sys.executable, "-c", FULL]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    ended = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=False)
-    assert ended.returncode == 2
-    assert ended.stderr == "judge: middle.py: cannot be written (file too large); name another file\n"
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_kata_in_hand_is_judged_from_any_folder(judge, submit, tmp_path, monkeypatch):
@@ -69,106 +50,6 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
         assert [each.hints for each in history.helps("middle")] == [1, 2, 0]
 
 
-def test_giving_up_what_is_solved_is_not_noted(judge, submit):
-    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
-    assert judge("solution", "middle", "--give-up").status == 0
-    with History.open() as history:
-        assert not history.gave_up("middle")
-
-
-@pytest.fixture
-def two_ways(pack, tmp_path, monkeypatch):
-    """A pack whose problem `middle` has two approaches, which are timed."""
-    shutil.copytree(pack, tmp_path / "ways")
-    accepted = tmp_path / "ways" / "solutions" / "middle" / "accepted"
-    (accepted / "half_way.py").write_text(
-        '"""from-a-on\n\nHalf of the way from a to b. Then on.\n"""\n\n\n'
-        "def middle(a, b):\n    return a + (b - a) / 2\n"
-    )
-    toml = tmp_path / "ways" / "problems" / "middle" / "problem.toml"
-    rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'
-    toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
-    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "ways" / "problems"))
-    monkeypatch.setenv("COLUMNS", "80")
-
-
-TABLE = """\
-  approach  × reference  idea
-  mean              1.0  the one above
-  half-way           12  Half of the way from a to b.
-  yours                  run 1, mine.py
-
-  judge solution middle half-way  shows another one
-"""
-
-
-def test_the_approaches_stand_side_by_side_with_yours(judge, submit, two_ways, monkeypatch):
-    assert judge("run", "-q", "middle", submit(MEAN)).status == 0
-    asked = []
-
-    def paces(problem, programs, bars):
-        asked.extend((problem.id, name, source.decode()) for name, source in programs)
-        return [1.0, 12.3, None]  # so that nothing depends on how busy the machine is
-
-    monkeypatch.setattr("judge.judging.pace.paces", paces)
-    ended = judge("solution", "middle")
-    assert (ended.status, ended.err) == (0, "")
-    assert ended.out.endswith(f"\n```\n\n{TABLE}")
-    assert [name for _, name, _ in asked] == ["mean.py", "half_way.py", "mine.py"]
-    assert asked[2][2] == MEAN
-    told = json.loads(judge("solution", "middle", "--json").out)
-    assert [each["ratio"] for each in told["approaches"]] == [1.0, 12.3]
-    assert told["yours"] == {"run": 1, "file": "mine.py", "ratio": None}
-
-
-@pytest.mark.slow
-def test_the_times_of_approaches_are_measured_unless_that_is_not_wanted(judge, two_ways):
-    told = json.loads(judge("solution", "middle", "--give-up", "--json").out)
-    assert all(each["ratio"] is None or each["ratio"] > 0 for each in told["approaches"])  # or too short
-    assert "reference" not in judge("solution", "middle", "--no-time").out
-
-
-def test_times_that_cannot_be_measured_cost_a_line(judge, two_ways, tmp_path):
-    (tmp_path / "ways" / "problems" / "middle" / "problem.py").write_text("BUILDERS = {}\n")
-    ended = judge("solution", "middle", "--give-up")
-    assert ended.status == 0
-    assert ended.err.startswith("judge: the times are not measured: ")
-    assert len(ended.err.splitlines()) == 1
-    assert "reference" not in ended.out
-
-
-def test_a_solution_without_one(judge, tmp_path, pack):
-    shutil.copytree(pack / "problems", tmp_path / "problems")
-    ended = judge("solution", "middle", "--give-up", "--problems", tmp_path / "problems")
-    assert ended.status == 3
-    assert "there is no accepted solution that defines middle; add one to " in ended.err
-
-
-def test_what_is_written_is_said_before_it_is(judge, tmp_path):
-    words = ("next", "--init")
-    usual = ("distance_squared", "middle")  # whichever of them comes first
-    for name in usual:
-        (tmp_path / f"{name}.py").symlink_to("elsewhere.py")  # no file yet, and none can be made there
-    ended = judge(*words)
-    assert ended.status == 2
-    assert re.fullmatch(r"Writing \w+\.py, which is not there yet: the stub of [\w-]+\.\n\n", ended.out), (
-        ended.out
-    )
-    assert "the file is there already" in ended.err
-    assert judge(*words, "--json").out == ""
-    for name in usual:
-        (tmp_path / f"{name}.py").unlink()
-    ended = judge(*words)
-    assert ended.lines[0].startswith("Writing ")
-    assert (tmp_path / ended.lines[0].split()[1].rstrip(",")).is_file()
-
-
-def test_next_takes_up_a_file_that_is_there(judge, submit):
-    submit("# mine\n", "distance_squared.py")
-    assert judge("next").lines[0].startswith("distance_squared.py  distance-squared: ")
-    assert Path("distance_squared.py").read_text() == "# mine\n"
-
-
 # -- a pack that only --problems finds -------------------------------------------------------------------
 
 
@@ -191,21 +72,6 @@ def test_a_packs_kata_is_gone_on_with_by_every_command(lone, judge, submit):
     assert judge("next").status == 0
 
 
-def test_a_packs_kata_is_watched(lone, judge, submit, monkeypatch):
-    judge("init", "middle", "--problems", lone)
-    submit(MEAN, "middle.py")
-    seen = []
-
-    def once(watched, *, as_json):
-        assert watched.saved()
-        seen.append((watched.judge().result.verdict.value, as_json))
-        raise SystemExit(0)
-
-    monkeypatch.setattr("judge.cli.commands.watch._write_on", once)
-    assert judge("watch", "--json").status == 0
-    assert seen == [("AC", True)]
-
-
 def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
     judge("init", "middle", "--problems", lone)
     (tmp_path / "elsewhere" / "pack").rename(tmp_path / "moved")
@@ -214,7 +80,83 @@ def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
     assert judge("run", "-q", "--problems", tmp_path / "moved" / "problems").status == 1
 
 
-def test_a_kata_of_the_judges_own_keeps_no_folder(judge):
-    judge("init", "count")
-    with History.open(reading=True) as history:
-        assert history.current().problems == ""
+# -- a kata of one's own ---------------------------------------------------------------------------------
+
+
+FILES = {
+    "problems/{}/problem.toml",
+    "problems/{}/problem.py",
+    "problems/{}/statement.md",
+    "problems/{}/hints.md",
+    "problems/{}/hashes.json",
+    "solutions/{}/accepted/pythagoras.py",
+    "solutions/{}/wrong/sum-of-legs.py",
+}
+
+
+def files(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_a_kata_is_whole_and_sound_at_once(judge, tmp_path):
+    written = json.loads(judge("new", "pack", "my-own", "--json").out)
+    assert (written["problem"], written["problems"]) == ("my-own", "pack/problems")
+    assert files(tmp_path / "pack") == {name.format("my-own") for name in FILES}
+    assert set(written["files"]) == {f"pack/{name.format('my-own')}" for name in FILES}
+
+    verified = judge("verify", "--problems", "pack/problems", "my-own", "--json")
+    report = json.loads(verified.out)
+    assert (verified.status, report["ok"], report["faults"], report["pins"]) == (0, True, [], "matching")
+    assert [solution["file"] for solution in report["solutions"]] == [
+        "accepted/pythagoras.py",
+        "wrong/sum-of-legs.py",
+    ]
+
+    problem = find_problem("my-own", [tmp_path / "pack" / "problems"])
+    for kind, status in ((Kind.ACCEPTED, 0), (Kind.WRONG, 1)):
+        (program,) = read_solutions(problem, kind).programs
+        ended = judge("run", "--problems", "pack/problems", "my-own", program.path, "--json")
+        assert ended.status == status
+    assert json.loads(ended.out)["pitfall"]["name"] == "sum-of-legs"
+
+
+@pytest.mark.parametrize(
+    ("words", "home"),
+    [
+        (["pack", "a-b"], "pack"),
+        ([".", "a-b"], "."),
+        (["problems", "a-b"], "."),  # a folder of problems, empty as yet
+        (["course/week-1", "a-b"], "course"),  # one of another name, that holds a problem
+        (["course", "a-b"], "course"),  # which holds no problem itself
+    ],
+)
+def test_where_it_goes(words, home, judge, tmp_path):
+    (tmp_path / "problems").mkdir()
+    judge("new", "course", "first")
+    (tmp_path / "course" / "problems").rename(tmp_path / "course" / "week-1")
+    ended = judge("new", *words, "--json")
+    assert (ended.status, ended.err) == (0, "")
+    problems = json.loads(ended.out)["problems"]
+    assert (tmp_path / home / "solutions" / "a-b" / "accepted" / "pythagoras.py").is_file()
+    assert (tmp_path / problems / "a-b" / "problem.toml").is_file()
+    assert (tmp_path / problems).parent.resolve() == (tmp_path / home).resolve()
+
+
+def test_a_link_to_nothing_is_not_followed(judge, tmp_path):
+    (tmp_path / "pack" / "problems").mkdir(parents=True)
+    (tmp_path / "pack" / "problems" / "mine").symlink_to(tmp_path / "elsewhere")
+    assert judge("new", "pack", "mine").status == 2
+    assert not (tmp_path / "elsewhere").exists()
+
+
+@pytest.mark.parametrize("fault", [OSError(28, "No space left on device", "x"), KeyboardInterrupt()])
+def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_path, monkeypatch):
+    def fail(*_, **__):
+        raise fault
+
+    (tmp_path / "pack" / "problems").mkdir(parents=True)
+    monkeypatch.setattr(begin, "write_pins", fail)
+    ended = judge("new", "pack", "mine")
+    assert ended.status == (2 if isinstance(fault, OSError) else 130)
+    assert list((tmp_path / "pack").iterdir()) == [tmp_path / "pack" / "problems"]
+    assert list((tmp_path / "pack" / "problems").iterdir()) == []

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import shutil
-import threading
 
 import pytest
 from cli_support import FLOOR, MEAN
 from sampling import nightly
+
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
@@ -21,7 +21,6 @@ def own_cache(tmp_path, monkeypatch):
     ("source", "options"),
     [
         (FLOOR, ["--no-name"]),
-        (FLOOR, ["-q"]),
         (MEAN, []),
         ("def middle(a, b: pass\n", ["--json"]),
     ],
@@ -52,69 +51,44 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, submit, tmp_path, mo
     assert "the known mistakes' answers are not kept" in ended.err
 
 
-def test_only_what_is_new_is_learnt(judge, submit, own_cache, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    problems = tmp_path / "pack" / "problems"
-    name = submit(FLOOR)
-    judge("run", "middle", name, "--problems", problems)
-    (file,) = own_cache.iterdir()
-    before = kept_programs(file)
-    wrong = tmp_path / "pack" / "solutions" / "middle" / "wrong"
-    (wrong / "floor-division-int.py").write_text('"""floor-division"""\n' + FLOOR)
-    (wrong / "unreadable.py").write_text("def (:\n")
-    assert "  floor-division" in judge("run", "middle", name, "--problems", problems).out
-    assert list(own_cache.iterdir()) == [file]
-    after = kept_programs(file)
-    assert len(after) == len(before) + 1
-    assert before.items() <= after.items()
-    (wrong / "floor-division-int.py").unlink()
-    (wrong / "floor-division-round.py").write_text('"""floor-division"""\n\n' + FLOOR)
-    judge("run", "middle", name, "--problems", problems)
-    assert before.keys() < kept_programs(file).keys() != after.keys()
+# -- texts made to keep the judge busy -------------------------------------------------------------------
 
 
-def kept_programs(file):
-    """What is kept of each program, by its hash."""
-    return json.loads(file.read_bytes().partition(b"\n")[2])
+WITNESSES = {  # the first took 49 s, and eight times that for each doubling
+    "one/middle.cpp": "auto middle()->" * 800,
+    "two/other.cpp": "auto middle()->" * 8000,
+    "three/middle.c": "x middle(" * 6000 + ")" * 60_000,
+    "four/middle.go": "/" * 5000 + "\nx; func middle(",
+    "five/middle.js": "\nimport {" * 10_000 + "function middle(",
+    "six/middle.rs": "struct Pt {" + "a" * 100_000 + "} fn middle(",
+    "seven/middle.java": "int middle(" * 10_000 + "<" * 5000 + ">" * 5000 + ") {",
+    "eight/middle.py": "a,\n" * 300_000,
+    "nine/middle.py": f"{FLOOR}x = [{'0,' * 60_000}]\n",
+}
 
 
-def test_several_at_once_share_what_is_learnt(judge, submit, own_cache):
-    names = [submit(FLOOR, f"{letter}.py") for letter in "abc"]
-    ended = judge("run", "middle", *names, "--json", "-j", 3)
-    assert [json.loads(line)["pitfall"]["name"] for line in ended.lines] == ["floor-division"] * 3
-    assert len(list(own_cache.iterdir())) == 1
+@pytest.fixture
+def handed_in(submit):
+    for name, text in {**WITNESSES, "ann/middle.py": MEAN, "zoe/middle.py": FLOOR}.items():
+        submit(text, f"homework/{name}")
 
 
-@pytest.mark.slow
-def test_two_runs_at_once_leave_one_sound_file(process, submit, own_cache, tmp_path):
-    submit(FLOOR)
-    found = []
-    runs = [
-        threading.Thread(
-            target=lambda: found.append(process("run", "middle", tmp_path / "mine.py", "--json"))
-        )
-        for _ in range(2)
-    ]
-    for run in runs:
-        run.start()
-    for run in runs:
-        run.join()
-    assert [json.loads(each.out)["pitfall"]["name"] for each in found] == ["floor-division"] * 2
-    assert len(list(own_cache.iterdir())) == 1
+def verdicts(outcome):
+    return {row["file"]: row["verdict"] for row in map(json.loads, outcome.out.splitlines())}
 
 
-def test_a_pack_without_solutions_names_nothing(judge, submit, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    shutil.rmtree(tmp_path / "pack" / "solutions")
-    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", tmp_path / "pack" / "problems")
-    assert (json.loads(ended.out)["verdict"], json.loads(ended.out)["pitfall"]) == ("WA", None)
+@pytest.mark.nightly
+def test_a_class_with_such_files_ends_and_all_others_are_judged(judge, handed_in):
+    found = verdicts(judge("class", "homework", "--json", "--no-name"))
+    assert set(found) == {*WITNESSES, "ann/middle.py", "zoe/middle.py"} - {"two/other.cpp"}
+    assert found["ann/middle.py"] == "AC"
+    assert found["zoe/middle.py"] == found["nine/middle.py"] == "WA"
+    assert "AC" not in {verdict for name, verdict in found.items() if name in WITNESSES}
 
 
-def test_a_wrong_program_that_cannot_be_a_known_mistake_is_told(judge, submit, pack, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    (program,) = (tmp_path / "pack" / "solutions" / "middle" / "wrong").iterdir()
-    program.write_text(FLOOR)
-    problems = tmp_path / "pack" / "problems"
-    ended = judge("run", "middle", submit(FLOOR), "--json", "--problems", problems)
-    assert json.loads(ended.out)["pitfall"] is None
-    assert f"a known mistake is left out: middle/wrong/{program.name}: it has no docstring; " in ended.err
+@pytest.mark.parametrize("size", [60_000, 200_000])
+def test_a_mistake_is_named_as_long_as_the_text_is_no_longer_than_a_person_writes(judge, submit, size):
+    text = f"{FLOOR}# {'.' * size}\n"
+    result = json.loads(judge("run", "middle", submit(text, "middle.py"), "--json", "--no-shrink").out)
+    assert result["verdict"] == "WA"
+    assert (result["pitfall"] is None) == (size > 65_536)

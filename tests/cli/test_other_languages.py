@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
+from pathlib import Path
 
 import pytest
+from cli_support import PACK
+from jsonschema import Draft202012Validator
+from sampling import daily
 
 from judge.languages import find
-from judge.languages.model import language_called, languages
+from judge.languages.model import language_called
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -23,20 +26,16 @@ MEAN = {  # of two numbers, right
     "rust": "fn middle(a: f64, b: f64) -> f64 { (a + b) / 2.0 }",
     "pypy": "def middle(a, b):\n    return (a + b) / 2.0\n",
 }
-PROGRAM = (
-    '#include <cstdio>\nint main() { int t; double a, b; std::scanf("%d", &t);'
-    ' while (t-- > 0) { std::scanf("%lf%lf", &a, &b); std::printf("%.17g\\n", (a + b) / 2); } }'
-)
 
 
 def need(name):
     language = language_called(name)
     if find.why_not(language):
-        pytest.skip(f"no {language.name} here: {find.remedy(language)}")
+        pytest.skip(f"{language.name} is not installed: {find.remedy(language)}")
     return language
 
 
-@pytest.mark.parametrize("name", MEAN)
+@pytest.mark.parametrize("name", daily(MEAN, ("cpp",)))
 def test_a_right_function_is_accepted(judge, submit, name):
     language = need(name)
     path = submit(MEAN[name], f"middle{language.suffixes[0]}")
@@ -46,7 +45,7 @@ def test_a_right_function_is_accepted(judge, submit, name):
     assert (result["verdict"], result["mode"]) == ("AC", "function")
 
 
-@pytest.mark.parametrize("name", MEAN)
+@pytest.mark.parametrize("name", daily(MEAN, ("cpp",)))
 def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     language = need(name)
     assert judge("init", "middle", "--language", name).status == 0
@@ -54,65 +53,6 @@ def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     assert ended.status == 1, ended
     assert ended.lines[0].startswith(f"RTE  middle{language.suffixes[0]}")
     assert "middle is still to be written" in ended.out
-
-
-def test_the_files_name_says_the_language_of_a_stub(judge, tmp_path):
-    assert judge("init", "middle", "mine.go").status == 0
-    assert "func middle(a, b float64) (float64, bool) {" in (tmp_path / "mine.go").read_text()
-
-
-def test_an_unknown_language_is_one_line(judge):
-    ended = judge("init", "middle", "--language", "Jova")
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err == "judge: there is no language Jova; did you mean java?\n"
-
-
-def test_a_program_is_accepted_and_told_that_its_time_is_not_raced(judge, submit):
-    need("cpp")
-    ended = judge("run", "middle", submit(PROGRAM, "middle.cpp"))
-    assert ended.status == 0, ended
-    assert "run as a program" in ended.out
-    assert "no reference solution in C++" in ended.err
-
-
-def test_a_wrong_function_is_shrunk_and_replayed(judge, submit):
-    need("cpp")
-    path = submit(
-        "#include <cmath>\ndouble middle(double a, double b) { return std::floor((a + b) / 2); }", "m.cpp"
-    )
-    ended = judge("run", "middle", path)
-    assert ended.status == 1
-    assert "smallest case found" in ended.out
-    again = next(line for line in ended.lines if "judge replay" in line).partition("judge replay ")[2]
-    assert "WA" in judge("replay", *again.split()).out
-
-
-def test_a_saved_case_is_a_test_that_replays_it(judge, submit, tmp_path):
-    need("cpp")
-    path = submit(MEAN["cpp"].replace("/ 2", "/ 3"), "m.cpp")
-    assert judge("run", "middle", path, "--save-regression", "test_m.py").status == 1
-    pytest_ = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_m.py"]
-    failed = subprocess.run(pytest_, capture_output=True, text=True, timeout=120, check=False, cwd=tmp_path)
-    assert failed.returncode == pytest.ExitCode.TESTS_FAILED
-    assert "wrong answer" in failed.stdout
-    submit(MEAN["cpp"], "m.cpp")
-    passed = subprocess.run(pytest_, capture_output=True, text=True, timeout=120, check=False, cwd=tmp_path)
-    assert passed.returncode == 0, passed.stdout
-
-
-def test_the_function_of_a_file_says_its_problem(judge, submit):
-    need("cpp")
-    ended = judge("run", submit(MEAN["cpp"], "mine.cpp"))
-    assert ended.status == 0, ended
-    assert ended.lines[0].startswith("AC  mine.cpp  middle"), ended.lines
-
-
-def test_what_does_not_compile_is_told_with_line_and_column(judge, submit):
-    need("c")
-    ended = judge("run", "middle", submit("double middle(double a, double b)\n{ return a + ; }", "m.c"))
-    assert ended.status == 1
-    assert "expected expression" in ended.out
-    assert "m.c:2:14" in ended.out
 
 
 def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp_path):
@@ -131,50 +71,85 @@ def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp
     assert any("AC" in line and "good.py" in line for line in ended.lines), ended.out
 
 
-def test_doctor_has_a_line_for_each_language(judge):
-    shown = judge("doctor")
-    found = json.loads(judge("doctor", "--json").out)["languages"]
-    assert [each["name"] for each in found] == [language.name for language in languages()]
-    for each in found:
-        line = next(line for line in shown.lines if line.startswith(f"{each['name']} "))
-        assert (each["version"] or each["remedy"])[:20] in line
-        assert bool(each["version"]) != bool(each["missing"])
+# -- the race --------------------------------------------------------------------------------------------
 
 
-def test_doctor_names_the_command_for_what_is_missing(judge, monkeypatch, tmp_path):
-    (tmp_path / "brew").write_text("#!/bin/sh\n")
-    (tmp_path / "brew").chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    find.toolchain.cache_clear()
-    ended = judge("doctor")
-    find.toolchain.cache_clear()
-    assert "missing javac: brew install openjdk" in ended.out
+GROWTH = Path(__file__).parents[1] / "fixtures" / "growth"
+CPP = "// Mean.\ndouble middle(double a, double b) { return (a + b) / 2; }\n"
+RULE = """[time]
+limit = 20
+function = "mean.py"
+program = "program.py"
+
+[time.references]
+cpp = "reference.cpp"
+
+[tolerance]"""
 
 
-def test_doctor_tries_languages_where_it_is_asked_to(judge, monkeypatch, tmp_path):
-    need("c")
-    for name in ("gcc", "bwrap"):
-        if found := shutil.which(name):
-            (tmp_path / name).symlink_to(found)
-    (tmp_path / "g++").write_text("#!/bin/sh\n[ $1 = --version ] && echo g++ 0.1\n")
-    (tmp_path / "apt-get").write_text("#!/bin/sh\n")
-    for name in ("g++", "apt-get"):
-        (tmp_path / name).chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    find.toolchain.cache_clear()
-    untried = {each["name"]: each["works"] for each in json.loads(judge("doctor", "--json").out)["languages"]}
-    found = {
-        each["name"]: each for each in json.loads(judge("doctor", "--json", "--languages").out)["languages"]
-    }
-    shown = judge("doctor", "--languages")
-    find.toolchain.cache_clear()
-    assert set(untried.values()) == {None}
-    assert (found["C"]["works"], found["C"]["why_not"], found["C"]["remedy"]) == (True, None, None)
-    assert found["C++"]["works"] is False
-    assert found["C++"]["why_not"].startswith("the empty C++ program fails: ")
-    assert found["C++"]["remedy"] == "repair it, or apt-get install g++"
-    assert (found["Go"]["works"], found["Go"]["missing"]) == (None, "go")
-    assert any(line.startswith("C  ") and ", works at " in line for line in shown.lines)
-    place = next(i for i, line in enumerate(shown.lines) if line.startswith("C++ "))
-    assert "fails     the empty C++ program fails" in shown.lines[place + 1]
-    assert "remedy    repair it, or apt-get install g++" in shown.out
+@pytest.fixture
+def raced(judge, submit, tmp_path, monkeypatch):
+    """Judge a file on `middle`, which has references in Python and C++; its result, and what was written."""
+    need("cpp")
+    shutil.copytree(PACK, tmp_path / "two")
+    (tmp_path / "two" / "solutions" / "middle" / "accepted" / "reference.cpp").write_text(CPP)
+    toml = tmp_path / "two" / "problems" / "middle" / "problem.toml"
+    toml.write_text(toml.read_text().replace("[tolerance]", RULE, 1))
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "two" / "problems"))
+
+    def run(source, name):
+        path = submit(source, name)
+        result = json.loads(judge("run", "--json", "middle", path).out)
+        Draft202012Validator(schema_of("run")).validate(result)
+        return result, judge("run", "middle", path)
+
+    return run
+
+
+def test_it_is_raced_against_its_own_language(raced):
+    result, ended = raced(CPP, "mine.cpp")
+    assert result["verdict"] == "AC"
+    assert result["time"]["reference"] == {"language": "C++"}
+    assert result["time"]["ratio"]["median"] > 0
+    assert "× the reference in C++" in ended.out
+    assert "held to" not in ended.err
+
+
+QUADRATIC = """
+#include <vector>
+long long inversions(std::vector<long long> values) {
+    long long found = 0;
+    for (size_t i = 0; i < values.size(); ++i)
+        for (size_t j = i + 1; j < values.size(); ++j) found += values[i] > values[j];
+    return found;
+}
+"""
+
+
+@pytest.mark.nightly
+def test_the_growth_of_another_language(judge, submit, monkeypatch):
+    need("cpp")
+    monkeypatch.setenv("JUDGE_PROBLEMS", str(GROWTH / "problems"))
+    result = json.loads(judge("run", "--json", "inversions", submit(QUADRATIC, "mine.cpp")).out)
+    growth = result["time"]["growth"]
+    assert result["verdict"] == "TLE", result
+    assert growth["exponent"] > growth["reference"] + 0.4
+    assert result["time"]["reference"]["language"] == "Python"
+
+
+@pytest.mark.nightly
+def test_the_solution_in_another_language_is_shown(judge, raced):
+    assert judge("run", "-q", "middle", "mine.cpp").status == 2  # nothing there yet
+    raced(CPP.replace("// Mean.", "// Mine."), "mine.cpp")
+    ended = judge("solution", "middle", "--language", "c++", "--no-time")
+    assert (ended.status, ended.err) == (0, "")
+    assert "```cpp" in ended.out
+    assert "double middle(double a, double b)" in ended.out
+    assert any(row.split()[:1] == ["mean"] for row in ended.lines)
+    told = json.loads(judge("solution", "middle", "reference.cpp", "--no-time", "--json").out)
+    Draft202012Validator(schema_of("solution")).validate(told)
+    assert (told["file"], told["language"]) == ("reference.cpp", "C++")
+    assert [each["language"] for each in told["approaches"]] == ["Python", "C++"]
+    refused = judge("solution", "middle", "--language", "go")
+    assert (refused.status, len(refused.err.splitlines())) == (2, 1)
+    assert "middle has no solution in Go; there are some in Python, C++" in refused.err

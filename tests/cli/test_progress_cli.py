@@ -11,10 +11,11 @@ from cli_support import ROOT
 
 from judge.kata import history as kept
 from judge.kata.history import History
-from judge.kata.sets import find_set
 from judge.problem import Verdict
-from judge.problem.find import all_problems, find_problem
+from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
+
+pytestmark = pytest.mark.slow
 
 START = datetime(2026, 3, 1, 9, tzinfo=UTC)
 SET = 'title = "Means"\nabout = "The middle of two numbers."\n'
@@ -23,7 +24,6 @@ SKILL = """
 about = "Half of an odd number is no integer."
 groups = ["half"]
 """
-SETS = ["first-steps", "junior", "middle", "senior", "professional"]
 
 
 @pytest.fixture
@@ -88,47 +88,6 @@ def test_the_checklist(judge, own_pack):
     assert "Fails middle half." in judge("progress", "means").out
 
 
-def test_a_skill_that_nothing_explains_is_told(judge, own_pack):
-    text = (own_pack / "middle" / "problem.toml").read_text()
-    (own_pack / "middle" / "problem.toml").write_text(text + '[skills]\n"no rof" = ["half"]\n')
-    ended = judge("progress", "means", "--json")
-    assert [skill["name"] for skill in json.loads(ended.out)["skills"]] == ["no floor"]
-    assert "no skill is called 'no rof'" in ended.err
-    faults = json.loads(judge("verify", "middle", "--json").out)["faults"]
-    assert [fault["what"] for fault in faults if fault["where"].startswith("middle/")] == [
-        "no skill is called 'no rof'"
-    ]
-
-
-def test_everything_passed_is_every_skill_shown(judge):
-    passed(*(problem.id for problem in all_problems()))
-    found = json.loads(judge("progress", "--json").out)
-    assert len(found["skills"]) >= 25
-    assert {skill["state"] for skill in found["skills"]} == {"shown"}
-
-
-def test_progress_of_the_path_is_a_row_a_set(judge):
-    passed("diameter", "chord")
-    shown = judge("progress")
-    rows = {line.split()[0]: " ".join(line.split()[1:]) for line in shown.lines if line.split()[:1]}
-    assert [name for name in rows if name in SETS] == SETS
-    assert rows["first-steps"] == f"1 of {len(find_set('first-steps').problems)} 1 of 6"
-    katas = len(find_set("junior").problems)
-    assert rows["junior"].startswith(f"1 of {katas} 1 of {katas} 1 of {katas} ")
-    assert len(shown.lines) < 36
-    everything = judge("progress", "--all").out
-    for words in ("close the loop", "interview level"):  # a skill, and the table of levels
-        assert words in everything
-
-
-def test_a_lost_skill_stands_out(judge):
-    first = find_problem("diameter").groups[-1].name
-    passed("diameter")
-    passed("diameter", without=(first,))
-    (said,) = [line for line in judge("progress").lines if line.startswith("  lost  ")]
-    assert f"fails diameter {first}" in said
-
-
 # -- judge due --------------------------------------------------------------------------------------------
 
 
@@ -149,10 +108,3 @@ def test_what_is_due(judge, monkeypatch):
     assert [review["problem"] for review in found["due"]] == ["count"]
     assert [review["problem"] for review in found["later"]] == ["middle"]
     assert found["due"][0]["rating"] == "again"
-
-
-def test_a_kata_that_cannot_be_found_from_here(judge, monkeypatch):
-    passed("middle")
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    assert judge("due").lines[-1] == "Not to be found from here: middle; see --problems."
-    assert json.loads(judge("due", "--json").out)["elsewhere"] == ["middle"]

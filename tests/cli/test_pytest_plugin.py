@@ -10,8 +10,6 @@ from importlib.metadata import entry_points
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
 
-import judge.testing
-from judge.errors import UsageError
 from judge.manual import page
 from judge.testing import judge_problem
 
@@ -42,12 +40,6 @@ def library(pytester):
     return run
 
 
-def test_a_test_for_each_group(library):
-    ended = library(MEAN, MARKED + GROUPS, "-v")
-    ended.assert_outcomes(passed=3)
-    ended.stdout.fnmatch_lines([f"*::test_it[[]{name}[]] PASSED*" for name in ("examples", "whole", "half")])
-
-
 def test_a_failure_is_that_of_its_group(library):
     ended = library(FLOOR, MARKED + GROUPS)
     ended.assert_outcomes(passed=1, failed=2)
@@ -69,52 +61,6 @@ def test_a_failure_is_that_of_its_group(library):
     assert "judge/testing.py" not in ended.stdout.str()  # the traceback ends at the test's own line
 
 
-def test_the_smallest_case_is_sought_once_for_a_routine(monkeypatch):
-    sought = []
-    explained = judge.testing.explained
-    monkeypatch.setattr("judge.testing.explained", lambda *words: sought.append(words) or explained(*words))
-    problem = judge_problem("middle")
-    for group in ("half", "whole", "half"):  # one lambda of the text, though a new one each time
-        with pytest.raises(AssertionError, match="smallest case found"):
-            problem.check(lambda a, b: (a + b) // 2 + 1, [group])
-    assert len(sought) == 1
-    for offset in (1, 2):  # a lambda with something else around it is another routine
-        with pytest.raises(AssertionError):
-            problem.check(lambda a, b: (a + b) // 2 + offset, ["half"])  # noqa: B023
-    assert len(sought) == 3
-
-
-def test_a_failed_search_leaves_the_failure_as_it_was(monkeypatch):
-    def broken(*_):
-        raise RuntimeError
-
-    monkeypatch.setattr("judge.testing.explained", broken)
-    with pytest.raises(AssertionError, match="half should catch"):
-        judge_problem("middle").check(lambda *_: 7, ["half"])
-
-
-@pytest.mark.parametrize(
-    ("marker", "outcome"),
-    [
-        ("'middle', groups=['half', 'whole']", 2),
-        ("name='middle', groups=('half',)", 1),
-    ],
-)
-def test_chosen_groups(marker, outcome, library):
-    tests = GROUPS.replace("'middle'", marker)
-    library(MEAN, MARKED + tests).assert_outcomes(passed=outcome)
-
-
-def test_a_marker_on_a_class_or_a_module(library):
-    tests = (
-        "pytestmark = pytest.mark.judge_problem('middle')\n"
-        "def test_it(judge_group):\n    judge_group.check(middle)\n"
-        "@pytest.mark.judge_problem('middle', ['whole'])\n"
-        "class TestHere:\n    def test_it(self, judge_group):\n        judge_group.check(middle)\n"
-    )
-    library(MEAN, MARKED + tests).assert_outcomes(passed=4)
-
-
 @pytest.mark.parametrize(
     ("marker", "said"),
     [
@@ -127,13 +73,6 @@ def test_a_marker_on_a_class_or_a_module(library):
             "*middle has no group 'hlaf'; did you mean 'half'?",
         ),
         ("@pytest.mark.judge_problem('middle', 'half')", "the marker judge_problem cannot be understood: *"),
-        ("@pytest.mark.judge_problem('middle', [])", "the marker judge_problem cannot be understood: *"),
-        ("@pytest.mark.judge_problem()", "the marker judge_problem cannot be understood: write *"),
-        ("@pytest.mark.judge_problem('middle', seed=1)", "the marker judge_problem cannot be understood: *"),
-        (
-            "@pytest.mark.judge_problem('middle', problems=['no'])",
-            "judge_problem: --problems: no is not a folder*",
-        ),
         ("", "the fixture judge_group needs a problem: write @pytest.mark.judge_problem*"),
     ],
 )
@@ -146,11 +85,6 @@ def test_a_bad_marker_is_one_line_and_fails_its_own_test_alone(marker, said, lib
     assert "INTERNALERROR" not in ended.stdout.str()
 
 
-def test_the_marker_and_the_fixture_explain_themselves(library):
-    library(MEAN, "", "--markers").stdout.fnmatch_lines(["@pytest.mark.judge_problem(name, groups=None*"])
-    library(MEAN, "", "--fixtures").stdout.fnmatch_lines(["judge_group*"])
-
-
 def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
     script = (
         "import sys, pytest\nimport judge.pytest_plugin\nours = ('judge', 'msgspec', 'click')\n"
@@ -161,6 +95,7 @@ def test_nothing_of_judge_is_imported_at_the_start_of_pytest():
     assert ended.stdout.split() == ["judge", "judge.pytest_plugin"]
 
 
+@pytest.mark.nightly
 def test_the_manuals_example(pytester, library, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
     (example,) = re.findall(r"^```py\n(.*?)^```$", page("testing").text, re.MULTILINE | re.DOTALL)
@@ -189,14 +124,6 @@ def floor(a, b):
     return (a + b) // 2
 
 
-def test_a_right_routine():
-    problem = judge_problem("middle")
-    assert problem.check(middle) is None
-    assert problem.groups == ("examples", "whole", "half")
-    assert repr(problem.group("half")) == "judge_problem('middle').group('half')"
-    assert "half" in problem.group("half").about
-
-
 def test_a_wrong_one_counts_the_failures_of_each_group():
     with pytest.raises(AssertionError) as failed:
         judge_problem("middle").check(floor)
@@ -215,40 +142,6 @@ def test_a_wrong_one_counts_the_failures_of_each_group():
     ]
 
 
-@pytest.mark.parametrize("groups", ["whole", ["whole"], ("whole",)])
-def test_only_chosen_groups_are_called(groups):
-    judge_problem("middle").check(floor, groups)
-
-
-@pytest.mark.parametrize("groups", ["hlaf", ["whole", "hlaf"]])
-def test_an_unknown_group(groups):
-    with pytest.raises(UsageError, match="did you mean 'half'"):
-        judge_problem("middle").check(middle, groups)
-
-
-@pytest.mark.parametrize("groups", [[], (), iter([])])
-def test_no_group_at_all_is_no_success(groups):
-    with pytest.raises(UsageError, match="no group is named"):
-        judge_problem("middle").check(floor, groups)
-
-
-def test_an_unknown_problem():
-    with pytest.raises(UsageError, match="did you mean 'middle'"):
-        judge_problem("middel")
-
-
-def test_problems_of_ones_own(pack, monkeypatch):
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    judge_problem("middle", problems=[pack / "problems"]).check(middle)
-
-
-def test_another_signature_is_wrapped():
-    def of_pair(pair):
-        return sum(pair) / 2
-
-    judge_problem("middle").check(lambda a, b: of_pair((a, b)))
-
-
 def test_an_exception_is_a_failure_that_leads_to_its_line():
     def stumbles(a, b):
         return a / (b - b)
@@ -257,36 +150,3 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
         judge_problem("middle").check(stumbles)
     assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
     assert isinstance(failed.value.__cause__, ZeroDivisionError)
-
-
-def test_an_exception_whose_own_text_fails():
-    class MuteError(Exception):
-        def __str__(self):
-            raise ValueError
-
-    def mute(a, b):
-        raise MuteError
-
-    with pytest.raises(AssertionError, match=r"MuteError: \(its text cannot be shown\)"):
-        judge_problem("middle").check(mute)
-
-
-def test_a_wrong_type_says_so():
-    with pytest.raises(AssertionError, match=r"why     the str '1\.5' where a number or None is meant"):
-        judge_problem("middle").check(lambda a, b: str((a + b) / 2))
-
-
-def test_what_is_no_failure_passes_through():
-    def skips(a, b):
-        pytest.skip("not here")
-
-    with pytest.raises(pytest.skip.Exception):
-        judge_problem("middle").check(skips)
-
-
-def test_a_shipped_problem_and_its_hints(monkeypatch):
-    monkeypatch.delenv("JUDGE_PROBLEMS")
-    monkeypatch.setattr("judge.testing.explained", lambda *_: None)  # no name is found
-    with pytest.raises(AssertionError, match="grid should catch") as failed:
-        judge_problem("count").check(lambda cx, cy, r, a, b: 0, ["grid"])
-    assert "forgotten-centre: " in str(failed.value)

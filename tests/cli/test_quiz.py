@@ -7,17 +7,22 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import sys
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 from cli_support import MEAN
+from sampling import nightly
+from terminals import Terminal
 
 from judge.cli import interview
 from judge.kata import history as kept
 from judge.kata.answers import Rating
 from judge.kata.history import History
+
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
@@ -46,33 +51,10 @@ def test_answers_are_kept_with_their_rating(typing):
     ]
 
 
-@pytest.mark.parametrize("lines", [[], ["3.5"], ["3.5", "q"], ["3.5", "x", ""]])
+@pytest.mark.parametrize("lines", [[], ["3.5", "q"], ["3.5", "x", ""]])
 def test_whenever_it_ends_what_was_answered_is_kept(typing, lines):
     assert typing(lines, "quiz", "halves", "--seed", "3").status == 0
     assert len(answers()) == min(len(lines), 1)
-
-
-def test_ctrl_c_keeps_what_was_answered_and_says_how_it_went(judge, monkeypatch):
-    class Interrupted(io.StringIO):
-        def readline(self, *size):
-            text = super().readline(*size)
-            if not text:
-                raise KeyboardInterrupt
-            return text
-
-    monkeypatch.setattr(sys, "stdin", Interrupted("3.5\n"))
-    ended = judge("quiz", "halves", "--seed", "3")
-    assert ended.status == 130
-    assert ended.out.endswith("1 of 1 card known\n")
-    assert len(answers()) == 1
-
-
-def test_bytes_that_are_no_text_are_no_answer(judge, monkeypatch):
-    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\xff\xfe\x00\n3.5\n"), encoding="utf-8"))
-    ended = judge("quiz", "--card", "halves/half-of-seven")
-    assert "is no answer here" in ended.out
-    assert "✓ right" in ended.out
-    assert "\x00" not in ended.out
 
 
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
@@ -88,15 +70,6 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
     assert json.loads(judge("next", "--json").out)["cards_due"] == 1
     again = typing(["b"], "quiz", "halves", "--seed", "3")
     assert again.out.startswith("1 of 1  choice")
-
-
-def test_a_listed_card_has_one_line_where_there_is_room(judge, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "80")
-    listed = judge("quiz", "middle", "--list").lines
-    assert max(map(len, listed)) <= 80
-    assert len(listed) == int(listed[-1].split()[0]) + 3
-    assert any(line.endswith(" …") for line in listed)
-    assert len(judge("quiz", "--list", "--json").lines) > 120
 
 
 # -- the interview -----------------------------------------------------------------------------------------
@@ -124,3 +97,61 @@ def test_when_the_time_is_over_no_card_is_asked_any_more(typing, monkeypatch):
     assert ended.status == 0
     assert len(answers()) == 1
     assert "10 of 10 minutes" in ended.out
+
+
+# -- on a terminal ---------------------------------------------------------------------------------------
+
+
+def plain(text):
+    """What a person sees of it."""
+    return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", text).replace("\r\n", "\n")
+
+
+@pytest.mark.parametrize(
+    ("card", "rows", "columns"),
+    [
+        ("senior/tags-drawn", 24, 40),
+        nightly("junior/points-drawn", 24, 80),
+        nightly("middle/first-hit-drawn", 50, 100),
+    ],
+)
+def test_a_question_with_its_figure_fits_the_screen(card, rows, columns):
+    words = ["quiz", "--card", card, "--cards", "1", "--seed", "4"]
+    with Terminal(*words, rows=rows, columns=columns) as terminal:
+        shown = plain(terminal.until(" > "))
+        lines = shown.split("\n")
+        assert len(lines) <= rows
+        assert all(len(line) <= columns for line in lines)
+        assert sum(bool(re.search("[\u2801-\u28ff]", row)) for row in lines) >= 7
+        assert "wanted" not in shown
+        terminal.press("?\n")
+        assert "not known" in terminal.until("To drill")
+        assert terminal.ends() == 0
+
+
+@pytest.mark.parametrize(("key", "status"), [("\x03", 130), nightly("\x04", 0)])
+def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
+    with Terminal("quiz", "halves", "--seed", "3") as terminal:
+        terminal.until(" > ")
+        terminal.press("3.5\n")
+        terminal.until("2 of 2")
+        terminal.until(" > ")
+        terminal.press(key)
+        terminal.until("1 of 1 card known")
+        assert terminal.ends() == status
+        assert "Traceback" not in terminal.written
+    with History.open(reading=True) as history:
+        assert [each.card for each in history.answers()] == ["halves/half-of-seven"]
+
+
+def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():
+    words = ["quiz", "--interview", "--cards", "0", "--kata", "middle", "--minutes", "60"]
+    with Terminal(*words, rows=40, columns=100) as terminal:
+        terminal.until("q to go on")
+        terminal.press("what\n")
+        terminal.until("an empty line has the file judged")
+        terminal.until("q to go on")
+        Path("middle_interview.py").write_text(MEAN)
+        terminal.until("accepted, 100 of 100 points")
+        terminal.until("middle: AC, 100 of 100 points after 1 run")
+        assert terminal.ends() == 0

@@ -12,7 +12,7 @@ from mistaken import mistaken
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium (apt-get install chromium)"),
+    pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed"),
 ]
 
 PWN = "document.title='pwned';alert(1)"
@@ -70,7 +70,7 @@ def full(judge, submit, shown):
     return page
 
 
-@pytest.mark.parametrize(("width", "dark"), [(360, False), (360, True), (800, True), (1400, False)])
+@pytest.mark.parametrize(("width", "dark"), [(360, True), (1400, False)])
 def test_it_fits_and_every_word_stands_out(full, width, dark):
     found = measured(full, width=width, dark=dark)
     assert found["width"] == width

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import io
-import json
-import os
 import re
 import sys
 from pathlib import Path
 
 import pytest
-from cli_support import FLOOR, MEAN
+from cli_support import FLOOR, MEAN, ROOT
+
+from judge.kata.checklist import read_checklist
+
+pytestmark = pytest.mark.slow
 
 USUAL = Path("judge-report.html")
 
@@ -34,48 +36,6 @@ def test_it_writes_the_page_and_says_where(judge, judged):
     assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
 
 
-def tiles(page):
-    """The figures at the head of the page, by their label."""
-    return dict(re.findall(r"<dt>(.*?)</dt><dd>(.*?)</dd></div>", page))
-
-
-def test_cards_alone_are_reported(judge, monkeypatch):
-    monkeypatch.setattr(sys, "stdin", io.StringIO("0\n"))
-    assert judge("quiz", "--card", "middle/complex-roots").status == 0
-    monkeypatch.setattr(sys, "stdin", io.StringIO("?\n"))
-    assert judge("quiz", "--card", "senior/cull-ratio").status == 0
-    ended = judge("report", "--json")
-    assert (ended.status, ended.err) == (0, "")
-    assert (json.loads(ended.out)["runs"], json.loads(ended.out)["problems"]) == (0, [])
-    page = USUAL.read_text(encoding="utf-8")
-    assert tiles(page)["answers to cards known"] == "1 of 2"
-    assert not any("run" in label for label in tiles(page))
-    assert 'id="ready"' in page
-
-
-def test_a_broken_program_alone_is_reported(judge):
-    assert judge("hack", "count", "2", "0, 0, 1, (-1, -1), (1, -1)").status == 0
-    assert judge("report").status == 0
-    page = USUAL.read_text(encoding="utf-8")
-    assert "by a wrong program that was broken" in page
-    assert not any("cards" in label for label in tiles(page))
-
-
-def test_without_the_matrix(judge, judged):
-    assert judge("report", "--no-matrix").status == 0
-    assert "yours, 1 ×" not in USUAL.read_text(encoding="utf-8")
-
-
-def test_a_problem_whose_own_solution_was_judged_alone_has_no_matrix(judge, pack, submit):
-    own = pack / "solutions" / "middle"
-    assert judge("run", "middle", str(own / "accepted" / "mean.py")).status == 0
-    assert judge("report").status == 0
-    assert "Kill matrix" not in USUAL.read_text(encoding="utf-8")
-    assert judge("run", "middle", submit(FLOOR), "--no-shrink").status == 1
-    assert judge("report").status == 0
-    assert "Kill matrix" in USUAL.read_text(encoding="utf-8")
-
-
 def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     assert judge("report").status == 0
@@ -84,26 +44,6 @@ def test_it_may_be_made_again_and_is_the_same(judge, judged, monkeypatch):
     assert USUAL.read_bytes() == first
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
     assert "$SOURCE_DATE_EPOCH: 'soon' is no time" in judge("report").err
-
-
-def test_a_link_stays_a_link(judge, judged):
-    USUAL.symlink_to("real.html")
-    assert judge("report").status == 0
-    assert USUAL.is_symlink()
-    assert Path("real.html").is_file()
-
-
-def test_for_scripts(judge, judged):
-    ended = judge("report", "--out", "page.html", "--json")
-    assert ended.status == 0
-    told = json.loads(ended.out)
-    size = Path("page.html").stat().st_size
-    assert told == {"schema": 1, "out": "page.html", "bytes": size, "runs": 2, "problems": ["middle"]}
-
-
-def test_whose_it_is(judge, judged):
-    assert judge("report", "--name", "Ada <3").status == 0
-    assert "<title>Kata report: Ada &lt;3</title>" in USUAL.read_text(encoding="utf-8")
 
 
 def test_what_is_no_report_is_not_overwritten(judge, judged):
@@ -119,42 +59,6 @@ def test_what_is_no_report_is_not_overwritten(judge, judged):
     assert "precious" not in USUAL.read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("words", "wanted"),
-    [
-        (["--out", "nowhere/page.html"], "its folder does not exist; make the folder first"),
-        (["--out", "."], "it is a folder; name a file with --out"),
-        (["--out", "/dev/null", "--force"], "it is no ordinary file"),
-        (["--out", "x" * 300], "cannot be written (file name too long)"),
-        (["--db", "empty.sqlite3"], "empty.sqlite3: there is nothing to report; judge something first"),
-    ],
-)
-def test_what_cannot_be_done(judge, judged, words, wanted):
-    ended = judge("report", *words)
-    assert ended.status == 2
-    assert ended.out == ""
-    assert wanted in ended.err
-    assert ended.err.count("\n") == 1
-    assert not Path("empty.sqlite3").exists()
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_is_not_ones_own(judge, judged, tmp_path):
-    tmp_path.chmod(0o555)
-    try:
-        assert "cannot be written (permission denied)" in judge("report").err
-    finally:
-        tmp_path.chmod(0o755)
-
-
-def test_a_history_of_something_else(judge, judged):
-    Path("other.db").write_bytes(b"no database at all, whatever it says")
-    ended = judge("report", "--db", "other.db")
-    assert ended.status == 3
-    assert ended.err.startswith("judge: other.db: ")
-    assert not USUAL.exists()
-
-
 def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):
     (tmp_path / "pack" / "broken").mkdir(parents=True)
     (tmp_path / "pack" / "broken" / "problem.toml").write_text("title = 1")
@@ -162,3 +66,42 @@ def test_a_problem_that_cannot_be_read_any_more(judge, judged, tmp_path):
     assert ended.status == 0
     assert "a problem is left out: broken/problem.toml:1: " in ended.err
     assert USUAL.exists()
+
+
+# -- the questions ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def report(judge, submit, monkeypatch):
+    """A report after one accepted kata and two cards, one of which was not known."""
+    source = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
+    assert judge("run", "segment", submit(f"{source}# mine\n"), "-q").status == 0
+    for card in ("junior/applications", "senior/cull-ratio"):
+        monkeypatch.setattr(sys, "stdin", io.StringIO("\n4\n" if card.startswith("junior") else "?\n"))
+        assert judge("quiz", "--card", card).status == 0
+    assert judge("report", "--no-matrix").status == 0
+    return Path("judge-report.html").absolute()
+
+
+def test_every_question_is_there_with_its_state(report):
+    page = report.read_text(encoding="utf-8")
+    ready = page[page.index('<section id="ready"') : page.index('<section id="skills"')]
+    rows = [row.id for row in read_checklist().rows]
+    states = re.findall(r'<li class="(\w+)"', ready)
+    state = dict(zip(rows, states, strict=True))
+    assert state["M4"] == "passed"  # by the kata
+    assert state["J13"] == "passed"  # by the card
+    assert {state[name] for name in ("S10", "P14", "Q2", "Q9", "Q14")} == {"open"}
+    assert state["Q7"] == "open"  # that of a segment is shown, that of a ray is not
+    assert re.search(r"Ready\?", ready)
+
+
+def test_a_broken_checklist_costs_the_report_its_questions_only(judge, submit, tmp_path):
+    source = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
+    assert judge("run", "segment", submit(source), "-q").status == 0
+    (tmp_path / "own").mkdir()
+    (tmp_path / "own" / "checklist.toml").write_text("sections = 3\nrows = []\n")
+    ended = judge("report", "--no-matrix", "--problems", tmp_path / "own")
+    assert ended.status == 0
+    assert "the questions are left out: own/checklist.toml:1" in ended.err
+    assert 'id="ready"' not in Path("judge-report.html").read_text(encoding="utf-8")

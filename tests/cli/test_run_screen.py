@@ -5,11 +5,10 @@ What it shows otherwise is in the transcripts of `run/` and `screens/`.
 
 from __future__ import annotations
 
-import json
 import re
 
 import pytest
-from cli_support import FLOOR, MEAN
+from cli_support import MEAN
 from msgspec.structs import replace
 from sampling import nightly
 from terminals import on_a_terminal
@@ -21,20 +20,6 @@ from judge.run.result import Failure, GroupResult, Mode, Pitfall, Result
 
 ESCAPE = "\x1b"
 PLAIN = {"NO_COLOR": "1"}
-
-
-@pytest.mark.slow
-def test_a_pipe_gets_plain_text_and_nothing_of_what_a_submission_prints(process, submit):
-    noise = "import sys\nprint('noise')\nprint('noise', file=sys.stderr)\n"
-    submit(noise + FLOOR)
-    ended = process("run", "middle", "mine.py", FORCE_COLOR="1")
-    assert (ended.status, ended.err) == (1, "")
-    assert ESCAPE not in ended.out
-    assert "noise" not in ended.out
-    submit(noise + MEAN)
-    ended = process("run", "middle", "mine.py", "--json")
-    assert (ended.status, ended.err) == (0, "")
-    assert json.loads(ended.out)["verdict"] == "AC"
 
 
 @pytest.mark.slow
@@ -50,15 +35,7 @@ def test_a_terminal_is_coloured_unless_it_asks_for_none(settings, coloured, subm
 
 
 @pytest.mark.slow
-def test_a_long_run_shows_a_bar_on_a_terminal(submit):
-    submit("import time\ndef middle(a, b):\n    time.sleep(0.03)\n    return (a + b) / 2\n")
-    status, written = on_a_terminal("run", "middle", "mine.py", **PLAIN, COLUMNS="100")
-    assert status == 0
-    assert "52/52" in written
-    assert written.rstrip().splitlines()[-1].startswith("AC  accepted")
-
-
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_bar_of_a_class_counts_its_files(submit):
     for name in "ab":
         submit("import time\ndef middle(a, b):\n    time.sleep(0.05)\n    return a\n", f"class/{name}.py")
@@ -102,9 +79,9 @@ def big(digits, advice=""):
     )
 
 
-@pytest.mark.parametrize("digits", [1, 60, 200, 1000, 4000])
+@pytest.mark.parametrize("digits", [1, 200, 4000])
 @pytest.mark.parametrize("advice", ["", "Do it otherwise. " * 4, "Do it otherwise. " * 60])
-@pytest.mark.parametrize("width", [60, 80, 200])
+@pytest.mark.parametrize("width", [60, 200])
 def test_whatever_is_long_is_cut(digits, advice, width):
     lines = glance_lines(big(digits, advice), width, 23)
     assert taken(lines, width) <= 23

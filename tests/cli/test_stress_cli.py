@@ -7,8 +7,7 @@ import signal
 from contextlib import contextmanager
 
 import pytest
-from cli_support import FLOOR, MEAN, ROOT
-from mistaken import mistaken
+from cli_support import FLOOR, MEAN
 
 pytestmark = pytest.mark.slow
 
@@ -56,77 +55,6 @@ def test_json_has_one_object_and_the_seed_repeats_it(judge, submit):
     assert second["counterexample"] is None
 
 
-def test_without_a_seed_each_time_is_another(judge, submit):
-    name = submit(MEAN)
-    seeds = {found_by(judge("stress", "middle", name, "--json", *SHORT))["seed"] for _ in range(3)}
-    assert len(seeds) > 1
-
-
-def test_only_the_groups_that_are_asked_for(judge, submit):
-    found = found_by(judge("stress", "middle", submit(FLOOR), "--json", "--group", "whole", *SHORT))
-    assert found["verdict"] == "AC"
-    assert [group["name"] for group in found["groups"]] == ["whole"]
-
-
-def test_the_mistake_is_named_where_the_pinned_cases_show_it(judge, submit):
-    name = submit(mistaken("count", "tangent-twice").decode())
-    found = found_by(judge("stress", "count", name, "--json", "--no-shrink"))
-    assert found["pitfall"]["name"] == "tangent-twice"
-
-
-def test_the_case_is_drawn_and_kept_as_a_test(judge, submit, tmp_path):
-    name = submit(mistaken("count", "tangent-twice").decode())
-    ended = judge(
-        "stress", "count", name, "--no-name", "--svg", "case.svg", "--save-regression", "test_mine.py"
-    )
-    assert ended.status == 1
-    assert "<svg" in (tmp_path / "case.svg").read_text()
-    assert "import" in (tmp_path / "test_mine.py").read_text()
-
-
-@pytest.mark.parametrize("given", ["", "x", "-5", "1e3", "3 s", "10d", "٣"])
-def test_a_duration_that_is_none_is_refused_in_one_line(judge, submit, given):
-    ended = judge("stress", "middle", submit(MEAN), "--for", given)
-    assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
-    assert "is no duration: write 30, 30s, 2m or 1h" in ended.err
-
-
-@pytest.mark.parametrize(
-    ("given", "words"), [("0", "no time at all"), ("0.0s", "no time"), ("9999h", "too long")]
-)
-def test_no_time_and_for_ever_are_refused_too(judge, submit, given, words):
-    ended = judge("stress", "middle", submit(MEAN), "--for", given)
-    assert (ended.status, ended.out) == (2, "")
-    assert words in ended.err
-
-
-@pytest.mark.parametrize("given", ["300ms", "0.3", "0.3s", "0.005m"])
-def test_durations_with_and_without_units(judge, submit, given):
-    found = found_by(judge("stress", "middle", submit(MEAN), "--json", "--for", given))
-    assert found["seconds"] >= 0.29
-
-
-def test_what_is_asked_wrongly_is_said_in_one_line(judge, submit):
-    name = submit(MEAN)
-    for words, wanted in (
-        (["middle", name, "--group", "examples"], "name one of whole, half"),
-        (["middle", name, "--group", "hlaf"], "did you mean 'half'?"),
-        (["middel", name], "did you mean 'middle'?"),
-        (["middle", "mien.py"], "did you mean mine.py?"),
-        (["middle", str(ROOT / "solutions" / "count" / "accepted")], "this folder holds several submissions"),
-    ):
-        ended = judge("stress", *words)
-        assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
-        assert wanted in ended.err
-
-
-def test_a_source_that_does_not_compile(judge, submit):
-    ended = judge("stress", "middle", submit("x = (\n"))
-    assert ended.status == 1
-    assert ended.lines[-1] == "CE  does not compile"
-    assert any(line.split()[:1] == ["at"] and "mine.py:1" in line for line in ended.lines)
-
-
 @pytest.fixture
 def pressed_early(monkeypatch):
     """Ctrl-C is pressed when the progress is shown for the third time."""
@@ -143,13 +71,6 @@ def pressed_early(monkeypatch):
 
     monkeypatch.setattr("judge.cli.commands.stress.stages", stages)
     return shown
-
-
-def test_ctrl_c_says_how_many_cases_passed(judge, submit, pressed_early):
-    ended = judge("stress", "middle", submit(MEAN), "--for", "1h")
-    assert (ended.status, ended.err) == (130, "")
-    cases = pressed_early[-1].split(" cases, ")[0]
-    assert ended.lines[-1].startswith(f"interrupted  nothing broke: {cases} cases in ")
 
 
 def test_ctrl_c_in_json_still_writes_the_object(judge, submit, pressed_early):

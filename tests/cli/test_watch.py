@@ -11,13 +11,22 @@ import subprocess
 import sys
 import termios
 import time
+from contextlib import closing
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from jsonschema import Draft202012Validator
 from sampling import nightly
 from terminals import PATIENCE, Terminal
 
+from judge.cli.judging import Sitting
+from judge.cli.submissions import Submission
+from judge.cli.wish import Wish
+from judge.errors import ProblemError
+from judge.judging.job import Terms
 from judge.kata.history import History
+from judge.problem.load import load_problem
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -149,6 +158,7 @@ def test_the_keys(watch, submit):
         assert len(history.runs("middle")) == 2
 
 
+@pytest.mark.nightly
 def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):
     shutil.copytree(pack / "problems", tmp_path / "problems")
     shutil.copytree(pack / "problems" / "middle", tmp_path / "problems" / "mid-twin")
@@ -171,20 +181,9 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     terminal.leaves()
 
 
-@pytest.mark.nightly
-def test_another_size_is_drawn_anew(watch, submit):
-    terminal = watch("middle", submit(FLOOR), rows=12)
-    lines = terminal.sees("WA  wrong answer")
-    assert "  1 more rejected, 1 group accepted" in lines
-    terminal.resize(200, 60)
-    lines = terminal.sees("half      WA")
-    assert "  1 group accepted" in lines
-    terminal.leaves()
-
-
 @pytest.mark.parametrize(
     ("ending", "status"),
-    [("\x03", 130), nightly(signal.SIGINT, 130), nightly(signal.SIGTERM, 143), nightly("\x04", 0)],
+    [("\x03", 130), nightly(signal.SIGTERM, 143)],
 )
 def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submit):
     terminal = watch("middle", submit(MEAN))
@@ -192,33 +191,10 @@ def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submi
     terminal.leaves(ending, status)
 
 
-@pytest.mark.nightly
-def test_it_ends_in_the_middle_of_judging_too(watch, submit):
-    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.5)\n    return a\n"))
-    terminal.begins()
-    terminal.leaves()
-    with History.open() as history:
-        assert history.runs("middle") == []
-
-
-@pytest.mark.nightly
-def test_a_save_while_judging_causes_one_more_run(watch, submit):
-    terminal = watch("middle", submit("import time\ndef middle(a, b):\n    time.sleep(0.02)\n    return a\n"))
-    terminal.begins()
-    submit(FLOOR)
-    submit(MEAN)
-    terminal.sees("AC  accepted")
-    for _ in range(5):  # nothing follows
-        terminal.read()
-    terminal.leaves()
-    with History.open() as history:
-        assert [run.verdict.value for run in history.runs("middle")][-1] == "AC"
-        assert len(history.runs("middle")) <= 2
-
-
 SLEEPS = "import time\ndef middle(a, b):\n    time.sleep(999)\n"
 
 
+@pytest.mark.nightly
 def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
     """Every call of it would wait for the wall limit; nothing is told or kept of it."""
     terminal = watch("middle", submit(SLEEPS))
@@ -255,36 +231,6 @@ def piped():
         process.communicate()
 
 
-@pytest.mark.nightly
-def test_without_a_terminal_each_result_is_written(piped, submit):
-    watching = piped("middle", submit(FLOOR))
-    while not (line := watching.stdout.readline()).startswith("WA  "):
-        assert line
-    submit(MEAN)
-    while not (line := watching.stdout.readline()).startswith("AC  "):
-        assert line
-        assert "\x1b" not in line
-    watching.send_signal(signal.SIGINT)
-    out, err = watching.communicate(timeout=PATIENCE)
-    assert (watching.returncode, out, err.strip()) == (130, "", "")
-
-
-@pytest.mark.nightly
-def test_without_a_terminal_too_a_save_gives_up_the_run_before(piped, submit, tmp_path):
-    watching = piped("middle", submit(SLEEPS), "--json", "--no-history")
-    while not _judging_below(watching.pid):
-        assert watching.poll() is None
-        time.sleep(0.05)
-    submit(MEAN)
-    assert json.loads(watching.stdout.readline())["verdict"] == "AC"
-
-
-def _judging_below(pid):
-    """Whether a process has children: the containers of what is judged."""
-    listed = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, check=False)
-    return bool(listed.stdout.split())
-
-
 def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
     watching = piped("middle", submit(FLOOR), "--json", "--group", "half", "--no-shrink", "--no-history")
     assert json.loads(watching.stdout.readline())["verdict"] == "WA"
@@ -293,8 +239,23 @@ def test_in_json_each_result_is_a_line(piped, submit, tmp_path):
     submit(MEAN)
     told = json.loads(watching.stdout.readline())
     assert (told["verdict"], [group["name"] for group in told["groups"]]) == ("AC", ["half"])
+    Draft202012Validator(schema_of("watch")).validate(told)
     watching.terminate()
     out, err = watching.communicate(timeout=PATIENCE)
     assert (watching.returncode, out, err) == (143, "", "")
     with History.open() as history:
         assert (history.runs(), history.current()) == ([], None)
+
+
+def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, tmp_path):
+    shutil.copytree(pack, tmp_path / "pack")
+    folder = tmp_path / "pack" / "problems" / "middle"
+    mine = Submission("mine.py", MEAN.encode())
+    module = (folder / "problem.py").read_text()
+    with closing(Sitting(load_problem(folder), Wish(Terms(), kept=False))) as sitting:
+        assert sitting.judged(mine).result.verdict.value == "AC"
+        (folder / "problem.py").write_text("raise RuntimeError('half written')\n")
+        with pytest.raises(ProblemError, match="half written"):
+            sitting.judged(mine)
+        (folder / "problem.py").write_text(module)
+        assert sitting.judged(mine).result.verdict.value == "AC"

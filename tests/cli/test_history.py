@@ -1,0 +1,209 @@
+"""A damaged or locked history as a person and a script see it: every command works, and says so once."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from cli_support import FLOOR, MEAN, ROOT
+from sampling import daily, nightly
+
+from judge import database
+from judge.kata.history import History
+from judge.problem import Verdict
+from judge.run import Mode, Result
+
+pytestmark = pytest.mark.slow
+SAID = "1 damaged row is left out of the history"
+
+
+@pytest.fixture
+def three_runs(judge, submit):
+    submit(FLOOR, "middle.py")
+    for source in (FLOOR, MEAN, f"{MEAN}# again\n"):
+        submit(source, "middle.py")
+        judge("run", "-q", "middle", "middle.py")
+
+
+def changed(path, change):
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(f"UPDATE runs SET {change} WHERE id = 2")
+
+
+COMMANDS = (
+    ("history",),
+    ("history", "--json"),
+    ("history", "--csv"),
+    ("progress",),
+    ("progress", "--json"),
+    ("due",),
+    ("report",),
+    ("history", "--restore", "3", "--force"),
+    ("next", "--json"),
+)
+
+
+@pytest.mark.parametrize("change", ["verdict = 'XX'", nightly("time = 'now'")])
+def test_every_command_works_without_the_damaged_run(change, judge, three_runs, own_history):
+    changed(own_history, change)
+    for words in COMMANDS:
+        ended = judge(*words)
+        assert ended.status == 0, ended.err
+        assert "Traceback" not in ended.err
+        assert ended.err.count(SAID) <= 1
+        if words[0] in ("history", "progress", "due", "report") and "--restore" not in words:
+            assert SAID in ended.err
+
+
+def test_the_others_are_all_there(judge, three_runs, own_history):
+    changed(own_history, "verdict = 'XX'")
+    assert [json.loads(line)["run"] for line in judge("history", "--json").lines] == [1, 3]
+    ended = judge("history", "--restore", "2")
+    assert (ended.status, ended.err.count("\n")) == (3, 1)
+    assert "run 2 is damaged" in ended.err
+
+
+@pytest.mark.parametrize("words", [("history",), ("run", "-q", "middle", "middle.py"), ("next",)])
+def test_a_file_that_cannot_be_read_is_set_aside_and_that_is_said_once(words, judge, three_runs, own_history):
+    content = own_history.read_bytes()
+    own_history.write_bytes(content[:200] + b"\xee" * (len(content) - 200))
+    ended = judge(*words)
+    assert (ended.status, ended.err.count("\n")) == (0, 1)
+    assert f"it is kept as {own_history.with_name(own_history.name)}.damaged-1, and a new one" in ended.err
+    assert judge(*words).err == ""
+
+
+@pytest.mark.parametrize("how", ["IMMEDIATE", "EXCLUSIVE"])
+def test_a_locked_history_loses_no_run_and_no_verdict(how, judge, submit, own_history, monkeypatch):
+    monkeypatch.setattr(database, "_PATIENCE", 0.05)
+    first, second = submit(FLOOR, "a.py"), submit(MEAN, "b.py")
+    judge("run", "-q", "middle", first)
+    with contextlib.closing(sqlite3.connect(own_history, isolation_level=None)) as connection:
+        connection.execute(f"PRAGMA locking_mode = {'EXCLUSIVE' if how == 'EXCLUSIVE' else 'NORMAL'}")
+        connection.execute(f"BEGIN {how}")
+        connection.execute("CREATE TABLE never (kept)")
+        ended = judge("run", "-q", "middle", first, second)
+        connection.execute("ROLLBACK")
+    assert ended.status == 1
+    assert ended.lines[-1].startswith("1 of 2 accepted")
+    assert ended.err.count("\n") == 1
+    assert "another program locks the history: what is new waits beside it" in ended.err
+    found = [json.loads(line) for line in judge("history", "--json").lines]
+    assert [(row["run"], row["verdict"]) for row in found] == [(1, "WA"), (2, "WA"), (3, "AC")]
+
+
+# -- what is kept ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("words", [("-q",), ("--json",), ("--group", "half"), ("-j", "2")])
+def test_every_run_is_kept(words, judge, submit, tmp_path):
+    shown = judge("run", "middle", submit(MEAN), submit(FLOOR, "floor.py"), *words)
+    with History.open() as history:
+        runs = history.runs()
+        assert [run.submission for run in runs] == ["mine.py", "floor.py"]
+        assert [run.path for run in runs] == [str(tmp_path / "mine.py"), str(tmp_path / "floor.py")]
+        assert [run.verdict.value for run in runs] == ["AC", "WA"]
+        assert [history.source(run.id).decode() for run in runs] == [MEAN, FLOOR]
+    if words == ("--json",):
+        assert [run.result for run in runs] == [json.loads(line) for line in shown.lines]
+
+
+def test_unless_that_is_not_wanted(judge, submit, own_history, tmp_path):
+    assert judge("run", "middle", submit(MEAN), "--no-history").status == 0
+    assert judge("run", "-q", "middle", "mine.py", "--db", tmp_path / "team.db").status == 0
+    assert judge("history", "--json").out == ""
+    assert not own_history.exists()
+
+
+def test_a_file_that_is_no_history_is_left_alone(judge, submit):
+    Path("diary").write_text("Dear diary,\n")
+    assert judge("run", "middle", submit(MEAN), "--db", "diary").status == 0
+    assert judge("history", "--db", "diary").status == 3
+    assert Path("diary").read_text() == "Dear diary,\n"
+
+
+def test_a_run_of_no_file_needs_a_name(judge):
+    with History.open() as history:
+        history.add(Result("middle", "/dev/fd/63", Mode.FUNCTION, Verdict.AC), b"x = 1\n", "")
+    ended = judge("history", "--restore", "1")
+    assert (ended.status, ended.err) == (
+        2,
+        "judge: run 1 judged no ordinary file; name one with --out FILE\n",
+    )
+    assert judge("history", "--restore", "1", "--out", "x.py").status == 0
+    assert Path("x.py").read_bytes() == b"x = 1\n"
+
+
+# -- what was shown is kept, whenever the judge is killed ------------------------------------------------
+
+
+TEAM = {f"team/{number:02}.py": (MEAN, FLOOR)[number % 2] + f"# {number}\n" for number in range(8)}
+FORMATS = {  # and what a line of each says of a submission
+    "json": lambda line: json.loads(line)["submission"],
+    "github": lambda line: (
+        "team" + line.partition("file=team")[2].partition(",")[0] if "file=" in line else None
+    ),
+    "text": lambda line: line.split()[1] if line[4:].startswith("team/") else None,
+}
+
+
+def killed(form: str, db: Path, after: int) -> list[str]:
+    """Judge the team and kill the judge as soon as so many are shown; all that were shown."""
+    words = ["run", "middle", "team", "-j", "3", "--format", form, "--db", str(db)]
+    quick = ["--no-shrink", "--no-name", "--isolation", "limits"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    shown = []
+    with subprocess.Popen(
+        [sys.executable, "-m", "judge", *words, *quick], stdout=subprocess.PIPE, text=True, env=environment
+    ) as running:
+        assert running.stdout is not None
+        for line in running.stdout:  # to the end: what had been written before the kill was shown too
+            name = FORMATS[form](line)
+            if name:
+                shown.append(name)
+            if len(shown) == after:
+                running.kill()
+    assert len(shown) >= after
+    return shown
+
+
+@pytest.mark.parametrize("form", daily(FORMATS, ("text",)))
+def test_a_judge_that_is_killed_has_kept_what_it_has_shown(form, submit, tmp_path):
+    for name, source in TEAM.items():
+        submit(source, name)
+    for after in (1, 5):
+        db = tmp_path / f"{after}.sqlite3"
+        shown = killed(form, db, after)
+        with History.open(db) as history:
+            kept = {run.submission: history.source(run.id).decode() for run in history.runs()}
+        assert {name: kept.get(name) for name in shown} == {name: TEAM[name] for name in shown}
+
+
+@pytest.mark.parametrize("words", [nightly(["--json"]), []])
+def test_watch_has_kept_what_it_has_shown(words, submit, own_history):
+    quick = ["--no-shrink", "--no-name", "--isolation", "limits"]
+    command = [sys.executable, "-m", "judge", "watch", "middle", submit(FLOOR), *words, *quick]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline()
+        running.kill()
+    with History.open() as history:
+        assert [run.verdict.value for run in history.runs()] == ["WA"]
+
+
+def test_a_hint_that_was_shown_counts_as_seen():
+    reading, writing = os.pipe()
+    os.close(reading)  # showing it is the last thing that happens
+    words = [sys.executable, "-m", "judge", "hint", "middle"]
+    ended = subprocess.run(words, stdout=writing, stderr=subprocess.PIPE, cwd=ROOT, timeout=60, check=False)
+    os.close(writing)
+    assert ended.returncode == 141
+    with History.open() as history:
+        assert history.hints_seen("middle") == 1
