@@ -15,7 +15,7 @@ from sampling import nightly
 from judge.exact import Surd, root_sign, rounding, two_root_sign
 
 
-@pytest.mark.parametrize("count", [4000, nightly(100_000)])
+@pytest.mark.parametrize("count", [2000, nightly(30_000)])
 def test_rounding_of_mixed_sizes_agrees_with_flint(count):
     source = random.Random(20261 + count)
     for _ in range(count):
@@ -58,7 +58,7 @@ def test_exactly_vanishing_sums_are_zero():
 
 def test_order_of_different_radicands_agrees_with_flint():
     source = random.Random(11)
-    for _ in range(1500):
+    for _ in range(700):
         mine = any_parts(source)
         its = any_parts(source)
         if source.random() < 0.3:  # a neighbour: the same number up to one part in a very large denominator
@@ -71,13 +71,8 @@ def test_order_of_different_radicands_agrees_with_flint():
         )
         assert x.compare(y) == wanted
         assert y.compare(x) == -wanted
-        assert ((x < y), (x <= y), (x == y), (x >= y), (x > y)) == (
-            wanted < 0,
-            wanted <= 0,
-            wanted == 0,
-            wanted >= 0,
-            wanted > 0,
-        )
+        said = (x < y, x <= y, x == y, x >= y, x > y)
+        assert said == (wanted < 0, wanted <= 0, wanted == 0, wanted >= 0, wanted > 0)
 
 
 def test_order_against_python_numbers():
@@ -99,13 +94,8 @@ def test_order_against_python_numbers():
 def test_arithmetic_with_rationals():
     source = random.Random(29)
     for _ in range(300):
-        p, q, d, s = (
-            source.randint(-50, 50),
-            source.randint(-9, 9),
-            source.randint(0, 40),
-            source.randint(1, 9),
-        )
-        x = Surd(p, q, d, s)
+        ends = ((-50, 50), (-9, 9), (0, 40), (1, 9))
+        x = Surd(*(source.randint(*each) for each in ends))
         step = Fraction(source.randint(-30, 30), source.randint(1, 12))
         assert (x + step) - step == x == step + x - step
         assert (step - x) == -(x - step)
@@ -150,7 +140,7 @@ def test_a_range_rounds_only_where_both_its_ends_do():
     """Enclosures close to doubles, halves and powers of two: the answer holds for every number within."""
     source = random.Random(31)
     decided = 0
-    for _ in range(20_000):
+    for _ in range(5_000):
         bits = source.randint(50, 70)
         around = source.choice((1 << bits, (source.getrandbits(53) | 1 << 52) << max(bits - 53, 0)))
         low = (around + source.randint(-3, 3)) * source.choice((-1, 1))
@@ -161,5 +151,5 @@ def test_a_range_rounds_only_where_both_its_ends_do():
         assert up is None or up == rounded_up(ends[0]) == rounded_up(ends[1])
         assert down is None or down == rounded_down(ends[0]) == rounded_down(ends[1])
         decided += (up is not None) + (down is not None)
-    assert decided > 5000
+    assert decided > 1200
     assert rounding.range_up(-3, 3, 0) is rounding.range_down(-3, 3, 0) is None
