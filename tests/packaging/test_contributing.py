@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from dataclasses import replace
 
 import pytest
 from walk import ROOT, WALKS, claims_hold, go, steps
@@ -21,24 +20,13 @@ def page():
     return PAGE.read_text(encoding="utf-8")
 
 
+@pytest.mark.nightly
 def test_a_kata_is_added_as_told(page, tmp_path):
     taken = go(steps(page, WALKS[1][1]), tmp_path)
     claims_hold(taken)
     assert [each.status for each in taken] == [0, 0, 0, 1, 0]
     pinned = tmp_path / "problems" / "two-points" / "hashes.json"
     assert "far-together" in json.loads(pinned.read_text(encoding="utf-8"))["groups"]
-
-
-@pytest.mark.nightly
-def test_a_fault_in_a_step_is_noticed(page, tmp_path):
-    """The other way round: were the page wrong, the test above would say so."""
-    walk = steps(page, WALKS[1][1])
-    spoilt = [
-        replace(each, text=each.text.replace("apart = 9", "apart = 900")) if each.is_change else each
-        for each in walk
-    ]
-    with pytest.raises(AssertionError, match="does not show as told"):
-        claims_hold(go(spoilt, tmp_path))
 
 
 @pytest.mark.nightly
