@@ -1,6 +1,6 @@
 """Change a problem's accepted solutions in small ways and judge what comes out: does the data notice?
 
-    python tests/mutation/mutate.py [PROBLEM…] [--solution NAME] [--sample N] [--seed N] [--json]
+    python tests/mutation/mutate.py [PROBLEM…] [--solution NAME] [--sample N] [--seed N]
 
 A mutant is judged as any submission is, contained and within a time limit. One that is accepted has survived:
 it is equivalent by the statement's own words, and then stands in equivalent.toml with the reason, or the data
@@ -10,7 +10,6 @@ lack a case. Ends with status 1 where a survivor is not listed, or one that is l
 from __future__ import annotations
 
 import argparse
-import json
 import random
 import sys
 import tomllib
@@ -68,6 +67,12 @@ class Outcome:
         if not self.survived and self.reason:
             return f"is listed as equivalent and gets {self.verdict.value}"
         return ""
+
+    def __str__(self) -> str:
+        key = self.key
+        return (
+            f"{key.file}\n    was      {key.was}\n    becomes  {key.becomes} ({key.number})\n    {self.fault}"
+        )
 
 
 def equivalents() -> dict[Key, str]:
@@ -133,7 +138,13 @@ def outcomes(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("problems", nargs="*", metavar="PROBLEM", help="all of them where none is named")
+    parser.add_argument("--solution", help="only this accepted solution, without .py")
+    parser.add_argument("--sample", type=int, help="only so many mutants of each problem")
+    parser.add_argument("--seed", type=int, default=0, help="of the sample")
+    parser.add_argument("--workers", type=int, default=2)
+    options = parser.parse_args(arguments)
     known = equivalents()
     everything: list[Outcome] = []
     for name in options.problems or PROBLEMS:
@@ -142,35 +153,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             chosen = random.Random(options.seed).sample(chosen, options.sample)
         for outcome in outcomes(name, chosen, known, options.workers):
             everything.append(outcome)
-            _tell(outcome, as_json=options.json)
+            if outcome.fault:
+                print(outcome, flush=True)
     survivors = sum(outcome.survived for outcome in everything)
     faults = sum(bool(outcome.fault) for outcome in everything)
-    if not options.json:
-        print(f"{len(everything)} mutants, {survivors} survivors, {faults} to look at")
+    print(f"{len(everything)} mutants, {survivors} survivors, {faults} to look at")
     return 1 if faults else 0
-
-
-def _tell(outcome: Outcome, *, as_json: bool) -> None:
-    key = outcome.key
-    if as_json:
-        plain = {"file": key.file, "was": key.was, "becomes": key.becomes, "number": key.number}
-        plain |= {"verdict": outcome.verdict.value, "reason": outcome.reason, "fault": outcome.fault}
-        print(json.dumps(plain, ensure_ascii=False), flush=True)
-    elif outcome.fault:
-        print(f"{key.file}\n    was      {key.was}\n    becomes  {key.becomes}", end="")
-        print(f"  (no. {key.number})" if key.number > 1 else "")
-        print(f"    {outcome.fault}", flush=True)
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("problems", nargs="*", metavar="PROBLEM", help="all of them where none is named")
-    parser.add_argument("--solution", help="only this accepted solution, without .py")
-    parser.add_argument("--sample", type=int, help="only so many mutants of each problem")
-    parser.add_argument("--seed", type=int, default=0, help="of the sample")
-    parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--json", action="store_true", help="one line for each mutant, killed or not")
-    return parser
 
 
 if __name__ == "__main__":
