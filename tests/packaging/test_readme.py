@@ -137,6 +137,7 @@ def test_the_task_for_vs_code_finds_a_failure_at_its_line(body, place, said, tmp
     (tmp_path / "src").mkdir()
     (tmp_path / "src" / "mine.py").write_text(f"def middle(a, b){body}\n")
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(ROOT / "tests" / "fixtures" / "pack" / "problems"))
     name, *words = shlex.split(task["command"].replace("${relativeFile}", "src/mine.py"))
     monkeypatch.setattr(sys, "argv", [name, *words, "--no-history"])
