@@ -62,10 +62,11 @@ _TOKENS = (
     "\\\n", "\n ", "\r\n", "\n#", "\n//", ") ", "()", "[]", "{}", "( ", "a(", "a b", "a,", "a: ", "a=1\n",
     "x line_count(", "x line_count()", "auto line_count()->", "line_count ", "> lineCount(a<",
     "int lineCount(", ") throws a", ") noexcept", "fn line_count(", "func lineCount(", "function lineCount",
-    "const lineCount", "def line_count(", "\ndef a(", "\n def a(", "\nline_count:", "async def ",
-    "lambda:", "class ", "main ", "a if b else ", "public ", "final ", "abstract ", "record Pt", "struct Pt {",
-    "Pt struct{", "\nPt ", "typedef ", "} Pt", "\nimport {", "import a,", "import * as ", "\nexport {", "\npackage a",
-    "package ", "private", "a as ", 'R"(', 'r#"', 'R"a', "throws ", "f'{a}'", "not ", "1+", "a.", "():", "if a:\n ", "from ",
+    "const lineCount", "def line_count(", "\ndef a(", "\n def a(", "\nline_count:", "async def ", "lambda:",
+    "class ", "main ", "a if b else ", "public ", "final ", "abstract ", "record Pt", "struct Pt {",
+    "Pt struct{", "\nPt ", "typedef ", "} Pt", "\nimport {", "import a,", "import * as ", "\nexport {",
+    "\npackage a", "package ", "private", "a as ", 'R"(', 'r#"', 'R"a', "throws ", "f'{a}'", "not ", "1+",
+    "a.", "():", "if a:\n ", "from ",
 )  # fmt: skip
 
 
