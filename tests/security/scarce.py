@@ -33,8 +33,10 @@ def allow(server: int, count: int) -> None:
     """Bound what it may have; where root gave it a user of its own, as that user."""
     status = Path(f"/proc/{server}/status").read_text().splitlines()
     user = next(line.split()[1] for line in status if line.startswith("Uid:"))
-    change = ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups"] if os.geteuid() == 0 else []
-    subprocess.run([*change, "prlimit", f"--pid={server}", f"--nproc={count}:"], check=True)
+    uid = int(user) if os.geteuid() == 0 else None
+    change = f"import resource; resource.prlimit({server}, resource.RLIMIT_NPROC, ({count}, {HARD}))"
+    command = [sys.executable, "-c", change]
+    subprocess.run(command, check=True, user=uid, group=uid, extra_groups=None if uid is None else [])
 
 
 def told(act: Callable[[], Any]) -> str:
@@ -70,5 +72,5 @@ def main(level: str) -> None:
 
 
 if __name__ == "__main__":
-    MOST = resource.getrlimit(resource.RLIMIT_NPROC)[0]
+    MOST, HARD = resource.getrlimit(resource.RLIMIT_NPROC)
     main(sys.argv[1])
