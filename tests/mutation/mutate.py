@@ -15,8 +15,8 @@ import sys
 import tomllib
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from msgspec.structs import replace
 from mutants import Mutant, mutants
@@ -37,8 +37,7 @@ FIRST = 4  # groups that are judged first: most mutants die there
 _LIMITS = {"cpu_seconds": 1.0, "wall_seconds": 5.0}  # for a group: a mutant may well be an endless loop
 
 
-@dataclass(frozen=True, slots=True)
-class Key:
+class Key(NamedTuple):
     """What tells one mutant from all others, whatever happens elsewhere in its file."""
 
     file: str  # as count/accepted/exact.py
@@ -47,8 +46,7 @@ class Key:
     number: int
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(NamedTuple):
     """How one mutant fared; `reason` is why it may survive, where it is listed."""
 
     key: Key
@@ -56,23 +54,15 @@ class Outcome:
     reason: str
 
     @property
-    def survived(self) -> bool:
-        return self.verdict is Verdict.AC
-
-    @property
     def fault(self) -> str:
         """What somebody must do about it; empty if nothing."""
-        if self.survived and not self.reason:
-            return "survives: add a case that kills it, or list it with the reason why it is right"
-        if not self.survived and self.reason:
-            return f"is listed as equivalent and gets {self.verdict.value}"
-        return ""
+        if self.verdict is Verdict.AC:
+            return "" if self.reason else "survives: add a case that kills it, or list it with the reason"
+        return f"is listed as equivalent and gets {self.verdict.value}" if self.reason else ""
 
     def __str__(self) -> str:
-        key = self.key
-        return (
-            f"{key.file}\n    was      {key.was}\n    becomes  {key.becomes} ({key.number})\n    {self.fault}"
-        )
+        file, was, becomes, number = self.key
+        return f"{file}\n    was      {was}\n    becomes  {becomes} ({number})\n    {self.fault}"
 
 
 def equivalents() -> dict[Key, str]:
@@ -103,14 +93,6 @@ def mutants_of(problem: str, solution: str | None = None) -> list[tuple[Key, Mut
     return found
 
 
-def hurried(name: str) -> ProblemData:
-    """A shipped problem's data, with limits for programs that may well never end."""
-    problem = load_problem(ROOT / "problems" / name)
-    data = load_data(problem)
-    short = replace(problem, limits=replace(problem.limits, **_LIMITS))
-    return ProblemData(short, data.groups)
-
-
 def judged(data: ProblemData, source: str) -> Verdict:
     """The verdict on a mutant; most are rejected by the first groups, and then nothing more is run."""
     small = [each.group.name for each in data.groups if each.group.size is None]
@@ -129,7 +111,9 @@ def outcomes(
     name: str, chosen: Sequence[tuple[Key, Mutant]], known: dict[Key, str], workers: int = 1
 ) -> Iterator[Outcome]:
     """Judge mutants of one problem's solutions, in order."""
-    data = hurried(name)
+    problem = load_problem(ROOT / "problems" / name)
+    short = replace(problem, limits=replace(problem.limits, **_LIMITS))
+    data = ProblemData(short, load_data(problem).groups)
     with ThreadPoolExecutor(workers) as pool:
         verdicts = pool.map(lambda item: judged(data, item[1].source), chosen)
         for (key, _), verdict in zip(chosen, verdicts, strict=True):
@@ -155,7 +139,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             everything.append(outcome)
             if outcome.fault:
                 print(outcome, flush=True)
-    survivors = sum(outcome.survived for outcome in everything)
+    survivors = sum(outcome.verdict is Verdict.AC for outcome in everything)
     faults = sum(bool(outcome.fault) for outcome in everything)
     print(f"{len(everything)} mutants, {survivors} survivors, {faults} to look at")
     return 1 if faults else 0
