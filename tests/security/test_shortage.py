@@ -112,7 +112,10 @@ def test_a_right_program_is_accepted_whatever_threads_its_neighbours_hold(
     assert found.err.count("\n") == 1
 
 
-@pytest.mark.parametrize(("jobs", "user"), by_turns(["200", "20"], USERS))
+@pytest.mark.parametrize(
+    ("jobs", "user"),
+    [("20", USERS[-1]), *(nightly(jobs, user) for jobs in ("200", "20") for user in USERS[:1])],
+)
 def test_the_descriptors_that_there_are_bound_what_is_done_at_once(
     resident: Resident, rights: list[str], jobs: str
 ) -> None:
@@ -123,6 +126,7 @@ def test_the_descriptors_that_there_are_bound_what_is_done_at_once(
     assert found.err.count("\n") == 1
 
 
+@pytest.mark.nightly
 def test_a_soft_limit_on_descriptors_is_raised_without_a_word(resident: Resident, rights: list[str]) -> None:
     found = resident.judge(*rights, "-j", "20", before=limited(resident.attacker, RLIMIT_NOFILE=(40, 4096)))
     assert (found.status, set(found.verdicts()), found.err) == (0, {"AC"}, "")
@@ -135,7 +139,9 @@ REMEDIES = {
 }
 
 
-@pytest.mark.parametrize(("option", "user"), by_turns(REMEDIES, USERS))
+@pytest.mark.parametrize(
+    ("option", "user"), [("RLIMIT_AS", "plain"), *(nightly(each, USERS[-1]) for each in REMEDIES)]
+)
 def test_a_limit_on_the_judge_is_named_with_its_remedy_and_blames_no_submission(
     resident: Resident, rights: list[str], option: str
 ) -> None:
