@@ -24,7 +24,7 @@ def main(level: str) -> None:
     if level == "none":
         with targets(PACKS) as target:
             for attack in ATTACKS:
-                found = bare(attack.name, attack.source.decode(), target)
+                found = bare(attack.name, attack.source.decode(), target, file_bytes=1 << 30)
                 breach = "BREACH" in found["output"]
                 works = {
                     Stop.MEMORY: found["peak"] > 128 << 20,

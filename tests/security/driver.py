@@ -131,7 +131,9 @@ def contained(name: str, level: str, target: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def bare(name: str, source: str, target: dict[str, Any], seconds: float = PATIENCE) -> dict[str, Any]:
+def bare(
+    name: str, source: str, target: dict[str, Any], seconds: float = PATIENCE, file_bytes: int = 4 << 20
+) -> dict[str, Any]:
     """What comes of it in a plain interpreter."""
     if name == "search_memory":
         source = f"known = {SECRET!r}\n{source}"
@@ -151,7 +153,7 @@ def bare(name: str, source: str, target: dict[str, Any], seconds: float = PATIEN
             start_new_session=True,
             preexec_fn=lambda: (
                 resource.setrlimit(resource.RLIMIT_AS, (CONTROL_MEMORY, resource.RLIM_INFINITY)),
-                resource.setrlimit(resource.RLIMIT_FSIZE, (4 << 20, resource.RLIM_INFINITY)),
+                resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, resource.RLIM_INFINITY)),
                 resource.setrlimit(resource.RLIMIT_CORE, (0, 0)),
             ),
         )
