@@ -37,35 +37,17 @@ _FILES = {
         ("bad\nname.py", "\x1b[31mred.py", "\u202egnp.py", "::notice::x.py", "x" * 240 + ".py"), _FLOOR
     ),
     "raises.py": b"def middle(a, b):\n    return a / 0\n",
-    "broken.py": b"def middle(a, b)\n",
     "program.py": b"for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n",
-    "one.py": b"def line_count(cx, cy, r, A, B):\n    return 1\n",
     "bytes.py": b"\xff\xfe\0\0",
     "notes.txt": b"my own notes\n",
     "garbage": bytes(range(256)) * 20,
     "old.svg": b"<svg></svg>\n",
-    "page.html": b"<html>mine</html>\n",
     "old.xml": b"<?xml version='1.0'?><testsuites/>\n",
     **dict.fromkeys(("empty", "empty.py"), b""),
 }
-_LINKS = {
-    "link": "mean.py",
-    "loop": "loop",
-    "dangling": "gone",
-    "full": "/dev/full",
-    "null": os.devnull,
-    "zero": "/dev/zero",
-}
+_LINKS = {"link": "mean.py", "loop": "loop", "dangling": "gone", "full": "/dev/full", "zero": "/dev/zero"}
 _LOCKED = {"unreadable.py": 0o000, "readonly.py": 0o400, "sealed": 0o000, "locked": 0o500}
 _SHIPPED = ("count", "segment", "ray-nearest", "exact-count")
-_LOCALES: tuple[dict[str, str | None], ...] = (
-    {"LANG": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-    {"LC_ALL": "POSIX", "LANG": None},
-    {"PYTHONIOENCODING": "ascii:strict"},
-    {"PYTHONIOENCODING": "latin-1"},
-    {},
-)
-_OPTIONS = (("-X", "dev"), (), ("-W", "error"), ("-O",), ("-I",))  # of the interpreter
 
 
 def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
@@ -202,14 +184,8 @@ def _world(chance: random.Random) -> tuple[dict[str, str | None], tuple[str, str
     extra: dict[str, Any] = {"typed": chance.choice(("", "y\n", "n\n", "\x04"))}
     if chance.random() < 0.04:
         extra |= {"gone": True, "folder": "away"}
-    if chance.random() < 0.05:
+    if chance.random() < 0.07:
         extra["encoding"] = chance.choice(("ascii", "latin-1", "cp1252"))
-    elif chance.random() < 0.06:
-        locale = chance.choice(_LOCALES)
-        extra |= {"fresh": True, "options": chance.choice(_OPTIONS)}
-        if "-I" not in extra["options"]:  # which looks at no variable
-            extra["encoding"] = (locale.get("PYTHONIOENCODING") or "utf-8").partition(":")[0]
-        settings |= locale
     return settings, streams, extra
 
 

@@ -62,7 +62,8 @@ def findings(
             (place / run.folder).mkdir(exist_ok=True)
             ended = worker.run(run, place)
             if show:
-                _tell(run, ended)
+                text = f"{run}\n{ended.out}{ended.shown}{ended.err}-> {ended.status}\n"
+                print(text.encode("utf-8", "backslashreplace").decode())
             wrong = faults(run, ended)
             if hasattr(module, "further_faults") and not wrong:
                 wrong = module.further_faults(run, ended, place)
@@ -74,38 +75,27 @@ def findings(
             shutil.rmtree(place)
 
 
-def _tell(run: Run, ended: Ended) -> None:
-    text = f"{run}\n{ended.out}{ended.shown}{ended.err}-> {ended.status}\n"
-    print(text.encode("utf-8", "backslashreplace").decode())
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    names = ", ".join(TARGETS)
+    parser.add_argument("targets", nargs="*", metavar="TARGET", choices=[[], *TARGETS], help=names)
+    parser.add_argument("--count", type=int, default=100, metavar="N", help="cases of each target")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the first case")
+    parser.add_argument("--keep", type=Path, metavar="DIR", help="leave the cases' files in this folder")
+    parser.add_argument("--show", action="store_true", help="print every command line and what it wrote")
+    options = parser.parse_args(arguments)
     total = 0
     with tempfile.TemporaryDirectory(prefix="judge-fuzz-") as temporary, Worker() as worker:
         folder = options.keep or Path(temporary)
         for target in options.targets or TARGETS:
             seeds = range(options.seed, options.seed + options.count)
-            for finding in findings(
-                target, seeds, folder, worker, keep=options.keep is not None, show=options.show
-            ):
+            kept = options.keep is not None
+            for finding in findings(target, seeds, folder, worker, keep=kept, show=options.show):
                 total += 1
                 print(f"{finding}\n", flush=True)
     print(f"{total} findings")
     return 1 if total else 0
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument(
-        "targets", nargs="*", metavar="TARGET", choices=[[], *TARGETS], help=", ".join(TARGETS)
-    )
-    parser.add_argument("--count", type=int, default=100, metavar="N", help="cases of each target")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the first case")
-    parser.add_argument("--keep", type=Path, metavar="DIR", help="leave the cases' files in this folder")
-    parser.add_argument("--show", action="store_true", help="print every command line and what it wrote")
-    return parser
 
 
 if __name__ == "__main__":

@@ -3,20 +3,16 @@
 A text is a token again and again, perhaps after another one that opens something. Each reader is given texts
 of a thousand characters, of four thousand and so on, until one takes some time: that may be at most so many
 times what a quarter of it takes. What takes the square takes sixteen times as long.
-
-    python tests/fuzz/lengths.py [READER…] [--count N] [--seed N]    N pairs of tokens of each reader
 """
 
 from __future__ import annotations
 
-import argparse
 import gc
 import random
 import signal
-import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache, partial
@@ -29,10 +25,8 @@ from msgspec.structs import replace
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
 from judge.data.given import read_case
-from judge.diagnose import regression, replay
+from judge.diagnose import regression
 from judge.errors import JudgeError
-from judge.kata.quiz import typed
-from judge.kata.quiz.question import MistypedError
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
@@ -44,7 +38,6 @@ from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.lines import key_lines
 from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
-from judge.report.sheet import cell
 from judge.run import hurdle, printed, program
 from judge.run.execute import judge_fault
 from judge.sandbox import calls, ends
@@ -63,80 +56,18 @@ _FILES = {
     "c": "a.c", "cpp": "a.cpp", "go": "a.go", "java": "A.java", "javascript": "a.js", "rust": "a.rs",
     "pypy": "a.pypy", "python": "a.py",
 }  # fmt: skip
-_SIGNS = (
-    *("\"'`\\()[]{}<>,;.:=+-*/%#@!&|$ \t\n\r\0é"),
-    *("1", "a", "_", '"""', "'''", "//", "/*", "*/", "/**/", "#!", "#![", "->", "=[", "=/[", "= /", "\\\\"),
-    *(
-        "\u0301\u0316",
-        "\\\n",
-        "\n ",
-        "\r\n",
-        "\n#",
-        "\n//",
-        ") ",
-        "()",
-        "[]",
-        "{}",
-        "( ",
-        "a(",
-        "a b",
-        "a,",
-        "a: ",
-        "a=1\n",
-    ),
-)
-_HEADS = (
-    *(
-        "x line_count(",
-        "x line_count()",
-        "auto line_count()->",
-        "line_count ",
-        "> lineCount(a<",
-        "int lineCount(",
-    ),
-    *(
-        ") throws a",
-        ") noexcept",
-        "fn line_count(",
-        "func lineCount(",
-        "function lineCount",
-        "const lineCount",
-    ),
-    *(
-        "def line_count(",
-        "\ndef a(",
-        "\n def a(",
-        "\nline_count:",
-        "async def ",
-        "lambda:",
-        "class ",
-        "main ",
-        "a if b else ",
-    ),
-    *(
-        "public ",
-        "final ",
-        "abstract ",
-        "record Pt",
-        "struct Pt {",
-        "Pt struct{",
-        "\nPt ",
-        "typedef ",
-        "} Pt",
-    ),
-    *(
-        "\nimport {",
-        "import a,",
-        "import * as ",
-        "\nexport {",
-        "\npackage a",
-        "package ",
-        "private",
-        "a as ",
-        'R"(',
-    ),
-    *('r#"', 'R"a', "throws ", "f'{a}'", "not ", "1+", "a.", "():", "if a:\n ", "from "),
-)
+_TOKENS = (
+    *("\"'`\\()[]{}<>,;.:=+-*/%#@!&|$ \t\n\r\0é1a_"),
+    '"""', "'''", "//", "/*", "*/", "/**/", "#!", "#![", "->", "=[", "=/[", "= /", "\\\\", "\u0301\u0316",
+    "\\\n", "\n ", "\r\n", "\n#", "\n//", ") ", "()", "[]", "{}", "( ", "a(", "a b", "a,", "a: ", "a=1\n",
+    "x line_count(", "x line_count()", "auto line_count()->", "line_count ", "> lineCount(a<",
+    "int lineCount(", ") throws a", ") noexcept", "fn line_count(", "func lineCount(", "function lineCount",
+    "const lineCount", "def line_count(", "\ndef a(", "\n def a(", "\nline_count:", "async def ", "lambda:",
+    "class ", "main ", "a if b else ", "public ", "final ", "abstract ", "record Pt", "struct Pt {",
+    "Pt struct{", "\nPt ", "typedef ", "} Pt", "\nimport {", "import a,", "import * as ", "\nexport {",
+    "\npackage a", "package ", "private", "a as ", 'R"(', 'r#"', 'R"a', "throws ", "f'{a}'", "not ", "1+",
+    "a.", "():", "if a:\n ", "from ",
+)  # fmt: skip
 
 
 def repeated(token: str, before: str = "", after: str = "") -> Callable[[int], str]:
@@ -188,11 +119,8 @@ class Growth:
         return self.seconds > MOST * self.before
 
     def __str__(self) -> str:
-        told = f"{self.seconds / self.before:.1f} times" if self.before else "no end"
-        return (
-            f"{self.case.reader}: {self.case.what}: {told} up to {self.size:,} characters, "
-            f"{self.before:.3f} s and {self.seconds:.3f} s"
-        )
+        told = f"{self.before:.3f} s and {self.seconds:.3f} s" if self.before else "no end"
+        return f"{self.case.reader}: {self.case.what}: {told} up to {self.size:,} characters"
 
 
 # -- readers -----------------------------------------------------------------------------------------------
@@ -284,17 +212,6 @@ def _case(text: str) -> None:
     read_case(problem, text[:20_000])
 
 
-def _replayed(text: str) -> None:
-    for id_ in (text, f"count:all:v{text}:000000", f"{text}:a:v0:000000"):
-        replay.problem_name(id_[:16_000])
-
-
-def _typed(text: str) -> None:
-    for read in (typed.number, typed.count, partial(typed.sequence, words={"a": "b"})):
-        with suppress(MistypedError):
-            read(text)
-
-
 def _type(text: str) -> None:
     with suppress(TypeFault):
         parse(text)
@@ -333,10 +250,7 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "printed": _printed,
         "answers": _answers,
         "case": _case,
-        "replay": _replayed,
-        "typed": _typed,
         "students": _students,
-        "sheet": cell,
         "wrapped": partial(layout.wrap, width=80),
         "type": _type,
         "regression": _regression,
@@ -347,19 +261,19 @@ def _readers() -> dict[str, Callable[[str], None]]:
 
 READERS = _readers()
 _TOML = ("[a", "[[a", ".a", "'a'", '"a"', "a.", "a .", "a=", "\na = 1", '\\"', '"\\"".')
-_OWN_SIGNS = {
+_OWN_TOKENS = {
     "complaint": (
-        *("a.c:1: ", "a.c:1:1: error: ", ":1", ": warning", "required from here\n", "/a", "symbol: ", "^"),
-        *('File "a', "undefined reference "),
+        "a.c:1: ", "a.c:1:1: error: ", ":1", ": warning", "required from here\n", "/a", "symbol: ", "^",
+        'File "a', "undefined reference ",
     ),
     "message": (
-        *("(line 1)", "index out of range", "after 0 lines", "IndexError: ", "InvalidOperation"),
-        *("ConversionSyntax", "ModuleNotFoundError: No module named 'a"),
+        "(line 1)", "index out of range", "after 0 lines", "IndexError: ", "InvalidOperation",
+        "ConversionSyntax", "ModuleNotFoundError: No module named 'a",
     ),
     "toml lines": _TOML,
     "toml": _TOML,
     "regression": ("\ndef test_a():", "def test_a_count_all_000000()\n"),
-}
+}  # fmt: skip
 _FILLING = (" ", "a", "1", "\n", ",", ") ", "'a", "{")  # what goes on and on after something is opened
 _DIFFERENT = (
     "def nN(a): pass\n", "nN = 1\n", "int nN(int a) { return 1; }\n", "nN(", "line_countN ", "nN,", "nN: N\n",
@@ -369,7 +283,7 @@ _DIFFERENT = (
 
 def cases(reader: str, pairs: int, seed: int = 0) -> Iterator[Case]:
     """Each token alone, numbered ones, and so many pairs: both again and again, or one before the other."""
-    signs_of = (*_SIGNS, *_HEADS, *_OWN_SIGNS.get(reader, ()))
+    signs_of = (*_TOKENS, *_OWN_TOKENS.get(reader, ()))
     chance = random.Random(f"{reader}:{seed}")
     for token in signs_of:
         yield Case(reader, repr(token), repeated(token))
@@ -453,27 +367,3 @@ def steep(reader: str, pairs: int, seed: int = 0) -> Iterator[Growth]:
             found = growth(case)  # the machine may have been busy
             if found is not None and found.steep:
                 yield found
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns its exit status."""
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument(
-        "readers", nargs="*", metavar="READER", choices=[[], *READERS], help=", ".join(READERS)
-    )
-    parser.add_argument("--count", type=int, default=100, metavar="N", help="pairs of tokens of each reader")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="what the pairs are drawn from")
-    options = parser.parse_args(arguments)
-    total = 0
-    for reader in options.readers or READERS:
-        began, most = time.process_time(), 0
-        for found in steep(reader, options.count, options.seed):
-            most += 1
-            print(found, flush=True)
-        print(f"{reader}: {most} steep, {time.process_time() - began:.1f} s", flush=True)
-        total += most
-    return 1 if total else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

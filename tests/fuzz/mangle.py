@@ -32,6 +32,9 @@ def pool(name: str) -> list[str]:
     return _parts()[name]
 
 
+Change = Callable[[random.Random, T], T]
+
+
 def mangled_bytes(chance: random.Random, data: bytes) -> tuple[str, bytes]:
     """The bytes with one change, and what was done to them."""
     return _one(chance, _BYTES, data)
@@ -42,47 +45,34 @@ def mangled_text(chance: random.Random, text: str) -> tuple[str, str]:
     return _one(chance, _TEXTS, text)
 
 
-def _one(
-    chance: random.Random, changes: tuple[Callable[[random.Random, T], T], ...], value: T
-) -> tuple[str, T]:
-    change = chance.choice(changes)
-    return change.__name__.strip("_").replace("_", " "), change(chance, value)
+def _one(chance: random.Random, changes: dict[str, Change[T]], value: T) -> tuple[str, T]:
+    what = chance.choice([*changes])
+    return what, changes[what](chance, value)
 
 
-def _place(chance: random.Random, data: bytes | str) -> int:
-    return chance.randint(0, len(data))
+def _ends(chance: random.Random, data: bytes | str) -> tuple[int, int]:
+    """Two places in it, in order."""
+    start, end = sorted((chance.randint(0, len(data)), chance.randint(0, len(data))))
+    return start, end
 
 
-def _truncated(chance: random.Random, data: bytes) -> bytes:
-    return data[: _place(chance, data)]
-
-
-def _bad_byte(chance: random.Random, data: bytes) -> bytes:
-    at = _place(chance, data)
-    return data[:at] + chance.choice(_BAD_BYTES) + data[at:]
+def _put(chance: random.Random, value: T, new: T) -> T:
+    """Something in between."""
+    at = chance.randint(0, len(value))
+    return value[:at] + new + value[at:]
 
 
 def _flipped(chance: random.Random, data: bytes) -> bytes:
-    at = _place(chance, data[:-1])
+    at = chance.randint(0, len(data[:-1]))
     return data[:at] + bytes([data[at] ^ 1 << chance.randrange(8)]) + data[at + 1 :] if data else b"\0"
 
 
-def _block_twice(chance: random.Random, data: bytes) -> bytes:
-    start, end = sorted((_place(chance, data), _place(chance, data)))
-    return data[:end] + data[start:end] * chance.choice((1, 2, 50)) + data[end:]
+def _block(times: tuple[int, ...]) -> Change[bytes]:
+    def change(chance: random.Random, data: bytes) -> bytes:
+        start, end = _ends(chance, data)
+        return data[:start] + data[start:end] * chance.choice(times) + data[end:]
 
-
-def _block_gone(chance: random.Random, data: bytes) -> bytes:
-    start, end = sorted((_place(chance, data), _place(chance, data)))
-    return data[:start] + data[end:]
-
-
-def _marked(chance: random.Random, data: bytes) -> bytes:
-    return chance.choice(_MARKS) + data
-
-
-def _other_line_ends(chance: random.Random, data: bytes) -> bytes:
-    return data.replace(b"\n", chance.choice((b"\r\n", b"\r", b"\n\n", b"\x0c", b"\xe2\x80\xa8", b"")))
+    return change
 
 
 def _other_encoding(chance: random.Random, data: bytes) -> bytes:
@@ -90,82 +80,57 @@ def _other_encoding(chance: random.Random, data: bytes) -> bytes:
     return text.encode(chance.choice(("utf-16", "utf-32-be", "latin-1", "cp037", "utf-7")), "replace")
 
 
-def _emptied(chance: random.Random, _data: bytes) -> bytes:
-    return chance.choice((b"", b"\n", b" ", b"\0" * 100, b"\xff" * 100))
+def _lines(change: Callable[[random.Random, list[str], int], object]) -> Change[str]:
+    def changed(chance: random.Random, text: str) -> str:
+        lines = text.splitlines(keepends=True) or ["\n"]
+        change(chance, lines, chance.randrange(len(lines)))
+        return "".join(lines)
+
+    return changed
 
 
-def _random_bytes(chance: random.Random, _data: bytes) -> bytes:
-    return chance.randbytes(chance.choice((1, 40, 4000)))
+def _swapped(chance: random.Random, lines: list[str], at: int) -> None:
+    other = chance.randrange(len(lines))
+    lines[at], lines[other] = lines[other], lines[at]
 
 
-def _odd_character(chance: random.Random, text: str) -> str:
-    at = _place(chance, text)
-    return text[:at] + chance.choice(ODD_CHARACTERS) + text[at:]
+def _replaced(pattern: str, other: Callable[[random.Random, list[str]], str]) -> Change[str]:
+    """One part of the text is replaced; `other` is given all of them."""
+
+    def change(chance: random.Random, text: str) -> str:
+        found = list(re.finditer(pattern, text))
+        if not found:
+            return text
+        one = chance.choice(found)
+        return text[: one.start()] + other(chance, [each[0] for each in found]) + text[one.end() :]
+
+    return change
 
 
-def _line_gone(chance: random.Random, text: str) -> str:
-    lines = text.splitlines(keepends=True)
-    if lines:
-        del lines[chance.randrange(len(lines))]
-    return "".join(lines)
-
-
-def _line_twice(chance: random.Random, text: str) -> str:
-    lines = text.splitlines(keepends=True) or ["\n"]
-    at = chance.randrange(len(lines))
-    return "".join([*lines[:at], *lines[at : at + 1] * chance.choice((2, 3, 30)), *lines[at + 1 :]])
-
-
-def _lines_swapped(chance: random.Random, text: str) -> str:
-    lines = text.splitlines(keepends=True) or ["\n"]
-    one, other = chance.randrange(len(lines)), chance.randrange(len(lines))
-    lines[one], lines[other] = lines[other], lines[one]
-    return "".join(lines)
-
-
-def _indented(chance: random.Random, text: str) -> str:
-    lines = text.splitlines(keepends=True) or ["\n"]
-    at = chance.randrange(len(lines))
-    lines[at] = chance.choice((" ", "    ", "\t", " " * 200)) + lines[at]
-    return "".join(lines)
-
-
-def _word_swapped(chance: random.Random, text: str) -> str:
-    """One word of the text is replaced by another one of it."""
-    words = list(re.finditer(r"\w+|[^\w\s]", text))
-    if not words:
-        return text
-    one, other = chance.choice(words), chance.choice(words)
-    return text[: one.start()] + other[0] + text[one.end() :]
-
-
-def _word_gone(chance: random.Random, text: str) -> str:
-    words = list(re.finditer(r"\w+|[^\w\s]", text))
-    if not words:
-        return text
-    one = chance.choice(words)
-    return text[: one.start()] + text[one.end() :]
-
-
-def _number_changed(chance: random.Random, text: str) -> str:
-    numbers = list(re.finditer(r"\d+(\.\d+)?(e-?\d+)?", text))
-    if not numbers:
-        return text
-    one = chance.choice(numbers)
-    odd = ("0", "-1", "1e400", "1e-400", "9" * 30, "9" * 5000, "nan", "inf", "0x10", "1_0", "01", "1j", "''")
-    return text[: one.start()] + chance.choice(odd) + text[one.end() :]
-
-
-def _long_line(chance: random.Random, text: str) -> str:
-    at = _place(chance, text)
-    return text[:at] + chance.choice(("x", " ", "x ", "é", "\t", "(", "[", "-")) * 20_000 + text[at:]
-
-
-_BYTES = (
-    *(_truncated, _bad_byte, _flipped, _block_twice, _block_gone, _marked, _other_line_ends),
-    *(_other_encoding, _emptied, _random_bytes),
-)
-_TEXTS = (
-    *(_odd_character, _line_gone, _line_twice, _lines_swapped, _indented, _word_swapped, _word_gone),
-    *(_number_changed, _long_line),
-)
+_NUMBERS = ("0", "-1", "1e400", "1e-400", "9" * 30, "9" * 5000, "nan", "inf", "0x10", "1_0", "01", "1j", "''")
+_ENDS = (b"\r\n", b"\r", b"\n\n", b"\x0c", b"\xe2\x80\xa8", b"")
+_LONG = ("x", " ", "x ", "é", "\t", "(", "[", "-")
+_WORD = r"\w+|[^\w\s]"
+_BYTES: dict[str, Change[bytes]] = {
+    "truncated": lambda chance, data: data[: chance.randint(0, len(data))],
+    "a bad byte": lambda chance, data: _put(chance, data, chance.choice(_BAD_BYTES)),
+    "flipped": _flipped,
+    "a block again": _block((2, 3, 51)),
+    "a block gone": _block((0,)),
+    "marked": lambda chance, data: chance.choice(_MARKS) + data,
+    "other line ends": lambda chance, data: data.replace(b"\n", chance.choice(_ENDS)),
+    "other encoding": _other_encoding,
+    "emptied": lambda chance, data: chance.choice((b"", b"\n", b" ", b"\0" * 100, b"\xff" * 100)),
+    "random bytes": lambda chance, data: chance.randbytes(chance.choice((1, 40, 4000))),
+}
+_TEXTS: dict[str, Change[str]] = {
+    "odd character": lambda chance, text: _put(chance, text, chance.choice(ODD_CHARACTERS)),
+    "line gone": _lines(lambda chance, lines, at: lines.pop(at)),
+    "line twice": _lines(lambda chance, lines, at: lines.insert(at, lines[at] * chance.choice((1, 2, 29)))),
+    "lines swapped": _lines(_swapped),
+    "indented": _lines(lambda chance, lines, at: lines.insert(at, chance.choice((" ", "\t", " " * 200)))),
+    "word swapped": _replaced(_WORD, lambda chance, words: chance.choice(words)),
+    "word gone": _replaced(_WORD, lambda chance, words: ""),
+    "number changed": _replaced(r"\d+(\.\d+)?(e-?\d+)?", lambda chance, _: chance.choice(_NUMBERS)),
+    "long line": lambda chance, text: _put(chance, text, chance.choice(_LONG) * 20_000),
+}

@@ -8,7 +8,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,7 +24,7 @@ class Run:
     """A command line and its world.
 
     `settings` are added to the environment; None takes a variable away. `checked` says that standard output
-    is to hold JSON after `--json`. A `fresh` one is an interpreter of its own, with `options`.
+    is to hold JSON after `--json`.
     """
 
     words: tuple[str, ...]
@@ -36,22 +36,14 @@ class Run:
     interrupt: float | None = None  # seconds after which it gets Ctrl-C
     typed: str = ""
     encoding: str = "utf-8"
-    fresh: bool = False
-    options: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         world = [f"{name}={value!r}" for name, value in sorted(self.settings.items())]
-        names = ("stdin", "stdout", "stderr")
-        usual = (NULL, KEPT, KEPT)
-        world += [
-            f"{name} {kind}"
-            for name, kind, other in zip(names, self.streams, usual, strict=True)
-            if kind != other
-        ]
+        usual = zip(("stdin", "stdout", "stderr"), self.streams, (NULL, KEPT, KEPT), strict=True)
+        world += [f"{name} {kind}" for name, kind, other in usual if kind != other]
         world += [f"interrupted after {self.interrupt} s"] if self.interrupt is not None else []
         world += ["in a folder that is gone"] if self.gone else []
         world += [f"encoding {self.encoding}"] if self.encoding != "utf-8" else []
-        world += [f"fresh {' '.join(self.options)}"] if self.fresh else []
         shown = shlex.join(word if len(word) < 200 else f"{word[:200]}…({len(word)})" for word in self.words)
         text = f"judge {shown}" + (f"   [{', '.join(world)}]" if world else "")
         return text.encode("utf-8", "backslashreplace").decode()
@@ -87,9 +79,9 @@ class Worker:
         self._process.wait()
         self._process.stdout.close()
 
-    def run(self, run: Run, folder: Path, shared: Sequence[Path] = ()) -> Ended:
-        """Run it in the case's folder; it may also change files in those that are shared."""
-        files = [folder / "stdin", folder / "stdout", folder / "stderr", folder / "terminal"]
+    def run(self, run: Run, folder: Path) -> Ended:
+        """Run it in the case's folder, which is all that it may change."""
+        files = [folder / name for name in ("stdin", "stdout", "stderr", "terminal")]
         for file in files:
             file.write_bytes(run.typed.encode() if file is files[0] else b"")
         streams = [
@@ -105,10 +97,8 @@ class Worker:
             "interrupt": run.interrupt,
             "typed": run.typed,
             "encoding": run.encoding,
-            "fresh": run.fresh,
-            "options": run.options,
             "shown": str(files[3]),
-            "roots": [str(folder), *map(str, shared)],
+            "roots": [str(folder)],
         }
         self._process.stdin.write(json.dumps(request).encode() + b"\n")
         self._process.stdin.flush()

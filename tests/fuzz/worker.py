@@ -31,7 +31,6 @@ from typing import Any, NoReturn
 CLOSED, FULL, NULL, GONE, TERMINAL = "closed", "full", "null", "gone", "terminal"
 KEPT = "kept"  # a word for the file of the case's own
 PATIENCE = 300  # seconds after which a command line is said not to end; nothing takes a tenth of it
-_GUARDED = "--guarded"  # our own first word for: be a command line in this interpreter
 _OWN_FAULT = 99  # the status of a child of which we made no command line
 _HIGH = 64  # our own descriptors are above, out of the way of what the judge opens
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
@@ -133,11 +132,6 @@ def _become(request: dict[str, Any], slave: int, report: int) -> NoReturn:
         if kind == CLOSED:
             os.close(number)
     words, settings = request["words"], request["settings"]
-    if request["fresh"]:
-        os.set_inheritable(report, True)
-        guard = [__file__, _GUARDED, json.dumps([request["roots"], report])]
-        own = [sys.executable, "-B", *request["options"], *guard, *words]
-        os.execve(sys.executable, [os.fsencode(word) for word in own], settings)
     os.environ.clear()
     os.environ.update(settings)
     tempfile.tempdir = None
@@ -146,16 +140,6 @@ def _become(request: dict[str, Any], slave: int, report: int) -> NoReturn:
     sys.argv = ["judge", *words]
     _guard(request["roots"], report)
     _leave(_status())
-
-
-def _guarded() -> NoReturn:
-    """Be the command line in an interpreter of its own."""
-    roots, report = json.loads(sys.argv[2])
-    sys.argv = ["judge", *sys.argv[3:]]
-    _guard(roots, report)
-    from judge.cli import main as judge
-
-    judge()
 
 
 def _status() -> int:
@@ -252,4 +236,4 @@ def _guard(folders: list[str], report: int) -> None:
 
 
 if __name__ == "__main__":
-    _guarded() if sys.argv[1:2] == [_GUARDED] else main()
+    main()

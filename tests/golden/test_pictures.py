@@ -80,7 +80,7 @@ def test_the_picture_is_the_one_that_was_looked_at(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", daily(KATAS, ["circle-circle", "csg", "count", "shadow"]))
+@pytest.mark.parametrize("name", daily(KATAS, ["circle-circle", "csg"]))
 def test_any_case_can_be_drawn_with_any_answer(name, built, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(built))
     problem = load_problem(ROOT / "problems" / name)
@@ -91,7 +91,7 @@ def test_any_case_can_be_drawn_with_any_answer(name, built, monkeypatch):
     for group in load_data(problem).groups:
         if group.group.size is not None:
             continue  # a big case is not shown at all
-        for case in chosen.sample(group.cases, min(2, len(group.cases))):
+        for case in chosen.sample(group.cases, 1):
             right = wanted_words(problem, module.solve(*case).answer)
             for got in (right, chosen.choice(ANSWERS)):
                 drawn = picture_of(problem, case, got, module)

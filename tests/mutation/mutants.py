@@ -6,9 +6,7 @@
     constants    an int by one up and down; a float doubled and halved, one below 1e-3 times and by 10,000
     names        a name read in a function → another one bound there that differs in one letter
 
-A mutant is what a mistake of mistakes.py is, a change of a right way's lines, and is rendered as that is. No
-tool for mutation testing judges by anything but a test suite's exit status, in the same process or one for
-every mutant; here a mutant is a submission, and it is judged as one.
+No tool for mutation testing judges by anything but a test suite's exit status; here a mutant is a submission.
 """
 
 from __future__ import annotations
@@ -18,29 +16,16 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from judge.mistakes.routes import Change, Piece, Route
-
 _OPERATORS = {
-    ast.Add: (ast.Sub,),
-    ast.Sub: (ast.Add,),
-    ast.Mult: (ast.Div,),
-    ast.Div: (ast.Mult,),
-    ast.FloorDiv: (ast.Div,),
-    ast.Mod: (ast.Mult,),
-    ast.Pow: (ast.Mult,),
-}
+    ast.Add: (ast.Sub,), ast.Sub: (ast.Add,), ast.Mult: (ast.Div,), ast.Div: (ast.Mult,),
+    ast.FloorDiv: (ast.Div,), ast.Mod: (ast.Mult,), ast.Pow: (ast.Mult,),
+}  # fmt: skip
 _COMPARISONS = {
-    ast.Lt: (ast.LtE, ast.GtE),
-    ast.LtE: (ast.Lt, ast.Gt),
-    ast.Gt: (ast.GtE, ast.LtE),
-    ast.GtE: (ast.Gt, ast.Lt),
-    ast.Eq: (ast.NotEq,),
-    ast.NotEq: (ast.Eq,),
-    ast.In: (ast.NotIn,),
-    ast.NotIn: (ast.In,),
-    ast.Is: (ast.IsNot,),
-    ast.IsNot: (ast.Is,),
-}
+    ast.Lt: (ast.LtE, ast.GtE), ast.LtE: (ast.Lt, ast.Gt),
+    ast.Gt: (ast.GtE, ast.LtE), ast.GtE: (ast.Gt, ast.Lt),
+    ast.Eq: (ast.NotEq,), ast.NotEq: (ast.Eq,), ast.In: (ast.NotIn,), ast.NotIn: (ast.In,),
+    ast.Is: (ast.IsNot,), ast.IsNot: (ast.Is,),
+}  # fmt: skip
 _CALLS = {"min": "max", "max": "min"}
 _TINY = 1e-3
 _FAR = 1e4  # a threshold is meant to lie anywhere within five powers of ten: a small step says nothing
@@ -53,46 +38,28 @@ class Mutant:
     `number` counts the mutants of one file that agree in what the line was and becomes, from 1.
     """
 
-    route: Route
-    change: Change
+    was: str
+    becomes: str
     number: int
-
-    @property
-    def was(self) -> str:
-        """The line before the change."""
-        return self.route.lines[self.change.pieces[0].start].strip()
-
-    @property
-    def becomes(self) -> str:
-        """The line after it."""
-        return self.change.pieces[0].lines[0].strip()
-
-    @property
-    def source(self) -> str:
-        """The whole program with it."""
-        return self.route.source([self.change]) + "\n"
+    source: str  # the whole program with it
 
 
 def mutants(source: str) -> list[Mutant]:
     """Every mutant of a program, in the order of its text."""
     tree = ast.parse(source)
-    lines = tuple(ast.unparse(tree).splitlines())
-    route = Route("", "", "", lines, (), lines)
+    lines = ast.unparse(tree).splitlines()
     places, names = _places(tree), _names_around(tree)
     seen: Counter[tuple[str, str]] = Counter()
     found = []
     for node in ast.walk(tree):
         for changed in _changes(node, names.get(id(node), frozenset())):
             after = _unparsed_with(tree, places[id(node)], node, changed)
-            pairs = enumerate(zip(lines, after, strict=True))
-            different = [(i, was, becomes) for i, (was, becomes) in pairs if was != becomes]
-            if not different:
-                continue
-            ((line, was, becomes),) = different
-            key = was.strip(), becomes.strip()
-            seen[key] += 1
-            change = Change("", (Piece(line, line + 1, (becomes,)),), line + 1)
-            found.append(Mutant(route, change, seen[key]))
+            different = [(one, other) for one, other in zip(lines, after, strict=True) if one != other]
+            if different:
+                ((was, becomes),) = different
+                key = was.strip(), becomes.strip()
+                seen[key] += 1
+                found.append(Mutant(*key, seen[key], "\n".join(after) + "\n"))
     return found
 
 
@@ -112,11 +79,10 @@ def _places(tree: ast.Module) -> dict[int, Place]:
 
 def _unparsed_with(tree: ast.Module, place: Place, node: ast.AST, other: ast.AST) -> list[str]:
     """The lines of the tree where another node stands in the place of this one, for as long as that takes."""
-    try:
-        _put(place, other)
-        return ast.unparse(tree).splitlines()
-    finally:
-        _put(place, node)
+    _put(place, other)
+    after = ast.unparse(tree).splitlines()
+    _put(place, node)
+    return after
 
 
 def _put(place: Place, node: ast.AST) -> None:

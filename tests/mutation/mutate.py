@@ -1,6 +1,6 @@
 """Change a problem's accepted solutions in small ways and judge what comes out: does the data notice?
 
-    python tests/mutation/mutate.py [PROBLEM…] [--solution NAME] [--sample N] [--seed N] [--json]
+    python tests/mutation/mutate.py [PROBLEM…] [--solution NAME] [--sample N] [--seed N]
 
 A mutant is judged as any submission is, contained and within a time limit. One that is accepted has survived:
 it is equivalent by the statement's own words, and then stands in equivalent.toml with the reason, or the data
@@ -10,14 +10,13 @@ lack a case. Ends with status 1 where a survivor is not listed, or one that is l
 from __future__ import annotations
 
 import argparse
-import json
 import random
 import sys
 import tomllib
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from msgspec.structs import replace
 from mutants import Mutant, mutants
@@ -38,8 +37,7 @@ FIRST = 4  # groups that are judged first: most mutants die there
 _LIMITS = {"cpu_seconds": 1.0, "wall_seconds": 5.0}  # for a group: a mutant may well be an endless loop
 
 
-@dataclass(frozen=True, slots=True)
-class Key:
+class Key(NamedTuple):
     """What tells one mutant from all others, whatever happens elsewhere in its file."""
 
     file: str  # as count/accepted/exact.py
@@ -48,8 +46,7 @@ class Key:
     number: int
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+class Outcome(NamedTuple):
     """How one mutant fared; `reason` is why it may survive, where it is listed."""
 
     key: Key
@@ -57,17 +54,15 @@ class Outcome:
     reason: str
 
     @property
-    def survived(self) -> bool:
-        return self.verdict is Verdict.AC
-
-    @property
     def fault(self) -> str:
         """What somebody must do about it; empty if nothing."""
-        if self.survived and not self.reason:
-            return "survives: add a case that kills it, or list it with the reason why it is right"
-        if not self.survived and self.reason:
-            return f"is listed as equivalent and gets {self.verdict.value}"
-        return ""
+        if self.verdict is Verdict.AC:
+            return "" if self.reason else "survives: add a case that kills it, or list it with the reason"
+        return f"is listed as equivalent and gets {self.verdict.value}" if self.reason else ""
+
+    def __str__(self) -> str:
+        file, was, becomes, number = self.key
+        return f"{file}\n    was      {was}\n    becomes  {becomes} ({number})\n    {self.fault}"
 
 
 def equivalents() -> dict[Key, str]:
@@ -98,14 +93,6 @@ def mutants_of(problem: str, solution: str | None = None) -> list[tuple[Key, Mut
     return found
 
 
-def hurried(name: str) -> ProblemData:
-    """A shipped problem's data, with limits for programs that may well never end."""
-    problem = load_problem(ROOT / "problems" / name)
-    data = load_data(problem)
-    short = replace(problem, limits=replace(problem.limits, **_LIMITS))
-    return ProblemData(short, data.groups)
-
-
 def judged(data: ProblemData, source: str) -> Verdict:
     """The verdict on a mutant; most are rejected by the first groups, and then nothing more is run."""
     small = [each.group.name for each in data.groups if each.group.size is None]
@@ -124,7 +111,9 @@ def outcomes(
     name: str, chosen: Sequence[tuple[Key, Mutant]], known: dict[Key, str], workers: int = 1
 ) -> Iterator[Outcome]:
     """Judge mutants of one problem's solutions, in order."""
-    data = hurried(name)
+    problem = load_problem(ROOT / "problems" / name)
+    short = replace(problem, limits=replace(problem.limits, **_LIMITS))
+    data = ProblemData(short, load_data(problem).groups)
     with ThreadPoolExecutor(workers) as pool:
         verdicts = pool.map(lambda item: judged(data, item[1].source), chosen)
         for (key, _), verdict in zip(chosen, verdicts, strict=True):
@@ -133,7 +122,13 @@ def outcomes(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit status."""
-    options = _parser().parse_args(arguments)
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("problems", nargs="*", metavar="PROBLEM", help="all of them where none is named")
+    parser.add_argument("--solution", help="only this accepted solution, without .py")
+    parser.add_argument("--sample", type=int, help="only so many mutants of each problem")
+    parser.add_argument("--seed", type=int, default=0, help="of the sample")
+    parser.add_argument("--workers", type=int, default=2)
+    options = parser.parse_args(arguments)
     known = equivalents()
     everything: list[Outcome] = []
     for name in options.problems or PROBLEMS:
@@ -142,35 +137,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             chosen = random.Random(options.seed).sample(chosen, options.sample)
         for outcome in outcomes(name, chosen, known, options.workers):
             everything.append(outcome)
-            _tell(outcome, as_json=options.json)
-    survivors = sum(outcome.survived for outcome in everything)
+            if outcome.fault:
+                print(outcome, flush=True)
+    survivors = sum(outcome.verdict is Verdict.AC for outcome in everything)
     faults = sum(bool(outcome.fault) for outcome in everything)
-    if not options.json:
-        print(f"{len(everything)} mutants, {survivors} survivors, {faults} to look at")
+    print(f"{len(everything)} mutants, {survivors} survivors, {faults} to look at")
     return 1 if faults else 0
-
-
-def _tell(outcome: Outcome, *, as_json: bool) -> None:
-    key = outcome.key
-    if as_json:
-        plain = {"file": key.file, "was": key.was, "becomes": key.becomes, "number": key.number}
-        plain |= {"verdict": outcome.verdict.value, "reason": outcome.reason, "fault": outcome.fault}
-        print(json.dumps(plain, ensure_ascii=False), flush=True)
-    elif outcome.fault:
-        print(f"{key.file}\n    was      {key.was}\n    becomes  {key.becomes}", end="")
-        print(f"  (no. {key.number})" if key.number > 1 else "")
-        print(f"    {outcome.fault}", flush=True)
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("problems", nargs="*", metavar="PROBLEM", help="all of them where none is named")
-    parser.add_argument("--solution", help="only this accepted solution, without .py")
-    parser.add_argument("--sample", type=int, help="only so many mutants of each problem")
-    parser.add_argument("--seed", type=int, default=0, help="of the sample")
-    parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--json", action="store_true", help="one line for each mutant, killed or not")
-    return parser
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
     python tests/mutation/mutate_judge.py                    what the day's tests notice
     python tests/mutation/mutate_judge.py --suite nightly    what all tests do
     python tests/mutation/mutate_judge.py --own              … by the files that name the module, alone
-    python tests/mutation/mutate_judge.py --checkout OTHER   … of another version
 
 Each mutant is tried in a copy of the checkout: first by the test files that name its module, then by all. The
 mutants are drawn from the twelve modules below, five from each, always the same ones.
@@ -114,7 +113,6 @@ def main() -> int:
     )
     parser.add_argument("--suite", choices=SUITES, default="daily")
     parser.add_argument("--own", action="store_true", help="only by the test files that name the module")
-    parser.add_argument("--checkout", type=Path, default=ROOT, metavar="DIR", help="whose tests are run")
     parser.add_argument("--only", default="", metavar="TEXT", help="only modules with that in their name")
     asked = parser.parse_args()
     chosen = [edit for edit in edits() if asked.only in edit.module]
@@ -122,7 +120,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="judge-tests-") as folder:
         copy = Path(folder) / "copy"
         left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache")
-        shutil.copytree(asked.checkout, copy, ignore=left_out)
+        shutil.copytree(ROOT, copy, ignore=left_out)
         for number, edit in enumerate(chosen, 1):
             begun = time.monotonic()
             by = noticed(copy, edit, SUITES[asked.suite], own_alone=asked.own)

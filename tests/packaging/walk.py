@@ -42,8 +42,6 @@ _MASKS = (
     (r"(?s)[\d.]+ m?s CPU, \d+ MB.*?(?=\n\n|\Z)", "…"),  # time, memory, the ratio
     (r"\d{4}-\d\d-\d\d( \d\d:\d\d)?", "…"),
 )
-_SMALLEST = re.compile(r"(?s)(?<=smallest case found\n)    input .*?(?=\n    wanted)")
-_PICTURE = re.compile(r"(?s)(?<=True scale).*?(?=\no wanted)")
 
 
 @dataclass(frozen=True)
@@ -114,28 +112,17 @@ def plain(shown: str) -> str:
     return "".join(f"{line.rstrip()}\n" for line in bare.splitlines()).strip("\n") + "\n"
 
 
-def comparable(claimed: str, shown: str) -> tuple[str, str]:
-    """Both texts without what differs from run to run.
-
-    How far the search for the smallest case comes in its time is the machine's affair: where it ended
-    elsewhere, that case's numbers and its picture are left out.
-    """
-    hidden = () if _SMALLEST.findall(claimed) == _SMALLEST.findall(shown) else (_SMALLEST, _PICTURE)
-    return _masked(claimed, hidden), _masked(shown, hidden)
-
-
-def _masked(text: str, hidden: tuple[re.Pattern[str], ...] = ()) -> str:
+def _masked(text: str) -> str:
+    """The text without what differs from run to run."""
     for pattern, instead in _MASKS:
         text = re.sub(pattern, instead, text)
-    for each in hidden:
-        text = each.sub("    …", text)
     return text
 
 
 def missing(claimed: str, shown: str) -> str | None:
     """The first part of what a page claims that was not shown in its place; None if all was."""
     left_open = claimed.rstrip().endswith(LEFT_OUT)
-    claimed, shown = comparable(claimed, shown)
+    claimed, shown = _masked(claimed), _masked(shown)
     rest, whole = _lines(shown), True
     for part in _parts(claimed):
         size = len(part)
@@ -197,15 +184,13 @@ def _commands(folder: Path) -> Path:
 
 def _renewed(claimed: str, shown: str) -> str:
     """What a page claims, its paragraphs replaced by those that were shown and are most like them."""
-    paragraphs = shown.strip("\n").split("\n\n")
-    fresh = []
+    paragraphs, fresh = shown.strip("\n").split("\n\n"), []
     for paragraph in claimed.strip("\n").split("\n\n"):
-        if LEFT_OUT in (line.strip() for line in paragraph.splitlines()):
-            options = [line for line in shown.splitlines() if line.strip()]
-            lines = paragraph.splitlines()
-            fresh.append(
-                "\n".join(line if line.strip() == LEFT_OUT else _nearest(line, options) for line in lines)
-            )
+        lines = paragraph.splitlines()
+        if LEFT_OUT in (line.strip() for line in lines):
+            options = _lines(shown)
+            lines = [line if line.strip() == LEFT_OUT else _nearest(line, options) for line in lines]
+            fresh.append("\n".join(lines))
         else:
             fresh.append(_nearest(paragraph, paragraphs))
     return "\n\n".join(fresh) + "\n" if claimed.strip() else claimed

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import flint
 import pytest
 
 
 @pytest.fixture(autouse=True)
-def _plain_precision() -> Iterator[None]:
+def _plain_precision_and_own_cache(built: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
     before = flint.ctx.prec
     yield
     flint.ctx.prec = before

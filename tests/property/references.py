@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal, localcontext
-from itertools import chain, islice
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from judge.problem.load import load_problem
 from judge.values import Real
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-CASES = 1000
+CASES = 250
 SNAP = Decimal("1e-12")
 CLOSE = Decimal("1e-60")  # of a number's unit; of 160 digits differences keep 80, and a root of them more
 
@@ -78,14 +78,11 @@ def solver(name: str) -> Callable[..., Any]:
     return load_module(load_problem(PROBLEMS / name)).solve
 
 
-def cases_of(name: str, seeds: Iterable[int | None] = (None, 1, 2), most: int | None = None, step: int = 1):
-    """A thousand cases, shipped ones and fresh ones; of each group so many at most, of all each step-th."""
-    problem = load_problem(PROBLEMS / name)
-    data = (load_data(problem, seed=seed, cache=False) for seed in seeds)
-    found = chain.from_iterable(group.cases[:most] for each in data for group in each.groups)
-    cases = list(islice(islice(found, None, None, step), CASES))
-    assert len(cases) == CASES
-    return cases
+def cases_of(name: str) -> list[Any]:
+    """Shipped cases, as many of every group."""
+    groups = load_data(load_problem(PROBLEMS / name)).groups
+    most = -(-CASES // len(groups))
+    return [case for group in groups for case in group.cases[:most]]
 
 
 def answers(

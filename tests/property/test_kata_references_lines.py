@@ -175,13 +175,13 @@ BANDLESS = {  # the other formula, whether an exact answer is alike, and how man
 @pytest.mark.parametrize("name", daily(BANDLESS, ["exact-segment", "error-bound"]))
 def test_without_bands_it_is_so_to_the_last_digit(name):
     formula, same, kinds = BANDLESS[name]
-    found = Counter(map(str, answers(name, formula, cases_of(name, most=300), same)))
+    found = Counter(map(str, answers(name, formula, cases_of(name), same)))
     assert len(found) >= kinds
 
 
 def test_counts_in_arrays_are_those_of_each_circle_alone():
     seen = Counter()
-    for (cx, cy, r, start, end), counts in small_cases("vector", (None, 1)):
+    for (cx, cy, r, start, end), counts in small_cases("vector", (None,)):
         assert len(counts) == len(cx)
         with localcontext(prec=80):
             (ax, ay), (bx, by) = vec(*start), vec(*end)
@@ -191,5 +191,5 @@ def test_counts_in_arrays_are_those_of_each_circle_alone():
                 e = max(radius, abs(ax - x), abs(ay - y), abs(bx - x), abs(by - y))
                 assert given == (1 if abs(gap) <= SNAP * e else 0 if gap > 0 else 2)
                 seen[given] += 1
-    assert seen.total() >= 1000
+    assert seen.total() >= 100
     assert set(seen) == {0, 1, 2}

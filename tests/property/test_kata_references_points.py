@@ -235,7 +235,7 @@ HITS = {
 @pytest.mark.parametrize("name", daily(HITS, ["normal", "polygon", "sphere"]))
 def test_the_hits_are_those_of_another_formula(name):
     found = list(answers(name, HITS[name], cases_of(name)))
-    assert len(set(map(str, found))) >= 300
+    assert len(set(map(str, found))) >= 90
     assert (None in found) == (name in ("normal", "reflect", "sphere"))
 
 

@@ -116,7 +116,7 @@ def irrational_cases(count: int):
 def test_fractions_around_the_boundary_of_an_irrational_answer():
     """The ends are irrational: 1e-20 inside is accepted, 1e-20 outside is not; flint agrees."""
     flint.ctx.prec = 500
-    for x, unit in irrational_cases(150):
+    for x, unit in irrational_cases(60):
         for tolerance in (POINTS, RELATIVE, SIXTEEN, MIXED):
             answer = Real(x, unit)
             for side, end in zip((-1, 1), exact_ends(x, tolerance, unit), strict=True):
@@ -151,7 +151,7 @@ def assert_measured(x, tolerance, unit, *roots):
 
 def test_intervals_of_doubles_are_the_exact_ones_rounded_inward():
     cases = [(Surd.of(x), Surd.of(unit)) for x, unit, _ in rational_cases(150)]
-    cases += list(irrational_cases(300))
+    cases += list(irrational_cases(100))
     cases += [(x / 10**18, unit / 10**9) for x, unit in irrational_cases(50)]
     for x, unit in cases:
         for tolerance in ALL:
@@ -175,7 +175,7 @@ def assert_rational_measured(x, tolerance, unit):
 
 
 @given(st.integers(-(1 << 300), 1 << 300), BOTTOMS, BOTTOMS, BOTTOMS, st.sampled_from(ALL))
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=150, deadline=None)
 def test_every_rational(p, s, top, bottom, tolerance):
     assert_rational_measured(Surd(p, 0, 0, s), tolerance, Surd(top, 0, 0, bottom))
 
@@ -297,7 +297,7 @@ def test_enclosures_too_coarse_to_decide_are_noticed(bits):
 
 def test_fixed_point_enclosures_hold_what_they_enclose():
     source = random.Random(59)
-    for _ in range(3000):
+    for _ in range(1000):
         d = source.randint(2, 10**6)
         q, s, k = (
             source.choice((-1, 1)) * source.randint(1, 10**4),

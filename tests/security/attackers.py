@@ -11,13 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sampling import nightly
 
 HERE = Path(__file__).parent
 SECONDS = 150
 LEVELS = ("full", "strong", "limits")
 USERS = ("plain", "root") if os.geteuid() == 0 else ("plain",)
-PLAIN_BY_DAY = ["plain", *map(nightly, USERS[1:])]
 
 
 def by_turns(values: Iterable[Any], *worlds: Sequence[Any]) -> list[Any]:
@@ -55,7 +53,12 @@ class Attacker:
         return subprocess.Popen(
             [self.python, str(self.home / "security" / script), *arguments],
             cwd="/",
-            env={"PATH": os.environ["PATH"], "PYTHONPATH": str(self.home), "PYTHONDONTWRITEBYTECODE": "1"},
+            env={
+                "PATH": os.environ["PATH"],
+                "HOME": str(self.home),
+                "PYTHONPATH": str(self.home),
+                "PYTHONDONTWRITEBYTECODE": "1",
+            },
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -122,19 +122,19 @@ def contained(name: str, level: str, target: dict[str, Any]) -> dict[str, Any]:
             result = box.run_program(json.dumps(target).encode(), LIMITS.get(ENDS[name], PATIENT))
     except JudgeError as error:
         return {"name": name, "fault": str(error)}
-    output = result.stdout[:2000].decode(errors="replace")
-    errors = result.stderr[-300:].decode(errors="replace")
     return {
         "name": name,
         "stop": result.stop.value,
-        "output": output,
+        "output": result.stdout[:2000].decode(errors="replace"),
         "detail": result.detail,
-        "errors": errors,
+        "errors": result.stderr[-300:].decode(errors="replace"),
     }
 
 
-def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
-    source = SCRIPTS[name]
+def bare(
+    name: str, source: str, target: dict[str, Any], seconds: float = PATIENCE, file_bytes: int = 4 << 20
+) -> dict[str, Any]:
+    """What comes of it in a plain interpreter."""
     if name == "search_memory":
         source = f"known = {SECRET!r}\n{source}"
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as written:
@@ -153,13 +153,13 @@ def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
             start_new_session=True,
             preexec_fn=lambda: (
                 resource.setrlimit(resource.RLIMIT_AS, (CONTROL_MEMORY, resource.RLIM_INFINITY)),
-                resource.setrlimit(resource.RLIMIT_FSIZE, (4 << 20, resource.RLIM_INFINITY)),
+                resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, resource.RLIM_INFINITY)),
                 resource.setrlimit(resource.RLIMIT_CORE, (0, 0)),
             ),
         )
         os.close(reading)
         os.close(writing)
-        until = time.monotonic() + (CONTROL_SECONDS if CONTROLS[name] == "runs" else PATIENCE)
+        until = time.monotonic() + seconds
         gone = 0
         while not gone and time.monotonic() < until:
             gone, status, usage = os.wait4(process.pid, os.WNOHANG)
@@ -179,6 +179,7 @@ def bare(name: str, target: dict[str, Any]) -> dict[str, Any]:
         "output": output,
         "printed": size,
         "peak": usage.ru_maxrss << 10,
+        "cpu": usage.ru_utime + usage.ru_stime,
     }
 
 
@@ -192,7 +193,11 @@ def main(level: str) -> None:
     with targets() as target:
         for name in names:
             with aimed(target) as now:
-                found = bare(name, now) if level == "none" else contained(name, level, now)
+                seconds = CONTROL_SECONDS if CONTROLS[name] == "runs" else PATIENCE
+                if level == "none":
+                    found = bare(name, SCRIPTS[name], now, seconds)
+                else:
+                    found = contained(name, level, now)
             print(json.dumps(found), flush=True)
 
 

@@ -84,7 +84,7 @@ class Resident:
     def popen(
         self, words: list[str], *, before: tuple[str, ...] = (), as_root: bool = False, **settings: str
     ) -> subprocess.Popen[str]:
-        """Start its interpreter, by a command `before` it such as prlimit, which may have to be root's."""
+        """Start its interpreter, by a command `before` it, which may have to be root's."""
         uid = None if as_root else self.attacker.uid
         return subprocess.Popen(
             [*before, self.attacker.python, *words],
@@ -93,6 +93,7 @@ class Resident:
                 "PATH": os.environ["PATH"],
                 "HOME": str(self.cache),
                 "JUDGE_CACHE": str(self.cache),
+                "JUDGE_LOCKS": str(self.cache / "locks"),  # it waits for nobody else on this machine
                 "JUDGE_PROBLEMS": str(self.home / "pack" / "problems"),
                 "PYTHONPATH": str(self.home),
                 "PYTHONDONTWRITEBYTECODE": "1",
@@ -130,6 +131,30 @@ class Resident:
     def judge(self, *words: str, before: tuple[str, ...] = (), **settings: str) -> Judged:
         """`judge run middle` with these words, bare of what comes after a verdict."""
         return judged(self.run(command(*words), before=before, **settings))
+
+
+_LAUNCH = """
+import json, os, resource, sys
+wish = json.loads(sys.argv[1])
+if wish["group"]:
+    with open(wish["group"] + "/cgroup.procs", "w") as joined:
+        joined.write(str(os.getpid()))
+for name, ends in wish["limits"].items():
+    most = resource.getrlimit(getattr(resource, name))[1]
+    resource.setrlimit(getattr(resource, name), [most if end is None else end for end in ends])
+if wish["user"] is not None:
+    os.setgroups([])
+    os.setresgid(*[wish["user"]] * 3)
+    os.setresuid(*[wish["user"]] * 3)
+os.execv(sys.argv[2], sys.argv[2:])
+"""
+
+
+def limited(attacker: Attacker, group: str = "", **limits: tuple[int, int | None]) -> tuple[str, ...]:
+    """What starts a command below limits as RLIMIT_NOFILE=(soft, hard), None being as hard as it is; or in a
+    control group, by root, who becomes the attacker then."""
+    wish = {"group": group, "limits": limits, "user": attacker.uid if group else None}
+    return attacker.python, "-c", _LAUNCH, json.dumps(wish)
 
 
 def command(*words: str) -> list[str]:

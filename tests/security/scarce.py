@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import resource
-import subprocess
 import sys
 import threading
 from collections.abc import Callable
@@ -33,8 +32,15 @@ def allow(server: int, count: int) -> None:
     """Bound what it may have; where root gave it a user of its own, as that user."""
     status = Path(f"/proc/{server}/status").read_text().splitlines()
     user = next(line.split()[1] for line in status if line.startswith("Uid:"))
-    change = ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups"] if os.geteuid() == 0 else []
-    subprocess.run([*change, "prlimit", f"--pid={server}", f"--nproc={count}:"], check=True)
+    child = os.fork()
+    if child == 0:
+        if os.geteuid() == 0:
+            os.setgroups([])
+            os.setresgid(*[int(user)] * 3)
+            os.setresuid(*[int(user)] * 3)
+        resource.prlimit(server, resource.RLIMIT_NPROC, (count, HARD))
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0
 
 
 def told(act: Callable[[], Any]) -> str:
@@ -70,5 +76,5 @@ def main(level: str) -> None:
 
 
 if __name__ == "__main__":
-    MOST = resource.getrlimit(resource.RLIMIT_NPROC)[0]
+    MOST, HARD = resource.getrlimit(resource.RLIMIT_NPROC)
     main(sys.argv[1])

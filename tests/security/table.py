@@ -102,9 +102,6 @@ OWN = {
                 continue
         raise OSError("none is open")
         """,
-    "change_own_source": "os.pwrite(4, b'#', 0)",
-    "grow_own_source": "os.ftruncate(4, 1 << 20)",
-    "change_own_source_by_name": "open(__file__, 'r+b', buffering=0).write(b'#')",
     "search_memory": """
         pattern = re.compile("EXPECTED" + "-[0-9a-f]{8}")
         seen, waiting, frame = set(), gc.get_objects(), sys._getframe()
@@ -136,6 +133,11 @@ OWN = {
         for limit in (resource.RLIMIT_AS, resource.RLIMIT_FSIZE):
             resource.setrlimit(limit, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
         """,
+}
+OWN_SOURCE = {  # which a plain interpreter has under no descriptor
+    "change_own_source": "os.pwrite(4, b'#', 0)",
+    "grow_own_source": "os.ftruncate(4, 1 << 20)",
+    "change_own_source_by_name": "open(__file__, 'r+b', buffering=0).write(b'#')",
 }
 WRITING = {
     "write_file": "open(inside('new.txt'), 'w').write('x')",
@@ -265,6 +267,7 @@ ATTACKS = [
     *_tries(READING),
     *_tries(EXISTENCE, open_at=ONLY_FULL),
     *_tries(OWN, open_at=ALWAYS),
+    *_tries(OWN_SOURCE, open_at=ALWAYS, control=""),
     *_tries({"be_root": "if os.getuid(): raise OSError('a plain user')"}, open_at=ALWAYS, control="root"),
     *_tries(WRITING),
     *_tries({"setxattr_file": "os.setxattr(target['victim'], 'user.judge', b'x')"}, control="maybe"),

@@ -64,15 +64,6 @@ def test_the_tree_dies_with_a_killed_judge(attacker: Attacker, level: str, what:
         assert not _alive_after_a_moment(family)
 
 
-def test_ctrl_c_ends_everything_at_once(attacker: Attacker, level: str) -> None:
-    attacker.require(level)
-    with _started(attacker, "deaf", level) as process:
-        family = _settled_family(process.pid)
-        os.kill(process.pid, signal.SIGINT)
-        assert process.wait(5) != 0
-        assert not left(family)
-
-
 @pytest.mark.parametrize(
     ("number", "user", "level"), by_turns([signal.SIGINT, signal.SIGKILL], USERS, LEVELS)
 )

@@ -103,7 +103,8 @@ opened = []
 for number in range(3, 64):
     try:
         os.fstat(number)
-        opened.append(number)
+        if number != 4 or not os.pread(4, 99, 0).startswith(b'\\nimport os, signal'):  # its own source
+            opened.append(number)
     except OSError:
         pass
 return opened
