@@ -119,7 +119,7 @@ def edge(slot: Slot, rng: random.Random) -> str:
         f"{double:+.17e}",
         f"{double:g}",
     ]
-    if end.is_rational:
+    if not end.q:
         texts.append(str(WIDE.divide(Decimal(end.p), Decimal(end.s))))
     return rng.choice(texts)
 

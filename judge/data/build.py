@@ -41,7 +41,9 @@ def build(
     built = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        solved, attempts = (examples, ()) if group.builder == EXAMPLES else _built(problem, module, group)
+        solved, attempts = (
+            (examples, ()) if group.builder == EXAMPLES else build_cases(problem, module, group)
+        )
         _check_size(problem, group, [case for case, _ in solved])
         targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
         built.append(GroupData(group, [case for case, _ in solved], targets, attempts))
@@ -51,13 +53,13 @@ def build(
     return built
 
 
-def build_cases(problem: Problem, module: ProblemModule, group: Group) -> list[SolvedCase]:
-    """The cases of one group and their exact answers, each of them proved. Raises ProblemError."""
-    return _built(problem, module, group)[0]
+def build_cases(
+    problem: Problem, module: ProblemModule, group: Group
+) -> tuple[list[SolvedCase], tuple[int, ...]]:
+    """The cases of one group with their exact answers, each proved, and which attempt made it.
 
-
-def _built(problem: Problem, module: ProblemModule, group: Group) -> tuple[list[SolvedCase], tuple[int, ...]]:
-    """The same, and which attempt made each case."""
+    Raises ProblemError.
+    """
     validator = Validator(problem, module.solve)
     builder = bound_builder(problem, module, group)
     cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case

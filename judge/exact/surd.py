@@ -71,11 +71,6 @@ class Surd:
     def __str__(self) -> str:
         return self.decimal(17)
 
-    @property
-    def is_rational(self) -> bool:
-        """Whether the number is p/s."""
-        return self.q == 0
-
     def sign(self) -> int:
         """-1, 0 or +1."""
         return root_sign(self.p, self.q, self.d)

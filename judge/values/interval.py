@@ -21,13 +21,6 @@ _TOTAL_BITS = 128  # of the first enclosure: a double's 53, 30 for a tolerance o
 _HUGE = 900  # in bits: numbers so large go the general way, which knows about overflow
 
 
-class Interval(NamedTuple):
-    """The doubles from `lo` to `hi`, both accepted; none at all where lo > hi."""
-
-    lo: float
-    hi: float
-
-
 class Measure(NamedTuple):
     """What is known of an exact x in doubles: its interval, the nearest one, and how far x is from it."""
 
@@ -83,12 +76,6 @@ def exact_ends(x: Surd, tolerance: Tolerance, unit: Surd) -> tuple[Surd, Surd]:
         make(low[0] * slack_d - shift, low[1] * slack_d, d, bottom),
         make(high[0] * slack_d + shift, high[1] * slack_d, d, bottom),
     )
-
-
-def acceptance(x: Surd, tolerance: Tolerance, unit: Surd) -> Interval:
-    """The doubles that lie in [L, U]; raises ProblemError as `exact_ends` does."""
-    measured = measure(x, tolerance, unit)
-    return Interval(measured.lo, measured.hi)
 
 
 def measure(x: Surd, tolerance: Tolerance, unit: Surd, roots: Roots | None = None) -> Measure:

@@ -138,10 +138,10 @@ def test_what_is_no_exact_number_is_refused():
 
 
 def test_normal_form():
-    assert Surd(1, 2, 9, -7).is_rational
+    assert Surd(1, 2, 9, -7).q == 0
     assert (Surd(1, 2, 9, -7).p, Surd(1, 2, 9, -7).s) == (-7, 7)
     assert Surd(5, 0, 3).d == 0
-    assert not Surd(1, 1, 3).is_rational
+    assert Surd(1, 1, 3).q
     assert not Surd(0)
     assert Surd(0, 1, 3)
 

@@ -13,7 +13,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode, JudgeError, UsageError
 from judge.kata.model import Model, approaches, chosen_approach
 from judge.languages import language_of
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
 from judge.report.progress import progress
 from judge.report.screen import note, out
 from judge.report.solution import YOURS, approach_lines, solution_text
@@ -103,7 +103,7 @@ def _ratios(
 
     Of other languages only those of the one shown, and of one's own, are compiled for it.
     """
-    from judge.judging.pace import paces  # only who has them measured waits for it
+    from judge.judging import Session, Terms  # only who has them measured waits for it
 
     wanted = [None, shown.language, *([language_of(yours[0].submission)] if yours else [])]
     timed = [model for model in models if model.language in wanted]
@@ -113,11 +113,15 @@ def _ratios(
         programs.append((yours[0].submission, yours[1]))
         names.append(YOURS)
     try:
-        measured = paces(problem, programs, progress)
+        with Session(problem, Terms(diagnosed=False, named=False), bars=progress) as session:
+            session.boot(programs[0][1], programs[0][0])
+            results = [session.judge(source, file) for file, source in programs]
     except JudgeError as fault:  # the solution is what was asked for
         note(f"the times are not measured: {fault}")
         return {}
-    return dict(zip(names, measured, strict=True))
+    ratios = [result.time.ratio if result.verdict is Verdict.AC else None for result in results]
+    believed = [ratio.median if ratio and not ratio.unreliable else None for ratio in ratios]
+    return dict(zip(names, believed, strict=True))
 
 
 def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
