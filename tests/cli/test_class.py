@@ -12,7 +12,6 @@ from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
-from sampling import nightly
 
 from judge.batch import standard
 from judge.batch.store import Store
@@ -178,7 +177,8 @@ def some_rows(least=1):
     raise AssertionError("no row is kept")
 
 
-@pytest.mark.parametrize("how", [nightly(signal.SIGKILL), signal.SIGINT])
+@pytest.mark.nightly
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
 def test_the_same_command_goes_on_after_any_end(judge, submit, how):
     sleepy = "import time\ntime.sleep(1)\n"
     for at in range(6):

@@ -13,7 +13,7 @@ import sys
 import pytest
 from gallery import FOLDER, gallery, levels, path_of
 from mistaken import mistaken
-from sampling import daily, nightly
+from sampling import daily
 from screenshot import PICTURE, real_run, text_of
 from walk import ROOT, WALKS, claims_hold, go, missing, plain, steps
 
@@ -102,8 +102,9 @@ def test_the_picture_is_of_a_run_as_it_goes_now_and_loads_nothing(built):
     assert lacking is None, f"python tests/packaging/screenshot.py draws it anew; it lacks\n{lacking}"
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
-    ("place", "wanted"), [(0, r"alice.py AC 100 \nbob.py WA \d+ tangent-twice\n"), nightly(1, "")]
+    ("place", "wanted"), [(0, r"alice.py AC 100 \nbob.py WA \d+ tangent-twice\n"), (1, "")]
 )
 def test_the_programs_that_judge_do_as_told(place, wanted, tmp_path, built):
     blocks = re.findall(r"(?ms)^```py\n(.*?)^```$", (MANUAL / "library.md").read_text(encoding="utf-8"))
