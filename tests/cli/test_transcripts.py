@@ -59,14 +59,10 @@ SAID_BEFORE = ("Writing ", "judge: not judged: ")  # what was done or seen befor
 # Those that are played every day: one of each kind, and refusals and help, which are cheap.
 WHOLE = ("help/", "refused/")
 BY_DAY = {
-    *("faults/run", "faults/try", "faults/init", "faults/history"),
-    *("history/restore", "kata/init", "kata/hints", "kata/solution", "quiz/own-decks"),
-    *("json/data", "json/explore", "json/history", "json/init", "json/show", "json/try"),
-    *("run/junit", "run/picture-59", "run/seeds-and-formats", "run/which-problem", "setter/looking"),
-    *("screens/hack.80x24", "screens/interview.80x24", "screens/run-cannot.80x24"),
-    *("screens/run-epsilon.80x24", "screens/run-several.80x24", "screens/run-wrong.80x24"),
-    *("screens/show.80x24", "screens/show.40x24", "screens/solution.80x24", "topics/unit-vector"),
-    "try/answers",
+    *("faults/run", "faults/history", "history/restore", "kata/init", "kata/hints", "quiz/own-decks"),
+    *("json/data", "json/history", "json/init", "json/show", "json/try", "run/junit", "setter/looking"),
+    *("screens/hack.80x24", "screens/run-cannot.80x24", "screens/run-several.80x24"),
+    *("screens/run-wrong.80x24", "screens/show.80x24", "screens/show.40x24", "try/answers"),
 }
 NEEDS = {"screens/run-cpp": "g++"}  # a tool of this machine
 

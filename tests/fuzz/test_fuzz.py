@@ -14,7 +14,7 @@ from runs import Ended, Run, Worker
 from sampling import nightly
 from worker import CLOSED, FULL, KEPT, NULL, TERMINAL
 
-COUNTS = {"problems": (8, 80), "submissions": (1, 3), "commands": (8, 70)}  # by day and in all
+COUNTS = {"problems": (5, 80), "submissions": (1, 3), "commands": (5, 70)}  # by day and in all
 SEEDS = [(target, range(day)) for target, (day, _) in COUNTS.items()]
 SEEDS += [nightly(target, range(day, night)) for target, (day, night) in COUNTS.items()]
 

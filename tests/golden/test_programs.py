@@ -58,7 +58,7 @@ def test_a_textbooks_program_passes_the_interview_level_only(kata):
         assert {problem.group(name).level for name in failing} == {KataLevel.PRODUCTION}
 
 
-@pytest.mark.parametrize("name", daily(NAMED, NAMED[::16]))
+@pytest.mark.parametrize("name", daily(NAMED, NAMED[1::27]))
 def test_a_mistake_is_named_and_its_smallest_case_is_a_valid_and_simpler_one(name):
     stem = re.sub(r"-\d$", "", Path(name).stem)
     problem, result = judged(PROGRAMS / name)

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 TOLERANCE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**12), ulps=Fraction(1))
 WORDS = ("lit", "dark", "run", "any")
-SLOW = settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+SLOW = settings(max_examples=30, deadline=None, suppress_health_check=list(HealthCheck))
 
 
 class Kind(NamedTuple):
