@@ -97,8 +97,9 @@ class ListType(ListValues, Type):
         item = self.item.quick
 
         def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is dict:  # many numbers, sent as bytes
-                raw = list(items(raw) or ())
+            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
+                found = items(raw)
+                raw = None if found is None else list(found)
             if type(raw) is not list or type(target) is dict or len(raw) != len(target):
                 return None
             worst = NOTHING_MEASURED

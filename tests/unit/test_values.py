@@ -123,6 +123,24 @@ WRONG = [
 ]
 
 
+NO_LISTS = [
+    {"type": "bool", "text": "False"},
+    {"type": "set", "text": "set()"},
+    {"word": ""},
+    {"fraction": ["0", "1"]},
+    {"array": ["d", "zz"]},
+    {},
+    None,
+    0,
+]
+
+
+@pytest.mark.parametrize("raw", NO_LISTS, ids=str)
+@pytest.mark.parametrize("text", ["[int]", "[real]", "[vec2]", HITS, "[int; 0..4]", "array(i8)"])
+def test_what_is_no_list_is_no_empty_list(text, raw):
+    assert isinstance(judged(text, [], raw), Rejection)
+
+
 @pytest.mark.parametrize(("text", "exact", "raw", "message"), WRONG)
 def test_wrong_answers_say_why(text, exact, raw, message):
     outcome = judged(text, exact, raw)
