@@ -1,0 +1,107 @@
+"""All that a problem.py needs of the engine.
+
+    solve(*case) -> answer              exact (judge.values.tree); raises InvalidCase where the case breaks
+                                        the statement's promise
+    INTERVIEW, PRODUCTION = [...]       the test groups of each level, a row each; GROUPS alone in a kata
+                                        without levels
+    HOOKS = Hooks(...)                  optional: what the kata's topic draws and makes simpler
+
+The group of the statement's examples is no row: it comes first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from msgspec import Struct
+
+from judge.problem.model import Case, Problem
+from judge.problem.topic import Chance, Puzzle, Shown
+from judge.values.tolerance import Tolerance
+from judge.values.tree import AnyOf, Judged, Real
+
+if TYPE_CHECKING:
+    from judge.data.draw import Draw
+    from judge.drawing import Picture
+
+__all__ = ["AnyOf", "Declared", "Hooks", "InvalidCase", "Judged", "Real", "Tolerance", "group"]
+
+
+class InvalidCase(Exception):  # noqa: N818 - of the case, not of the program
+    """The case breaks the statement's promise; the text says in one sentence how."""
+
+
+class Hooks(Struct, frozen=True):
+    """What a topic adds to the engine, all of it optional.
+
+    Attributes:
+        picture: a case drawn, or None where it cannot be.
+        simpler: cases that may fail as a case does and are simpler; each is validated before it is tried.
+        explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
+            arguments by parameter name, or a usual case. None where the problem has no such page.
+        puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`; None for a form
+            that it has no figures for.
+    """
+
+    picture: Callable[[Shown], Picture | None] | None = None
+    simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
+    explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
+    puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None
+
+
+class Declared(NamedTuple):
+    """A row of problem.py: a test group, and how a case of it is drawn."""
+
+    name: str
+    about: str
+    draw: Callable[[Draw], Case]
+    cases: int
+    points: int | None
+    skills: tuple[str, ...]
+    tolerance: Tolerance | None
+    limits: Mapping[str, float] | None
+    time_limit: float | None
+    size: int | None
+    turns: bool
+    line: int  # of problem.py, from 1
+
+
+def group(
+    name: str,
+    about: str,
+    draw: Callable[[Draw], Case],
+    *,
+    cases: int = 60,
+    points: int | None = None,
+    skills: str | Sequence[str] = (),
+    tolerance: Mapping[str, float | Fraction] | None = None,
+    limits: Mapping[str, float] | None = None,
+    time_limit: float | None = None,
+    size: int | None = None,
+    turns: bool = False,
+) -> Declared:
+    """A test group.
+
+    Args:
+        name: small letters, digits and hyphens.
+        about: what it probes, in one sentence.
+        draw: makes a case from choices; `draw.reject()` gives some up, and it is asked again.
+        cases: how many.
+        points: of 100; those that no group names are shared evenly, the first groups take the remainder.
+        skills: what a run shows that passes every group with the skill; problems/skills.toml explains each.
+        tolerance, limits, time_limit: its own, with the keys of problem.toml.
+        size: n, where its cases are big: they are built again from their seeds and never shown.
+        turns: whether neighbouring cases differ in one parameter, which catches what is kept between calls.
+    """
+    import sys
+
+    line = sys._getframe(1).f_lineno
+    known = (skills,) if isinstance(skills, str) else tuple(skills)
+    exact = (
+        None
+        if tolerance is None
+        else Tolerance(**{key: Fraction(str(value)) for key, value in tolerance.items()})
+    )
+    return Declared(name, about, draw, cases, points, known, exact, limits, time_limit, size, turns, line)
