@@ -10,12 +10,12 @@ from msgspec.structs import replace
 
 from judge import __version__
 from judge.batch.model import Standard
-from judge.data.cache import all_code_files, content_key
 from judge.digest import digest_of
 from judge.judging.containment import Containment
 from judge.judging.job import Terms, judged_by
 from judge.languages import file_name
 from judge.problem import Problem
+from judge.problem.keys import all_code_files, content_key
 
 _EMPTY = file_name("empty")
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one

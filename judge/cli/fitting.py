@@ -19,7 +19,7 @@ from judge.errors import HistoryError, JudgeError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders
-from judge.problem.load import is_name
+from judge.problem.names import is_name
 
 if TYPE_CHECKING:
     from judge.kata.history import Current

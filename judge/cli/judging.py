@@ -13,10 +13,10 @@ from msgspec.structs import replace
 
 from judge.cli.submissions import Submission, Unjudged
 from judge.cli.wish import Wish
-from judge.data.cache import own_files
 from judge.errors import JudgeError, UsageError
 from judge.judging.containment import Containment
 from judge.problem import Problem, Verdict
+from judge.problem.keys import own_files
 
 if TYPE_CHECKING:
     from judge.cli.fitting import Task
@@ -78,7 +78,7 @@ class Sitting:
         """A setter may be at work on the problem: then nothing is kept."""
         seen = []
         with suppress(OSError):  # whoever reads them says so
-            for path in own_files(self._problem):
+            for path in own_files(self._problem.folder):
                 mark = path.stat()
                 seen.append((str(path), mark.st_mtime_ns, mark.st_size))
         if seen != self._seen:

@@ -36,7 +36,7 @@ class Drawing(Struct, frozen=True):
     def drawable(self) -> bool:
         """Whether the problem has pictures of its cases."""
         try:
-            return self.data.module.topic.picture is not None
+            return self.data.module.hooks.picture is not None
         except Exception:  # its code fails: who asks for a picture is told
             return False
 
@@ -73,7 +73,7 @@ class Drawing(Struct, frozen=True):
             given = self.result.counterexample_given
         if not values:
             return None
-        draw = self.data.module.topic.picture
+        draw = self.data.module.hooks.picture
         if draw is None:
             return None
         exact, _ = self.data.exact(case_of(values), group)

@@ -8,7 +8,6 @@ parameters but one from the last of them).
 
 from __future__ import annotations
 
-import inspect
 import marshal
 from collections import Counter
 from collections.abc import Callable, Container
@@ -17,12 +16,12 @@ from typing import Any
 
 from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
 from judge.data.model import GroupData, Progress, reseeded
-from judge.data.module import Builder, ProblemModule, blaming
 from judge.data.neighbours import follows, may_agree, neighbour
 from judge.data.validate import Validator
-from judge.errors import ProblemError, nearest
+from judge.errors import ProblemError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.model import EXAMPLES
+from judge.problem.module import Module, blaming
 from judge.problem.tomlfile import group_place
 from judge.values import Exact, Rejection, Target
 
@@ -32,7 +31,7 @@ SolvedCase = tuple[Case, Exact]
 
 
 def build(
-    problem: Problem, module: ProblemModule, seed: int | None = None, progress: Progress | None = None
+    problem: Problem, module: Module, seed: int | None = None, progress: Progress | None = None
 ) -> list[GroupData]:
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
     examples = _solved_examples(problem, module)
@@ -53,15 +52,13 @@ def build(
     return built
 
 
-def build_cases(
-    problem: Problem, module: ProblemModule, group: Group
-) -> tuple[list[SolvedCase], tuple[int, ...]]:
+def build_cases(problem: Problem, module: Module, group: Group) -> tuple[list[SolvedCase], tuple[int, ...]]:
     """The cases of one group with their exact answers, each proved, and which attempt made it.
 
     Raises ProblemError.
     """
     validator = Validator(problem, module.solve)
-    builder = bound_builder(problem, module, group)
+    builder = module.draws[group.name]
     cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
     attempts = [0] * group.count
 
@@ -69,7 +66,7 @@ def build_cases(
         attempts[number] = attempt
         return SeededDraw(case_seed(group, number, attempt))
 
-    what = f"group {group.name!r}: the builder {group.builder!r} fails"
+    what = f"group {group.name!r}: {group.drawer} fails"
     with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
         for number in range(group.count):
             draws = partial(source, number)
@@ -144,17 +141,23 @@ def new_case(
         try:
             case = builder(draws(attempt))
         except Rejected:
-            failures["rejected by the builder"] += 1
+            failures[f"rejected by {group.drawer}"] += 1
             continue
         if fault := validator.shape(case):
             raise ProblemError(
-                f"group {group.name!r}: the builder {group.builder!r} gives no case: {fault}",
+                f"group {group.name!r}: {group.drawer} gives no case: {fault}",
                 where=f"{problem.id}/problem.py",
                 remedy="correct what it returns",
             )
         if last is not None and changed is not None:
             case = neighbour(last[0], case, changed)
-        if fault := validator.bounds(case):
+        if (fault := validator.bounds(case)) and not problem.in_toml:
+            raise ProblemError(
+                f"group {group.name!r} draws a case out of bounds: {fault}",
+                where=group_place(problem, group.name, "builder"),
+                remedy="draw smaller numbers, or widen the parameter's bounds",
+            )
+        if fault:
             failures["out of bounds"] += 1
             latest["out of bounds"] = f" ({fault})"
             continue
@@ -170,49 +173,14 @@ def new_case(
             return case, proof.answer
     reason, times = failures.most_common(1)[0]
     raise ProblemError(
-        f"group {group.name!r}: the builder {group.builder!r} gives no case {number} of {group.count} "
+        f"group {group.name!r}: {group.drawer} gives no case {number} of {group.count} "
         f"in {_ATTEMPTS} attempts, {times} of them {reason}{latest.get(reason, '')}",
         where=group_place(problem, group.name, "builder"),
         remedy="correct its parameters, or lower count",
     )
 
 
-def bound_builder(problem: Problem, module: ProblemModule, group: Group) -> Callable[[Draw], Any]:
-    """The group's builder with its parameters filled in. Raises ProblemError."""
-    builder = module.builders.get(group.builder)
-    if builder is None:
-        names = [*module.builders, EXAMPLES]
-        meant = nearest(group.builder, names)
-        raise ProblemError(
-            f"group {group.name!r} wants the unknown builder {group.builder!r}",
-            where=group_place(problem, group.name, "builder"),
-            remedy=f"did you mean {meant!r}?" if meant else f"the builders are {', '.join(names)}",
-        )
-    parameters = dict(group.parameters)
-    _check_parameters(builder, parameters, problem, group)
-    return lambda draw: builder(draw, **parameters)
-
-
-def _check_parameters(builder: Builder, parameters: dict[str, Any], problem: Problem, group: Group) -> None:
-    signature = inspect.signature(builder)
-    try:
-        signature.bind(None, **parameters)
-    except TypeError as error:
-        names = [name for name in list(signature.parameters)[1:] if name not in parameters]
-        takes_any = any(each.kind is each.VAR_KEYWORD for each in signature.parameters.values())
-        strange = [name for name in parameters if name not in signature.parameters and not takes_any]
-        unknown = strange[0] if strange else None
-        meant = nearest(unknown, names) if unknown is not None else None
-        listed = ", ".join(list(signature.parameters)[1:]) or "none"
-        why = f"it has none called {unknown!r}" if unknown is not None else error
-        raise ProblemError(
-            f"group {group.name!r}: the builder {group.builder!r} cannot take its parameters: {why}",
-            where=group_place(problem, group.name, "parameters"),
-            remedy=f"did you mean {meant!r}?" if meant else f"its parameters are {listed}",
-        ) from None
-
-
-def _solved_examples(problem: Problem, module: ProblemModule) -> list[SolvedCase]:
+def _solved_examples(problem: Problem, module: Module) -> list[SolvedCase]:
     """The worked examples and their exact answers, proved; each shows a right answer. Raises ProblemError.
 
     They are looked at whether or not a group judges by them.

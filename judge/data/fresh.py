@@ -14,14 +14,14 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.build import bound_builder, new_case, target_of
+from judge.data.build import new_case, target_of
 from judge.data.draw import Draw, QuickDraw, RecordedDraw
 from judge.data.model import GroupData
-from judge.data.module import ProblemModule, blaming
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.model import EXAMPLES
+from judge.problem.module import Module, blaming
 from judge.problem.tomlfile import group_place
 from judge.values import Target
 
@@ -43,7 +43,7 @@ class Series(Struct, frozen=True):
 class Fresh:
     """The fresh cases of some groups of a problem, from one seed."""
 
-    def __init__(self, problem: Problem, module: ProblemModule, groups: Sequence[Group], seed: int) -> None:
+    def __init__(self, problem: Problem, module: Module, groups: Sequence[Group], seed: int) -> None:
         """Raises ProblemError for a builder or parameters that do not exist, UsageError if none is left."""
         self._problem = problem
         self.module = module
@@ -51,7 +51,7 @@ class Fresh:
         self._validator = Validator(problem, module.solve)
         # The statement's examples are what they are.
         self.groups = tuple(each for each in groups if _is_fresh(each))
-        self._builders = [bound_builder(problem, module, group) for group in self.groups]
+        self._builders = [module.draws[group.name] for group in self.groups]
         if not self.groups:
             names = ", ".join(group.name for group in problem.groups if _is_fresh(group))
             raise UsageError(

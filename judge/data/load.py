@@ -13,7 +13,7 @@ from judge.problem import Group, Problem
 from judge.problem.model import tupled
 
 if TYPE_CHECKING:
-    from judge.data.module import ProblemModule
+    from judge.problem.module import Module
 
 _DEEPEST = 12  # lists in lists that are read as tuples at once
 
@@ -45,7 +45,7 @@ def load_data(
             return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
     from judge.data.build import build
-    from judge.data.module import load_module
+    from judge.problem.module import load_module
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
@@ -69,7 +69,7 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
     try:
         for each in problem.groups:
             if each.size is not None and module is None:
-                from judge.data.module import load_module  # big cases are built again
+                from judge.problem.module import load_module  # big cases are built again
 
                 module = load_module(problem)
             groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
@@ -85,7 +85,7 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
     return ProblemData(problem, tuple(groups), module=module)
 
 
-def _group(plain: Any, group: Group, problem: Problem, module: ProblemModule | None) -> GroupData:
+def _group(plain: Any, group: Group, problem: Problem, module: Module | None) -> GroupData:
     cases: Any
     if group.size is not None and module is not None:
         from judge.data.rebuilt import from_seeds

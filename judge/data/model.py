@@ -13,7 +13,7 @@ from judge.problem.model import EXAMPLES
 from judge.values.tree import within
 
 if TYPE_CHECKING:
-    from judge.data.module import ProblemModule
+    from judge.problem.module import Module
     from judge.values import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
@@ -41,7 +41,7 @@ class ProblemData:
         problem: Problem,
         groups: tuple[GroupData, ...],
         notes: tuple[str, ...] = (),
-        module: ProblemModule | None = None,
+        module: Module | None = None,
     ) -> None:
         self.problem = problem
         self.groups = groups
@@ -53,12 +53,12 @@ class ProblemData:
 
         Only a rejection's reason and an answer within a hair of the edge need it.
         """
-        return within(self.module.solve(*case).answer, group.name), group.tolerance
+        return within(self.module.solve(*case), group.name), group.tolerance
 
     @property
-    def module(self) -> ProblemModule:
+    def module(self) -> Module:
         """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
-        from judge.data.module import load_module
+        from judge.problem.module import load_module
 
         if self._module is None:
             self._module = load_module(self.problem)

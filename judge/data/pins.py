@@ -1,14 +1,21 @@
-"""Pinned hashes: a problem's hashes.json holds one for each group, so that data cannot drift unseen.
+"""Pins: a problem's pins.json says of each group what its data are, so that nothing drifts unseen.
 
-{"schema": 1, "groups": {"grid": "<sha256 of the cases and their targets, as canonical JSON>"}}
+{
+"grid": {"hash": "<sha256 of the cases and their targets, as canonical JSON>", "cases": 180, "kills": ["…"]},
+…
+}
+
+`kills` are the mistakes that the group rejects in five cases or more. A problem whose groups stand in
+problem.toml has a hashes.json: {"schema": 1, "groups": {"grid": "<hash>"}}.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from judge.atomic import replace_file
 from judge.data.model import GroupData
@@ -17,6 +24,8 @@ from judge.problem import Problem
 from judge.reading import read_ordinary
 
 SCHEMA = 1
+
+Kills = Mapping[str, Collection[str]]  # by the group's name: the mistakes that it rejects
 _REMEDY = "write it with: judge verify {} --pin"
 
 
@@ -26,12 +35,18 @@ def hash_of(data: GroupData) -> str:
     return hashlib.sha256(json.dumps(plain, separators=(",", ":")).encode()).hexdigest()
 
 
-def read_pins(problem: Problem) -> dict[str, str] | None:
-    """The pinned hash of each group, or None if there is no hashes.json. Raises ProblemError."""
-    where = f"{problem.id}/{_path(problem).name}"
+def pins_file(problem: Problem) -> Path:
+    """Where the problem's pins are."""
+    return problem.folder / ("hashes.json" if problem.in_toml else "pins.json")
+
+
+def read_pins(problem: Problem) -> dict[str, Any] | None:
+    """What is pinned of each group, or None if there is no such file. Raises ProblemError."""
+    path = pins_file(problem)
+    where = f"{problem.id}/{path.name}"
     remedy = _REMEDY.format(problem.id)
     try:
-        content = json.loads(read_ordinary(_path(problem)))
+        content = json.loads(read_ordinary(path))
     except FileNotFoundError:
         return None
     except OSError as error:
@@ -40,35 +55,58 @@ def read_pins(problem: Problem) -> dict[str, str] | None:
         ) from None
     except ValueError as error:
         raise ProblemError(f"no JSON: {error}", where=where, remedy=remedy) from None
-    groups = content.get("groups") if isinstance(content, dict) and content.get("schema") == SCHEMA else None
+    if not isinstance(content, dict):
+        raise ProblemError("not the form of pins", where=where, remedy=remedy)
+    if not problem.in_toml:
+        return content
+    groups = content.get("groups") if content.get("schema") == SCHEMA else None
     if not isinstance(groups, dict) or not all(isinstance(pin, str) for pin in groups.values()):
         raise ProblemError("not the form of pinned hashes", where=where, remedy=remedy)
     return groups
 
 
-def write_pins(problem: Problem, groups: Sequence[GroupData]) -> None:
+def pins_of(problem: Problem, groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
+    """What there is to pin of each group; `kills` are the mistakes that it rejects."""
+    if problem.in_toml:
+        return {data.group.name: hash_of(data) for data in groups}
+    return {
+        data.group.name: {
+            "hash": hash_of(data),
+            "cases": len(data.cases),
+            "kills": sorted(kills.get(data.group.name, ())),
+        }
+        for data in groups
+    }
+
+
+def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
     """Pin the data as they are. Raises ProblemError if the file cannot be written."""
-    content = {"schema": SCHEMA, "groups": {data.group.name: hash_of(data) for data in groups}}
+    if problem.in_toml:
+        text = json.dumps({"schema": SCHEMA, "groups": pins}, indent=2)
+    else:
+        text = (
+            "{\n" + ",\n".join(f"{json.dumps(name)}: {json.dumps(pin)}" for name, pin in pins.items()) + "\n}"
+        )
+    path = pins_file(problem)
     try:
-        replace_file(_path(problem), (json.dumps(content, indent=2) + "\n").encode())
+        replace_file(path, f"{text}\n".encode())
     except OSError as error:
-        where = f"{problem.id}/{_path(problem).name}"
+        where = f"{problem.id}/{path.name}"
         what = f"cannot be written: {error.strerror}"
         raise ProblemError(what, where=where, remedy=f"make {problem.folder} writable") from None
 
 
-def differences(pins: Mapping[str, str], groups: Sequence[GroupData]) -> list[str]:
+def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:
     """What the pins and the data disagree about, a sentence each."""
-    found = {data.group.name: hash_of(data) for data in groups}
     drifted = [
-        f"the data of group {name!r} differ from their pinned hash"
-        for name in found
-        if name in pins and found[name] != pins[name]
+        _drift(name, pins[name], found[name]) for name in found if name in pins and found[name] != pins[name]
     ]
     unpinned = [f"group {name!r} has no pinned hash" for name in found if name not in pins]
     stale = [f"the pinned hash of {name!r} belongs to no group" for name in pins if name not in found]
     return drifted + unpinned + stale
 
 
-def _path(problem: Problem) -> Path:
-    return problem.folder / "hashes.json"
+def _drift(name: str, pin: Any, found: Any) -> str:
+    if isinstance(pin, dict) and pin.get("hash") == found["hash"]:
+        return f"group {name!r} rejects other mistakes than its pin says"
+    return f"the data of group {name!r} differ from their pinned hash"

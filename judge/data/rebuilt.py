@@ -10,11 +10,11 @@ import marshal
 from collections.abc import Sequence
 from typing import Any
 
-from judge.data.build import bound_builder, case_seed
+from judge.data.build import case_seed
 from judge.data.draw import SeededDraw
 from judge.data.model import GroupData
-from judge.data.module import ProblemModule, blaming
 from judge.problem import Case, Group, Problem
+from judge.problem.module import Module, blaming
 
 _FORM = 2  # of marshal: every version of Python writes it alike, bit by bit
 
@@ -24,14 +24,14 @@ def as_seeds(data: GroupData) -> dict[str, Any]:
     return {"attempts": data.attempts, "inputs": _hash(data.cases), "targets": data.targets}
 
 
-def from_seeds(plain: dict[str, Any], problem: Problem, module: ProblemModule, group: Group) -> list[Case]:
+def from_seeds(plain: dict[str, Any], problem: Problem, module: Module, group: Group) -> list[Case]:
     """The cases that `as_seeds` wrote.
 
     Raises:
         ValueError: they are other ones now, or this is none of its objects.
         ProblemError: the builder fails.
     """
-    builder = bound_builder(problem, module, group)
+    builder = module.draws[group.name]
     with blaming(problem, f"group {group.name!r}: the builder fails"):
         cases = [
             builder(SeededDraw(case_seed(group, at, attempt))) for at, attempt in enumerate(plain["attempts"])

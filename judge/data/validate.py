@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from judge.errors import ProblemError
 from judge.problem import Case, Number, Problem
+from judge.problem.declare import InvalidCase
 
 if TYPE_CHECKING:
-    from judge.data.module import Solved
+    from judge.values.tree import Exact
 
 
 class Proof(NamedTuple):
@@ -24,7 +25,7 @@ class Proof(NamedTuple):
 class Validator:
     """What a problem's case must be. A fault is said in words for a person."""
 
-    def __init__(self, problem: Problem, solve: Callable[..., Solved]) -> None:
+    def __init__(self, problem: Problem, solve: Callable[..., Exact]) -> None:
         self._parameters = problem.parameters
         self._bounds = [(_simple(each.low), _simple(each.high)) for each in problem.parameters]
         self._fine = [
@@ -60,8 +61,10 @@ class Validator:
 
     def promise(self, case: Case) -> Proof:
         """Whether a case within the bounds keeps the statement's promise; it is solved here, once."""
-        answer, broken = self._solve(*case)
-        return Proof(broken) if broken else Proof(None, answer)
+        try:
+            return Proof(None, self._solve(*case))
+        except InvalidCase as broken:
+            return Proof(str(broken))
 
     def proof(self, case: Any) -> Proof:
         """The first thing that is wrong with the case, or its exact answer."""

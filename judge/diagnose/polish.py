@@ -26,7 +26,7 @@ _HUGE = 400  # bits, beyond which numbers are only cut
 
 def polished(trial: Trial, start: Finding, group: Group) -> Finding:
     """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
-    simpler = trial.module.topic.simpler
+    simpler = trial.module.hooks.simpler
     best = start
     if simpler is not None:
         best = _better(trial, best, group, simpler(trial.problem, start.case))

@@ -14,10 +14,10 @@ import hashlib
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
-from judge.data.module import ProblemModule
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
+from judge.problem.module import Module
 
 if TYPE_CHECKING:
     from judge.values import Exact
@@ -46,7 +46,7 @@ def problem_name(replay: str) -> str:
     return _parts(replay)[0]
 
 
-def decode(replay: str, problem: Problem, module: ProblemModule) -> Decoded:
+def decode(replay: str, problem: Problem, module: Module) -> Decoded:
     """The group and the case of an id, proved, and its exact answer.
 
     Raises:

@@ -16,7 +16,7 @@ from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
-from judge.data.build import bound_builder, choices_of
+from judge.data.build import choices_of
 from judge.data.draw import Draw, SeededDraw
 from judge.data.model import GroupData, ProblemData
 from judge.diagnose.counterexample import Counterexample
@@ -169,7 +169,7 @@ class _Search:
     def _by_parameters(self) -> Finding:
         if self._group.builder == EXAMPLES or self._trial.budget.spent:
             return self._first
-        builder = bound_builder(self._problem, self._trial.module, self._group)
+        builder = self._trial.module.draws[self._group.name]
         choices = self._choices_of(self._group, builder, self._number, self._first.case)
         if choices is None:
             return self._first

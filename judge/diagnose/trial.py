@@ -14,11 +14,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.build import target_of
-from judge.data.module import ProblemModule
 from judge.data.validate import Proof, Validator
 from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
+from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
@@ -116,7 +116,7 @@ class Trial:
 
     def __init__(
         self,
-        module: ProblemModule,
+        module: Module,
         box: Box,
         runner: Runner,
         verdict: Verdict,
@@ -146,7 +146,7 @@ class Trial:
 
     def measure(self, case: Case) -> Simplicity:
         """How simple the case is, to those who know the problem's topic."""
-        special = self.module.topic.special
+        special = self.module.special
         return measure(case, special(case) if special is not None else 0)
 
     def valid(self, case: Case, group: Group) -> bool:

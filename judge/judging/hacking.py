@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from judge.data.load import load_data
-from judge.data.module import load_module
 from judge.diagnose.replay import decode
 from judge.errors import JudgeError, UsageError
 from judge.judging.job import Terms
@@ -13,6 +12,7 @@ from judge.judging.trying import ask, try_case
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle
 from judge.problem import Case, Problem, Verdict
+from judge.problem.module import load_module
 from judge.problem.solutions import accepted_source
 from judge.run.tried import Hacked, Said, Tried
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.data.cache import all_code_files, content_key, own_files
 from judge.digest import digest_of
 from judge.problem import Problem
 from judge.problem.choose import chosen_groups
+from judge.problem.keys import all_code_files, content_key, own_files
 
 
 class Terms(Struct, frozen=True):
@@ -87,4 +87,4 @@ def version_of(problem: Problem) -> str:
 def judged_by(problem: Problem) -> list[Path]:
     """The files of the problem's two folders that it is judged by."""
     solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
-    return [*own_files(problem), *solutions]
+    return [*own_files(problem.folder), *solutions]

@@ -6,10 +6,10 @@ from msgspec.structs import replace
 
 from judge.data.build import target_of
 from judge.data.model import GroupData, ProblemData
-from judge.data.module import load_module
 from judge.diagnose.replay import decode
 from judge.judging.session import Session
 from judge.problem import Problem
+from judge.problem.module import load_module
 from judge.run.execute import run_in
 from judge.run.hurdle import with_hurdle
 from judge.run.printed import with_printed

@@ -10,11 +10,11 @@ from msgspec.structs import replace
 from judge.data.fresh import Fresh
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import load_module
 from judge.judging.diagnosis import diagnosed
 from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
 from judge.problem import Group
+from judge.problem.module import load_module
 from judge.run.execute import run_submission
 from judge.run.hurdle import with_hurdle
 from judge.run.runner import Runner

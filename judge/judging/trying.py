@@ -8,11 +8,11 @@ from msgspec.structs import replace
 
 from judge.data.build import target_of
 from judge.data.model import GroupData, ProblemData
-from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.judging.session import Session
 from judge.problem import Case, Group, Problem, Tolerance, Verdict
+from judge.problem.module import load_module
 from judge.run.execute import opened
 from judge.run.group import group_limits
 from judge.run.replies import VERDICTS

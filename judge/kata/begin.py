@@ -18,11 +18,12 @@ from msgspec import Struct
 
 from judge.atomic import new_file
 from judge.data import load_data
-from judge.data.pins import write_pins
+from judge.data.pins import pins_of, write_pins
 from judge.errors import UsageError, unwritable
 from judge.problem import Problem
 from judge.problem.find import near_problem_folders
-from judge.problem.load import is_name, load_problem
+from judge.problem.load import load_problem
+from judge.problem.names import is_name
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -59,7 +60,7 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
             _write(homes[home] / rest, text, made)
         problem = load_problem(problems / name)
         made.append(problems / name / "hashes.json")
-        write_pins(problem, load_data(problem, cache=False).groups)
+        write_pins(problem, pins_of(problem, load_data(problem, cache=False).groups, {}))
     except OSError as fault:
         _undo(made)
         raise unwritable(Path(fault.filename or folder), fault, "name another folder") from None

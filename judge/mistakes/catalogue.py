@@ -67,8 +67,11 @@ def read_catalogue(problem: Problem) -> Catalogue:
 def with_kills(problem: Problem, catalogue: Catalogue) -> Problem:
     """The problem with every group's kills: those of problem.toml, and then those of mistakes.toml.
 
-    Raises ProblemError where mistakes.toml names a group that the problem does not have.
+    Where problem.py declares the groups, they are what was measured, by pins.json. Raises ProblemError where
+    mistakes.toml names a group that the problem does not have.
     """
+    if not problem.in_toml:
+        return problem
     more: dict[str, list[str]] = {group.name: [] for group in problem.groups}
     for name, words in catalogue.items():
         for group in words.kills:

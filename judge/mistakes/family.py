@@ -49,7 +49,7 @@ class Family:
         self._routes: Routes = read_routes(read_text(path), self.where)
         aimed = {name for group in with_kills(problem, self.catalogue).groups for name in group.kills}
         self._transforms: tuple[Transform, ...] = tuple(
-            each for each in transforms(problem) if each.name in aimed
+            each for each in transforms(problem) if each.name in aimed or not problem.in_toml
         )
 
     @staticmethod

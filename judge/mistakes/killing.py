@@ -14,13 +14,13 @@ from functools import cached_property, lru_cache, partial
 from typing import Any
 
 from judge.data.build import target_of
-from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.errors import ProblemError
 from judge.mistakes.computed import Program, entry_of
 from judge.mistakes.puzzles import Puzzle, read_puzzles
 from judge.problem import Case, Problem
 from judge.problem.model import tupled
+from judge.problem.module import load_module
 from judge.sandbox.encode import encode
 from judge.values.rightness import is_right
 
@@ -108,7 +108,7 @@ class Jury:
     def _solved(self) -> Any:
         @lru_cache(maxsize=64)
         def solved(case: Case, _shown: str) -> Any:
-            return self._module.solve(*case).answer
+            return self._module.solve(*case)
 
         return solved
 

@@ -16,7 +16,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
-from judge.data.cache import code_files, content_key, data_key, kept_stem
+from judge.data.cache import data_key, kept_stem
 from judge.data.model import ProblemData
 from judge.folders import cache_folder
 from judge.kept import KeptFile
@@ -26,6 +26,7 @@ from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
 from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
+from judge.problem.keys import code_key, content_key
 from judge.run.settings import Settings
 from judge.values import Outline, Usual
 
@@ -124,7 +125,7 @@ def _file_of(problem: Problem, seed: int | None) -> KeptFile:
 def _key(problem: Problem, seed: int | None) -> str:
     """The hash of all that the behaviours depend on beside the programs."""
     start = f"{FORMAT}/{sys.version}/{data_key(problem, seed)}"
-    return content_key(start, code_files(_CODE))
+    return content_key(start, (), code_key(_CODE))
 
 
 def _shared(kept: dict[str, Any]) -> dict[str, Any]:

@@ -15,8 +15,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.model import ProblemData
+from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.catalogue import FILE, Words
@@ -26,10 +28,8 @@ from judge.mistakes.makers import Maker, read_makers
 from judge.problem import Problem
 from judge.run.execute import run_submission
 from judge.run.settings import Settings
-from judge.run.verify import Fault
+from judge.run.verify import ENOUGH, Fault, Least
 from judge.sandbox import BoxFactory
-
-ENOUGH = 5  # cases of one group that reject a mistake, below which chance may have made them
 
 Progress = Callable[[str, int, int], None]
 
@@ -45,35 +45,54 @@ class ChoicesReport(Struct, frozen=True):
     faults: tuple[Fault, ...] = ()
     warnings: tuple[Fault, ...] = ()
     problem: Problem | None = None
+    kills: Kills = {}
+    least: tuple[Least, ...] = ()
 
 
 def verify_choices(
-    problem: Problem, data: ProblemData, box_factory: BoxFactory, progress: Progress | None = None
+    problem: Problem,
+    data: Sequence[ProblemData],
+    box_factory: BoxFactory,
+    progress: Progress | None = None,
 ) -> ChoicesReport:
-    """Check the problem's mistakes.py, where there is one. Raises JudgeError where nothing can be run."""
+    """Check the problem's mistakes.py, where there is one, on its data: the pinned ones, then of other seeds.
+
+    Raises JudgeError where nothing can be run.
+    """
     read = read_makers(problem)
     where = f"{problem.solutions.name}/mistakes.py"
     faults = [Fault(each.what, each.where or where, each.remedy or "") for each in read.faults]
     choices = [maker for maker in read.all if maker.choice is not None]
     if read.family is None:
         return ChoicesReport(faults=tuple(faults), problem=read.problem)
-    aimed = _aimed(read.problem)
     warnings: list[Fault] = []
     counts: dict[str, list[_Counted]] = {}
     try:
-        computer = Computer(data)
-        faults += _wrong_right_ways(read.family, computer)
+        computers = [Computer(each) for each in data]
+        for computer in computers:
+            faults += _wrong_right_ways(read.family, computer)
         for done, maker in enumerate(choices):
             if progress:
                 progress("judging mistakes", done, len(choices))
-            does = {**computer.behaviour(maker.program), **_on_big_cases(maker, data, box_factory)}
-            rejected = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
+            rejected = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
             if maker.choice is not None and read.family.equal(maker.choice):
-                warnings += _still_told(maker, rejected)
+                warnings += _still_told(maker, rejected[0])
             else:
-                counts.setdefault(maker.name, []).append(_Counted(maker, rejected))
+                counts.setdefault(maker.name, []).append(_Counted(maker, rejected[0], tuple(rejected)))
     except ProblemError as fault:
         faults.append(Fault(fault.what, fault.where or where, fault.remedy or ""))
+    made = frozenset(maker.name for maker in choices)
+    report = ChoicesReport(len(choices), made, (), tuple(warnings), read.problem)
+    if not problem.in_toml:
+        kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
+        faults += [fault for name, each in kept.items() for fault in _measured(name, each, read.family)]
+        return replace(
+            report,
+            faults=tuple(dict.fromkeys(faults)),
+            kills=_kills_measured(kept, read.problem),
+            least=tuple(each.least for every in kept.values() for each in every),
+        )
+    aimed = _aimed(read.problem)
     faults += _names(choices, aimed)
     for name in sorted(
         counts.keys() | {name for name, words in read.family.catalogue.items() if words.spared}
@@ -81,8 +100,47 @@ def verify_choices(
         words = read.family.words(name)
         counted = _told_apart(counts.get(name, ()), read.family)
         faults += _kills(name, counted, aimed.get(name, ()), words, read.problem)
-    made = frozenset(maker.name for maker in choices)
-    return ChoicesReport(len(choices), made, tuple(faults), tuple(warnings), read.problem)
+    return replace(report, faults=tuple(faults))
+
+
+def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: BoxFactory) -> dict[str, int]:
+    """In how many cases of each group a mistake is rejected; groups that accept it are left out."""
+    does = computer.behaviour(maker.program)
+    counts = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
+    if data.problem.in_toml or max(counts.values(), default=0) < ENOUGH:
+        big = _on_big_cases(maker, data, box_factory)
+        counts |= {name: len(answers.wrong) for name, answers in big.items() if answers.wrong}
+    return counts
+
+
+def _measured(name: str, counted: Sequence[_Counted], family: Family) -> Iterator[Fault]:
+    """Whether every program that makes a mistake is rejected in enough cases of some group, on each seed."""
+    words = family.words(name)
+    catalogue = f"{family.problem.solutions.parent.name}/{FILE}"
+    for each in counted:
+        least = each.least
+        remedy = "strengthen a group, or say below it with '# !' why none can"
+        if not least.cases:
+            yield Fault(f"no case rejects {name}: {_shown(each.maker)}", each.maker.file, remedy)
+        elif least.cases < ENOUGH:
+            what = f"{name}, {_shown(each.maker)}: no group rejects it in more than {least.cases} cases"
+            yield Fault(what, each.maker.file, remedy)
+        if not each.maker.text:
+            yield Fault(f"nothing is said of {name!r}", each.maker.file, f"begin a table [{name}] in {FILE}")
+    for group in words.spared:
+        yield Fault(f"[{name}] says why {group!r} spares it, which is measured", catalogue, "remove it")
+
+
+def _kills_measured(counted: Mapping[str, Sequence[_Counted]], problem: Problem) -> Kills:
+    """The mistakes that each group rejects in enough cases of the pinned data."""
+    return {
+        group.name: {
+            name
+            for name, each in counted.items()
+            if any(one.rejected.get(group.name, 0) >= ENOUGH for one in each)
+        }
+        for group in problem.groups
+    }
 
 
 def _aimed(problem: Problem) -> Mapping[str, Sequence[str]]:
@@ -97,7 +155,8 @@ def _aimed(problem: Problem) -> Mapping[str, Sequence[str]]:
 def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> Behaviour:
     """What a choice answers wrongly in groups of big cases that name its mistake. Raises JudgeError."""
     problem = data.problem
-    big = [each.name for each in problem.groups if each.size is not None and maker.name in each.kills]
+    sized = [each for each in problem.groups if each.size is not None]
+    big = [each.name for each in sized if maker.name in each.kills or not problem.in_toml]
     if not big:
         return {}
     settings = Settings(box_factory=box_factory, measured=False)
@@ -122,7 +181,15 @@ class _Counted(Struct, frozen=True):
     """A program that makes a mistake, and in how many cases each group rejects it; others do not."""
 
     maker: Maker
-    rejected: Mapping[str, int]
+    rejected: Mapping[str, int]  # of the pinned data
+    seeds: tuple[Mapping[str, int], ...] = ()  # and of every seed
+
+    @property
+    def least(self) -> Least:
+        """The fewest cases, over the seeds, of the group that rejects it most often there."""
+        worst = min(self.seeds, key=lambda counts: max(counts.values(), default=0))
+        group = max(worst, key=worst.__getitem__, default="")
+        return Least(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
 
     def most(self, groups: Iterable[str]) -> int:
         """The greatest number of one of these groups."""
@@ -133,7 +200,7 @@ def _told_apart(counted: Sequence[_Counted], family: Family) -> Sequence[_Counte
     """Those that are to be rejected. A change that is made in every problem alike may be no mistake in this
     one: it is left out where no case rejects it, and one does another that makes the same mistake.
     """
-    if not any(each.rejected for each in counted):
+    if family.problem.in_toml and not any(each.rejected for each in counted):
         return counted
     return [
         each

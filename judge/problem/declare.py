@@ -23,7 +23,6 @@ from judge.values.tolerance import Tolerance
 from judge.values.tree import AnyOf, Judged, Real
 
 if TYPE_CHECKING:
-    from judge.data.draw import Draw
     from judge.drawing import Picture
 
 __all__ = ["AnyOf", "Declared", "Hooks", "InvalidCase", "Judged", "Real", "Tolerance", "group"]
@@ -56,7 +55,7 @@ class Declared(NamedTuple):
 
     name: str
     about: str
-    draw: Callable[[Draw], Case]
+    draw: Callable[[Any], Case]
     cases: int
     points: int | None
     skills: tuple[str, ...]
@@ -71,7 +70,7 @@ class Declared(NamedTuple):
 def group(
     name: str,
     about: str,
-    draw: Callable[[Draw], Case],
+    draw: Callable[[Any], Case],
     *,
     cases: int = 60,
     points: int | None = None,

@@ -44,6 +44,13 @@ Fault = Callable[[KeyPath, str, str], NoReturn]
 Exactly = Callable[[schema.TomlNumber, KeyPath], Fraction]
 
 
+def slope(value: Fraction, path: KeyPath, fault: Fault) -> float:
+    """By how much an exponent may exceed the reference's; `fault` refuses what is none."""
+    if not 0 < value <= 3:
+        fault(path, "the slope is no difference of exponents", "give 0.1 to 3")
+    return float(value)
+
+
 class GrowingKeys:
     """The checks; `fault` refuses what stands at a key, `exact` reads its number."""
 
@@ -75,11 +82,11 @@ class GrowingKeys:
         if len({group.size for group in chosen}) < 2:
             what = "growth needs groups of two different sizes"
             self._fault(("growth", "groups"), what, "name more of them")
-        slope = self._exact(table.slope, ("growth", "slope"))
-        if not 0 < slope <= 3:
-            self._fault(("growth", "slope"), "the slope is no difference of exponents", "give 0.1 to 3")
+        place = ("growth", "slope")
         ordered = sorted(chosen, key=lambda group: group.size or 0)
-        return GrowthRule(tuple(group.name for group in ordered), float(slope))
+        return GrowthRule(
+            tuple(group.name for group in ordered), slope(self._exact(table.slope, place), place, self._fault)
+        )
 
     def group(self, group: Group, table: schema.GroupTable, path: KeyPath) -> Group:
         """The group with its own size and limits."""

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from msgspec import Struct
@@ -78,7 +77,7 @@ class TimeRule(Struct, frozen=True):
     function: str
     program: str | None = None
     needs: tuple[str, ...] = ()
-    references: MappingProxyType[str, str] = MappingProxyType({})
+    references: dict[str, str] = {}
 
 
 class GrowthRule(Struct, frozen=True):
@@ -96,18 +95,24 @@ class Group(Struct, frozen=True):
 
     name: str
     about: str  # one sentence for a person: what the group probes
-    builder: str  # a name in the problem's BUILDERS, or "examples" for those of the statement
-    parameters: MappingProxyType[str, Any]
-    seed: int
     count: int
     points: int
     tolerance: Tolerance
-    kills: tuple[str, ...]  # the mistakes it should catch
+    seed: int | str  # with which the seed text of each case begins
+    kills: tuple[str, ...] = ()  # the mistakes it catches
+    line: int = 0  # of problem.py, where it is declared
+    builder: str = ""  # "examples" for those of the statement; or where problem.toml declares the group,
+    parameters: dict[str, Any] = {}  # a name of BUILDERS in problem.py, and what that is given
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
     level: KataLevel | None = None  # None where the problem's groups have none
+
+    @property
+    def drawer(self) -> str:
+        """What draws its cases, as a fault calls it."""
+        return f"the builder {self.builder!r}" if self.builder else "its draw"
 
 
 class ShownSkill(Struct, frozen=True):
@@ -147,11 +152,12 @@ class Problem(Struct, frozen=True):
     entry: str
     answer: Type
     parameters: tuple[Parameter, ...]
-    bands: MappingProxyType[str, Fraction]  # named widths the statement and `solve` share; may be empty
     limits: GroupLimits
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
+    in_toml: bool = False  # whether its groups stand in problem.toml, not in problem.py
+    bands: dict[str, Fraction] = {}  # of such a problem: named widths that the statement and `solve` share
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in

@@ -25,10 +25,10 @@ class ToleranceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 class LimitsTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """`[limits]`: the bounds of one test group."""
 
-    cpu_seconds: TomlNumber
-    wall_seconds: TomlNumber
-    memory_mb: TomlNumber
-    output_mb: TomlNumber
+    cpu_seconds: TomlNumber = 2
+    wall_seconds: TomlNumber = 6
+    memory_mb: TomlNumber = 256
+    output_mb: TomlNumber = 16
     input_mb: TomlNumber = 64
 
 
@@ -80,14 +80,22 @@ class SourceTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     origin: str | None = None
 
 
-class ParameterTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """One `[[parameters]]`."""
+class ParameterRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """One row of `[parameters]`: `cx = { type = "number", about = "x of the centre" }`."""
+
+    type: str
+    about: str
+    low: TomlNumber = -(2**30)
+    high: TomlNumber = 2**30
+    smallest: TomlNumber | None = None  # 1e-30 for real numbers
+
+
+class ParameterTable(ParameterRow, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """One `[[parameters]]`, of a problem whose groups stand in problem.toml."""
 
     name: str
-    type: str
     low: TomlNumber
     high: TomlNumber
-    about: str
     smallest: TomlNumber = 0
 
 
@@ -117,8 +125,27 @@ class SkillTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     about: str
 
 
+class HeadTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The whole file, where problem.py declares the groups."""
+
+    title: str
+    tier: Tier
+    summary: str
+    entry: str
+    answer: str
+    parameters: dict[str, ParameterRow]  # in the order of the call
+    tolerance: ToleranceTable | None = None
+    limits: LimitsTable = LimitsTable()
+    time: TimeTable | None = None
+    growth: TomlNumber | None = None  # by how much a submission's exponent may exceed the reference's
+    words: WordsTable | None = None
+    sets: list[str] = []
+    place: int | None = None
+    source: SourceTable | None = None
+
+
 class ProblemTable(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The whole file."""
+    """The whole file, where it declares the groups itself."""
 
     title: str
     tier: Tier
@@ -153,10 +180,13 @@ _TABLES: dict[str, type[msgspec.Struct]] = {
 _TABLES_OF_GROUPS: dict[str, type[msgspec.Struct]] = {"time": GroupTimeTable, "limits": GroupLimitsTable}
 
 
-def fields_at(path: tuple[str | int, ...]) -> tuple[str, ...]:
-    """The keys that the table at `path` may have."""
+def fields_at(path: tuple[str | int, ...], file: type[msgspec.Struct]) -> tuple[str, ...]:
+    """The keys that the table at `path` may have; `file` is the shape of the whole."""
     names = [part for part in path if isinstance(part, str)]
-    named = names[:1] == ["skills"]  # a table of tables with names of their own
-    known = _TABLES | _TABLES_OF_GROUPS if names[:1] == ["groups"] else _TABLES
-    table = known[names[0] if named else names[-1]] if names else ProblemTable
-    return table.__struct_fields__
+    if not names:
+        return file.__struct_fields__
+    if names[0] == "parameters" and file is HeadTable:
+        return ParameterRow.__struct_fields__
+    named = names[0] == "skills"  # a table of tables with names of their own
+    known = _TABLES | _TABLES_OF_GROUPS if names[0] == "groups" else _TABLES
+    return known[names[0] if named else names[-1]].__struct_fields__

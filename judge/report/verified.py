@@ -12,6 +12,7 @@ from judge.run.matrix import Matrix, Row
 from judge.run.verify import SolutionReport, VerifyReport
 
 _MATRIX = (Column("wrong program"), Column("share", right=True), Column("rejected by", flexible=True))
+_LEAST = (Column("mistake"), Column("cases", right=True), Column("group"), Column("line", flexible=True))
 _OTHERS = 3  # groups that a row shows beside its own
 _COLUMNS = (Column("solution"), Column("verdict"), Column("fails", flexible=True))
 
@@ -26,6 +27,11 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
     elif report.solutions:
         yield line()
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
+    if with_matrix and report.least:
+        yield line()
+        rows = sorted(report.least, key=lambda each: (each.name, each.cases))
+        cells: list[list[Cell]] = [[each.name, str(each.cases), each.group, each.line] for each in rows]
+        yield from Table(_LEAST, cells).lines(width)
     if report.choices:
         yield line()
         yield line(f"  {counted(report.choices, 'mistake')} of mistakes.py judged")

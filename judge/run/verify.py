@@ -1,24 +1,26 @@
 """The setter's gate: everything that a problem's folder and its solutions promise, checked.
 
     data        every case is valid, and every worked example agrees with the reference
-    pins        the data are those of hashes.json
+    pins        the data are those of pins.json, or of hashes.json
     solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says
-    kills       each wrong program fails a group that names its mistake, and each group kills what it names
+    kills       of a problem whose groups stand in problem.toml: each wrong program fails a group that names
+                its mistake, and each group kills what it names
 
 Nothing is printed: what is wrong is in the report.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import load_module
-from judge.data.pins import differences, read_pins, write_pins
+from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ProblemError
 from judge.languages import NAME as PYTHON
@@ -28,8 +30,9 @@ from judge.languages.find import why_not
 from judge.languages.signature import signature_of
 from judge.problem import Group, Problem, Verdict
 from judge.problem.lines import KeyPath
+from judge.problem.module import load_module
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.tomlfile import key_place, meant
+from judge.problem.tomlfile import group_place, key_place, meant
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs
@@ -37,7 +40,7 @@ from judge.run.result import GroupResult, Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
 
-_ENOUGH = 5  # cases that should reject a wrong program
+ENOUGH = 5  # cases of one group that should reject a wrong program: fewer may be chance
 
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
@@ -51,6 +54,15 @@ class Fault(Struct, frozen=True):
 
     def __str__(self) -> str:
         return f"{self.where}: {self.what}" + (f"; {self.remedy}" if self.remedy else "")
+
+
+class Least(Struct, frozen=True):
+    """A program that makes a mistake, the group that rejects it most often, and the fewest cases of that."""
+
+    name: str
+    line: str
+    group: str
+    cases: int
 
 
 class SolutionReport(Struct, frozen=True):
@@ -88,6 +100,7 @@ class VerifyReport(Struct, frozen=True):
     faults: tuple[Fault, ...]
     matrix: Matrix | None = None  # of the wrong programs; None where none was judged
     choices: int = 0  # mistakes of mistakes.py
+    least: tuple[Least, ...] = ()  # and for each the group that rejects it in most cases
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
 
     @property
@@ -103,25 +116,27 @@ def verify_problem(
     progress: Progress | None = None,
     box_factory: BoxFactory | None = None,
     made: frozenset[str] = frozenset(),
-    data: ProblemData | None = None,
+    kills: Kills | None = None,
+    data: Sequence[ProblemData] = (),
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
     Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
-    of wrong/, since mistakes.py makes them. `data` are the problem's, as `fresh_data` gives them; without it
-    they are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
-    where hashes.json cannot be written, UsageError where a module is not installed that its reference needs.
+    of wrong/, since mistakes.py makes them, `kills` what each group rejects of those that mistakes.py makes.
+    `data` are the problem's, as `fresh_data` gives them, and those of other seeds; without it the problem's
+    are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
+    where the pins cannot be written, UsageError where a module is not installed that its reference needs.
     """
     check_needs(problem)
     tell = progress or _untold
     try:
-        data = data or fresh_data(problem, progress)
-        _prove_data(problem, data)
+        pinned, *others = data or [fresh_data(problem, progress)]
+        for each in (pinned, *others):
+            _prove_data(problem, each)
     except ProblemError as error:
         return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
-    pins, faults = _check_pins(problem, data, update_pins)
     solutions, unsound = read_solutions(problem)
-    faults += [_fault_of(each, problem) for each in unsound]
+    faults = [_fault_of(each, problem) for each in unsound]
     if not any(solution.kind is Kind.ACCEPTED for solution in solutions):
         folder = problem.solutions / Kind.ACCEPTED.value
         where = f"{problem.solutions.name}/{folder.name}"
@@ -136,30 +151,42 @@ def verify_problem(
             told = f"not judged here: {lacking}"
             reports.append(SolutionReport(solution.file, solution.kind, solution.name, None, (), told))
             continue
-        result = run_submission(problem, data, solution.source, solution.path.name, settings=settings)
+        result = run_submission(problem, pinned, solution.source, solution.path.name, settings=settings)
         report = _solution_report(solution, result)
         reports.append(report)
         if not report.ok:
             faults.append(_verdict_fault(report, result, problem))
+        elif not solution.language:
+            faults += _on_other_seeds(problem, others, solution, settings)
     tell("judging solutions", len(solutions), len(solutions))
-    faults += _kill_faults(problem, reports, made)
     matrix = _matrix(problem.groups, reports)
+    if problem.in_toml:
+        faults += _kill_faults(problem, reports, made)
+    else:
+        faults += [fault for report in reports for fault in _name_faults(report, problem)]
+    rejected = _rejected(matrix, kills or {})
+    pins, drift = _check_pins(problem, pins_of(problem, pinned.groups, rejected), update_pins)
+    faults += drift
     return VerifyReport(
         problem=problem.id,
-        groups=len(data.groups),
-        cases=sum(len(group.cases) for group in data.groups),
+        groups=len(pinned.groups),
+        cases=sum(len(group.cases) for group in pinned.groups),
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
         matrix=matrix,
-        warnings=tuple(_few(problem, matrix)),
+        warnings=(*_few(problem, matrix), *_in_vain(pinned)),
     )
 
 
-def fresh_data(problem: Problem, progress: Progress | None = None) -> ProblemData:
-    """The problem's data, built without a look at the cache. Raises ProblemError."""
+def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | None = None) -> ProblemData:
+    """The problem's data, or those of a seed, built without a look at the cache. Raises ProblemError."""
     tell = progress or _untold
-    return load_data(problem, progress=lambda done, total: tell("building data", done, total), cache=False)
+
+    def told(done: int, total: int) -> None:
+        tell("building data", done, total)
+
+    return load_data(problem, seed=seed, progress=told, cache=False)
 
 
 def _untold(_what: str, _done: int, _total: int) -> None:
@@ -177,11 +204,11 @@ def _fault_of(error: ProblemError, problem: Problem) -> Fault:
     return Fault(error.what, error.where or problem.id, error.remedy or "")
 
 
-def _check_pins(problem: Problem, data: ProblemData, update: bool) -> tuple[str, list[Fault]]:
+def _check_pins(problem: Problem, found: Mapping[str, Any], update: bool) -> tuple[str, list[Fault]]:
     if update:
-        write_pins(problem, data.groups)
+        write_pins(problem, found)
         return "written", []
-    where = f"{problem.id}/hashes.json"
+    where = f"{problem.id}/{pins_file(problem).name}"
     remedy = f"if that is meant, pin the data with: judge verify {problem.id} --pin"
     try:
         pins = read_pins(problem)
@@ -189,8 +216,18 @@ def _check_pins(problem: Problem, data: ProblemData, update: bool) -> tuple[str,
         return "differing", [_fault_of(error, problem)]
     if pins is None:
         return "differing", [Fault("the data are not pinned", where, remedy)]
-    faults = [Fault(what, where, remedy) for what in differences(pins, data.groups)]
+    faults = [Fault(what, where, remedy) for what in differences(pins, found)]
     return ("differing" if faults else "matching"), faults
+
+
+def _rejected(matrix: Matrix, kills: Kills) -> Kills:
+    """The mistakes that each group rejects in enough cases: those of mistakes.py, and those of wrong/."""
+    found = {name: set(kills.get(name, ())) for name in matrix.groups}
+    for row in matrix.rows:
+        for kill in row.kills:
+            if len(kill.rejected) >= ENOUGH:
+                found[kill.group].add(row.mistake)
+    return found
 
 
 def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]:
@@ -236,10 +273,35 @@ def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matri
 def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
     """The wrong programs that hardly any case rejects."""
     for row in matrix.rows:
-        rejecting = sum(len(kill.rejected) for kill in row.kills)
-        if 0 < rejecting < _ENOUGH:
+        counts = [len(kill.rejected) for kill in row.kills]
+        rejecting = sum(counts) if problem.in_toml else max(counts, default=0)
+        if 0 < rejecting < ENOUGH:
             what = f"few cases reject it: {rejecting}"
             yield Fault(what, f"{problem.solutions.name}/{row.file}")
+
+
+def _in_vain(data: ProblemData) -> Iterator[Fault]:
+    """The groups of which more than half of the draws make no case."""
+    for each in data.groups:
+        group, vain = each.group, sum(each.attempts)
+        if not data.problem.in_toml and vain > group.count:
+            what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
+            yield Fault(what, group_place(data.problem, group.name, "builder"), "draw what can be used")
+
+
+def _on_other_seeds(
+    problem: Problem, others: Sequence[ProblemData], solution: Solution, settings: Settings
+) -> Iterator[Fault]:
+    """The verdicts on data of other seeds that the folder does not want; nothing is timed there."""
+    untimed = replace(settings, measured=False)
+    for number, data in enumerate(others, start=1):
+        if solution.kind is Kind.SLOW:
+            return
+        result = run_submission(problem, data, solution.source, solution.path.name, settings=untimed)
+        if not solution.kind.allows(result.verdict):
+            report = _solution_report(solution, result)
+            fault = _verdict_fault(report, result, problem)
+            yield replace(fault, what=f"{fault.what} with --seed {number}")
 
 
 def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:
@@ -286,13 +348,8 @@ def _kill_faults(problem: Problem, reports: Iterable[SolutionReport], made: froz
 def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem: Problem) -> list[Fault]:
     if not report.name:  # which is told
         return []
+    faults = _name_faults(report, problem)
     where = f"{problem.solutions.name}/{report.file}"
-    stem = Path(report.file).stem
-    faults = []
-    if stem != report.name and not stem.startswith(f"{report.name}-"):
-        what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
-        remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
-        faults.append(Fault(what, where, remedy))
     if report.name not in aimed:
         faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
     elif report.verdict is not None and report.ok and not aimed[report.name].intersection(report.failed):
@@ -300,3 +357,15 @@ def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem:
         what = f"it fails no group that names {report.name!r}; it fails {listed}"
         faults.append(Fault(what, where, "correct the groups' kills, or their data"))
     return faults
+
+
+def _name_faults(report: SolutionReport, problem: Problem) -> list[Fault]:
+    """Whether a wrong program's file is called as the mistake that it makes."""
+    stem = Path(report.file).stem
+    if report.kind is not Kind.WRONG or not report.name or stem == report.name:
+        return []
+    if stem.startswith(f"{report.name}-"):
+        return []
+    what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
+    remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
+    return [Fault(what, f"{problem.solutions.name}/{report.file}", remedy)]

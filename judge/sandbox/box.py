@@ -6,6 +6,7 @@ import contextlib
 import errno
 import marshal
 import os
+import re
 import signal
 import sys
 import threading
@@ -279,6 +280,8 @@ class ForkServerBox:
         note, text = self._note()
         if note == wire.BROKEN_BOX and not done.started:  # once foreign code runs, notes are its own
             self._holder.drop()
+            if lacking := re.search(r"\[Errno (\d+)\]", text):
+                raise shortage_of(int(lacking[1]), "the container failed")
             raise ShortageError(f"the container failed: {text}", remedy=_BUSY)
         if not done.reason and _killed(done) and done.peak_bytes <= limits.memory_bytes:
             self._check_kills()

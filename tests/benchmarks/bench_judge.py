@@ -25,9 +25,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from judge.data.module import load_module  # noqa: E402
 from judge.problem import Tolerance  # noqa: E402
 from judge.problem.find import find_problem  # noqa: E402
+from judge.problem.module import load_module  # noqa: E402
 
 ROUNDS = 15
 CASES = 10_000

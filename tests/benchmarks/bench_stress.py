@@ -20,8 +20,8 @@ sys.path.insert(0, str(ROOT))
 
 from judge.data import ProblemData  # noqa: E402
 from judge.data.fresh import Fresh  # noqa: E402
-from judge.data.module import load_module  # noqa: E402
 from judge.problem.find import find_problem  # noqa: E402
+from judge.problem.module import load_module  # noqa: E402
 from judge.run.stress import Stressed, stress  # noqa: E402
 from judge.sandbox import open_box  # noqa: E402
 

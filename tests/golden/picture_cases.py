@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from judge.data.module import load_module
 from judge.drawing.svg import to_svg
 from judge.problem.load import load_problem
+from judge.problem.module import load_module
 from judge.problem.topic import Shown
 from judge.values.reread import reread
 
@@ -17,9 +17,9 @@ FAR = 2**27
 
 # name: problem, case, the submission's answer in the words that a person is shown
 CASES = {
-    "near-miss": ("count", (0.0, 0.0, 1.0, (-2.0, 1.000000002), (3.0, 1.000000002)), "1"),
+    "near-miss": ("count", (0.0, 0.0, 1.0, (-2.0, 1.000001), (3.0, 1.000001)), "1"),
     "offset": ("count", (FAR, FAR, 5, (FAR - 7, FAR + 1), (FAR + 1, FAR + 7)), "0"),
-    "segment-end": ("segment", (0, 0, 1, (3, 0.5), (0.8660254137844386, 0.5)), "[(0.8660254, 0.5)]"),
+    "segment-end": ("segment", (0, 0, 1, (3, 0.5), (0.8660264, 0.5)), "[(0.8660254, 0.5)]"),
     "extra-point": ("segment", (0, 0, 5, (-7, 5), (7, 5)), "[(0.0, 5.0), (0.0, 5.0)]"),
     "exact-hairline": ("exact-count", (0, 0, HUGE**2, (0, HUGE**2 - 1), (HUGE**2, HUGE**2 - 1)), "1"),
     "many-hits": (
@@ -44,11 +44,11 @@ def wanted_words(problem, exact):
 
 def picture_of(problem, case, got, module=None, heading="a case"):
     module = module or load_module(problem)
-    exact = module.solve(*case).answer
+    exact = module.solve(*case)
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
     given = reread(problem.answer, got)
     words = wanted_words(problem, exact)
-    return module.topic.picture(Shown(problem, values, exact, words, got, given, heading))
+    return module.hooks.picture(Shown(problem, values, exact, words, got, given, heading))
 
 
 def picture(name):

@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
-from judge.data.module import load_module
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import measure
 from judge.judging import Session, Terms
 from judge.problem import Verdict
 from judge.problem.find import all_problems, find_problem
 from judge.problem.level import KataLevel
+from judge.problem.module import load_module
 
 pytestmark = pytest.mark.slow
 

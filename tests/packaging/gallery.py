@@ -12,11 +12,11 @@ from pathlib import Path
 
 from walk import ROOT
 
-from judge.data.module import load_module
 from judge.drawing import Picture
 from judge.drawing.svg import panel_svg, style, words
 from judge.problem import Problem
 from judge.problem.find import find_problem
+from judge.problem.module import load_module
 from judge.problem.topic import Shown
 
 FOLDER = ROOT / ".github" / "katas"
@@ -85,12 +85,12 @@ def _text(y: float, text: str) -> str:
 def _best(problem: Problem) -> Picture | None:
     """Of the examples' pictures the one with most in it, the first of several."""
     module = load_module(problem)
-    draw = module.topic.picture
+    draw = module.hooks.picture
     if draw is None:
         return None
     pictures = []
     for example in problem.examples:
-        exact = module.solve(*example.case).answer
+        exact = module.solve(*example.case)
         wanted = problem.answer.wanted(problem.answer.target(exact, problem.groups[0].tolerance))
         picture = draw(Shown(problem, problem.named(example.case), exact, wanted, None))
         if picture is not None:

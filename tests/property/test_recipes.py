@@ -10,7 +10,7 @@ import pytest
 from hypothesis import find, settings
 
 from judge.data import load_data
-from judge.data.build import bound_builder, choices_of
+from judge.data.build import choices_of
 from judge.data.draw import QuickDraw, RecordedDraw, Rejected, SeededDraw
 from judge.data.strategy import HypothesisDraw, strategy
 from judge.errors import ProblemError
@@ -31,7 +31,7 @@ def test_a_seed_gives_the_same_data_from_the_same_choices_and_another_seed_other
     pairs = zip(first.groups, other.groups, strict=True)
     assert [one for one, two in pairs if one.cases == two.cases] == [first.groups[0]]
     group = next(each for each in first.groups if each.group.name == "offset")
-    builder = bound_builder(problem, first.module, group.group)
+    builder = first.module.draws[group.group.name]
     case = builder(replayed(choices_of(group.group, builder, 0, group.cases[0])))
     assert repr(case) == repr(group.cases[0])
 

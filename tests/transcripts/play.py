@@ -38,7 +38,7 @@ from jsonschema.exceptions import best_match
 from judge import __version__
 from judge.cli import main
 from judge.data import load_data
-from judge.data.pins import write_pins
+from judge.data.pins import pins_of, write_pins
 from judge.judging.isolation import keep_level
 from judge.problem.find import find_problem
 from judge.sandbox import levels
@@ -170,7 +170,7 @@ def _pack(world: Path) -> Path:
     if not problems.exists():
         shutil.copytree(_PACK, world / "pack")
         problem = find_problem("middle", [problems])
-        write_pins(problem, load_data(problem, cache=False).groups)
+        write_pins(problem, pins_of(problem, load_data(problem, cache=False).groups, {}))
         keep_level(next(level.name for level in levels() if level.available))
     return problems
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from pathlib import Path
-from types import MappingProxyType
 
 from judge.data.model import GroupData, ProblemData
 from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
@@ -22,7 +21,7 @@ WORDS = Words(answer="t", meant="0, 1, 2 or none")
 
 
 def make_group(name="one", points=100):
-    return Group(name, "", "examples", MappingProxyType({}), 1, len(CASES), points, Tolerance(), ())
+    return Group(name, "", len(CASES), points, Tolerance(), 1, builder="examples")
 
 
 def make_problem(groups, answer="count", limits=LIMITS):
@@ -33,8 +32,8 @@ def make_problem(groups, answer="count", limits=LIMITS):
     )
     folder = Path("/nowhere")
     return Problem(
-        "sum", "Sum", Tier.JUNIOR, "", "answer", parse(answer, words=WORDS), parameters, MappingProxyType({}),
-        limits, groups, folder, folder,
+        "sum", "Sum", Tier.JUNIOR, "", "answer", parse(answer, words=WORDS), parameters, limits,
+        groups, folder, folder,
     )  # fmt: skip
 
 

@@ -13,12 +13,13 @@ from broken_problems import FAULTS, broken
 
 from judge.data import load_data
 from judge.data.model import reseeded
-from judge.data.module import Solved, load_module
-from judge.data.pins import differences, hash_of, read_pins, write_pins
+from judge.data.pins import differences, hash_of, pins_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
 from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter
+from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem
+from judge.problem.module import load_module
 from judge.values import parse
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
@@ -35,7 +36,7 @@ def test_cases_and_targets_of_every_group():
     problem, steps = load_problem(SOUND), []
     data = load_data(problem, cache=False, progress=lambda done, total: steps.append((done, total)))
     assert steps == [(2, 7), (7, 7)]
-    assert differences(read_pins(problem), data.groups) == []
+    assert differences(read_pins(problem), pins_of(problem, data.groups, {})) == []
     examples, small = data.groups
     assert examples.cases == [(4,), (-1,)]
     assert examples.targets == [2, 0]
@@ -62,15 +63,16 @@ def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
 def test_pins_notice_drift_new_groups_and_old_ones(copy):
     problem = load_problem(copy)
     groups = load_data(problem, cache=False).groups
-    write_pins(problem, groups)
+    found = pins_of(problem, groups, {})
+    write_pins(problem, found)
     assert json.loads((copy / "hashes.json").read_text())["groups"]["small"] == hash_of(groups[1])
     pins = read_pins(problem)
-    assert differences(pins, groups) == []
+    assert differences(pins, found) == []
     (copy / "hashes.json").unlink()
     assert read_pins(problem) is None
     pins["small"] = "0" * 64
     pins["large"] = pins.pop("examples")
-    assert differences(pins, groups) == [
+    assert differences(pins, found) == [
         "the data of group 'small' differ from their pinned hash",
         "group 'examples' has no pinned hash",
         "the pinned hash of 'large' belongs to no group",
@@ -95,7 +97,7 @@ class Problem:
 
 
 def test_a_valid_case_has_no_fault():
-    validator = Validator(Problem, lambda *case: Solved(7, None))
+    validator = Validator(Problem, lambda *case: 7)
     assert validator.proof((5.5, -5, (0, -0.0), (1, 2))) == (None, 7)
 
 
@@ -118,7 +120,12 @@ def test_a_valid_case_has_no_fault():
     ],
 )
 def test_an_invalid_case_is_named(case, fault):
-    validator = Validator(Problem, lambda *case: Solved(7, "three" if case[1] == 3 else None))
+    def solve(*case):
+        if case[1] == 3:
+            raise InvalidCase("three")
+        return 7
+
+    validator = Validator(Problem, solve)
     assert validator.proof(case) == (fault, None)
 
 
@@ -134,8 +141,8 @@ def test_two_problems_of_one_name_keep_their_own_code(copy):
     text = (copy / "problem.py").read_text()
     (copy / "problem.py").write_text(text.replace("return (c > 0) - (c < 0) + 1", "return 1"))
     other, own = load_module(load_problem(copy)), load_module(load_problem(SOUND))
-    assert other.solve(4).answer == 1
-    assert own.solve(4).answer == 2
+    assert other.solve(4) == 1
+    assert own.solve(4) == 2
     assert not (copy / "__pycache__").exists()
 
 

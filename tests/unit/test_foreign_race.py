@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from random import Random
-from types import MappingProxyType
 
 import pytest
 from judging import make_data
@@ -109,7 +108,7 @@ def raced(data, rule, mine, boxes, *, program=False):
 
 
 LIMIT = 10.0
-RULE = TimeRule(LIMIT, "calls.py", references=MappingProxyType({"go": "reference.go"}))
+RULE = TimeRule(LIMIT, "calls.py", references={"go": "reference.go"})
 ONE = 0.0005  # seconds of a pass of the reference
 
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from judge.data.fresh import Fresh
-from judge.data.module import load_module
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
+from judge.problem.module import load_module
 from judge.problem.statement import EXAMPLES
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
@@ -45,10 +45,10 @@ def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
     problem = load_problem(FIXTURES / "pack" / "problems" / "middle")
     module = load_module(problem)
 
-    def never(draw, odd):
+    def never(draw):
         draw.reject()
 
-    stubborn = type(module)(module.solve, {"pairs": never})
+    stubborn = type(module)(module.solve, {group.name: never for group in problem.groups})
     source = Fresh(problem, stubborn, problem.groups, 1)
     with pytest.raises(ProblemError, match="'whole': the builder 'pairs' gives no case 1"):
         next(source.series())

@@ -63,7 +63,7 @@ def pack(tmp_path):
 
 
 def verified(problem):
-    return verify_choices(problem, load_data(problem), Boxes())
+    return verify_choices(problem, [load_data(problem)], Boxes())
 
 
 def test_a_sound_file(pack):

@@ -11,13 +11,13 @@ import pytest
 
 from judge.data import load_data
 from judge.data.fresh import Fresh
-from judge.data.module import load_module
 from judge.data.validate import Validator, least_double
 from judge.diagnose.replay import decode, encode, problem_name
 from judge.errors import ProblemError, UsageError
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
+from judge.problem.module import load_module
 from judge.run.execute import run_submission
 
 
@@ -34,7 +34,7 @@ def test_every_group_comes_back(problem):
             assert problem_name(replay) == problem.id
             group, again, answer = decode(replay, problem, module)
             assert (group, repr(again)) == (data.group, repr(case))
-            assert answer == module.solve(*case).answer
+            assert answer == module.solve(*case)
 
 
 def test_a_bad_id_is_a_short_line_however_long_it_is():

@@ -15,13 +15,13 @@ from msgspec.structs import replace
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.data.module import load_module
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import measure, numbers_of
 from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.problem.module import load_module
 from judge.run import Reference, Settings, run_submission
 from judge.run.runner import runner_for
 from judge.sandbox import open_box

@@ -11,9 +11,9 @@ import click
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.target import OutFile
 from judge.data.given import read_case
-from judge.data.module import load_module
 from judge.errors import ExitCode, ProblemError, UsageError
 from judge.problem.find import find_problem, sound_problems
+from judge.problem.module import load_module
 from judge.report.layout import Link, Span, line
 from judge.report.names import shown_name
 from judge.report.screen import note, out
@@ -125,7 +125,7 @@ def _explored(problem: Problem, values: Mapping[str, Any] | None, folders: Seque
 
 
 def _page_of(problem: Problem, values: Mapping[str, Any] | None = None) -> str | None:
-    explore = load_module(problem).topic.explore
+    explore = load_module(problem).hooks.explore
     return explore(problem, values) if explore else None
 
 

@@ -295,7 +295,7 @@ def _drawn(tried: Tried, said: Said, screen: Screen, beside: int) -> list[Line]:
     from judge.report.picture import has_room, picture_lines
     from judge.report.terminal import height
 
-    draw = tried.data.module.topic.picture
+    draw = tried.data.module.hooks.picture
     if draw is None or not has_room(screen):
         return []
     values = tried.problem.named(tried.case)

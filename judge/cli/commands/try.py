@@ -125,7 +125,7 @@ def _as_object(
 
 
 def _picture(tried: Tried, said: Said | None) -> Picture | None:
-    draw = tried.data.module.topic.picture
+    draw = tried.data.module.hooks.picture
     if draw is None:
         return None
     values = tried.problem.named(tried.case)

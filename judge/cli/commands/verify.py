@@ -33,11 +33,18 @@ SCHEMA = 1
 @click.command("verify")
 @click.argument("names", metavar="[PROBLEM]...", nargs=-1)
 @click.option("--matrix", is_flag=True, help="Show which test group kills which wrong program.")
-@click.option("--pin", is_flag=True, help="Pin the data as they are now: write hashes.json.")
+@click.option("--pin", is_flag=True, help="Pin the data as they are now: write pins.json.")
+@click.option(
+    "--seeds",
+    type=click.IntRange(1, 100),
+    default=1,
+    metavar="N",
+    help="Check N sets of data, pinned ones first.",
+)
 @json_option
 @problems_option
 def command(
-    names: tuple[str, ...], matrix: bool, pin: bool, as_json: bool, folders: tuple[Path, ...]
+    names: tuple[str, ...], matrix: bool, pin: bool, seeds: int, as_json: bool, folders: tuple[Path, ...]
 ) -> ExitCode:
     """Check problems from the setter's side.
 
@@ -55,7 +62,7 @@ def command(
     chosen = names or tuple(sorted(folder.name for folder in _chosen(folders)))
     reports = []
     for name in dict.fromkeys(chosen):
-        report = _verify(name, folders, pin=pin)
+        report = _verify(name, folders, pin=pin, seeds=seeds)
         reports.append(report)
         if as_json:
             write_json(as_object(report, with_matrix=matrix))
@@ -73,7 +80,7 @@ def _chosen(folders: Sequence[Path]) -> list[Path]:
     return folders_within(folders) if folders else problem_folders()
 
 
-def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
+def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int) -> VerifyReport:
     """The report on one problem; one that cannot even be read has that as its only fault."""
     try:
         problem = find_problem(name, folders)
@@ -82,32 +89,46 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool) -> VerifyReport:
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     boxes = Boxes(least=kept_level())
     with stages(name) as progress:
-        data = _data(problem, progress)
+        data = _data(problem, seeds, progress)
         found = verify_choices(problem, data, boxes, progress) if data else ChoicesReport()
         problem = found.problem or problem
         any_boxes = AnyBoxes(boxes, signature_of(problem))
         report = verify_problem(
-            problem, update_pins=pin, progress=progress, box_factory=any_boxes, made=found.made, data=data
+            problem,
+            update_pins=pin,
+            progress=progress,
+            box_factory=any_boxes,
+            made=found.made,
+            kills=found.kills,
+            data=data,
         )
     return replace(
         report,
         choices=found.count,
+        least=found.least,
         faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
         warnings=(*report.warnings, *found.warnings),
     )
 
 
-def _data(problem: Problem, progress: Progress | None) -> ProblemData | None:
-    """The data, built anew; None where they cannot be, which verify_problem tells."""
+def _data(problem: Problem, seeds: int, progress: Progress | None) -> list[ProblemData]:
+    """The pinned data, built anew, and those of seeds 1, 2, …; none where they cannot be built, which
+    verify_problem tells."""
     try:
-        return fresh_data(problem, progress)
+        return [fresh_data(problem, progress, seed) for seed in (None, *range(1, seeds))]
     except ProblemError:
-        return None
+        return []
 
 
 def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, Any]:
     """The published object of one problem's report."""
-    matrix = {"matrix": _matrix(report.matrix) if report.matrix else None} if with_matrix else {}
+    matrix: dict[str, Any] = {}
+    if with_matrix:
+        least = [
+            {"name": each.name, "line": each.line, "group": each.group, "cases": each.cases}
+            for each in report.least
+        ]
+        matrix = {"matrix": _matrix(report.matrix) if report.matrix else None, "mistakes": least}
     return {
         "schema": SCHEMA,
         "problem": report.problem,

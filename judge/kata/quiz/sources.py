@@ -13,7 +13,7 @@ from judge.problem.find import find_problem
 if TYPE_CHECKING:
     from judge.data.draw import Draw
     from judge.data.model import ProblemData, Progress
-    from judge.data.module import ProblemModule
+    from judge.problem.module import Module
 
 Bars = Callable[[str], AbstractContextManager["Progress | None"]]  # opens a bar for work of that label
 
@@ -26,7 +26,7 @@ class Sources:
         self.seed = seed
         self._bars = bars
         self._problems: dict[str, Problem] = {}
-        self._modules: dict[str, ProblemModule] = {}
+        self._modules: dict[str, Module] = {}
         self._data: dict[str, ProblemData] = {}
 
     def draw(self, what: str) -> Draw:
@@ -41,9 +41,9 @@ class Sources:
             self._problems[name] = find_problem(name, self.folders)
         return self._problems[name]
 
-    def module(self, name: str) -> ProblemModule:
+    def module(self, name: str) -> Module:
         """What the problem's problem.py defines. Raises ProblemError."""
-        from judge.data.module import load_module
+        from judge.problem.module import load_module
 
         if name not in self._modules:
             self._modules[name] = load_module(self.problem(name))

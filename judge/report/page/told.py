@@ -7,7 +7,6 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.module import ProblemModule, load_module
 from judge.data.validate import Validator
 from judge.drawing import Picture
 from judge.drawing.shapes import Role
@@ -15,6 +14,7 @@ from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.problem import Problem, Verdict
 from judge.problem.model import case_of
+from judge.problem.module import Module, load_module
 from judge.problem.topic import Shown
 from judge.report.names import shown_command
 from judge.report.page.parts import Drawing
@@ -115,7 +115,7 @@ class Artist:
 
     def __init__(self, problem: Problem | None) -> None:
         self.problem = problem
-        self._module: ProblemModule | None = None
+        self._module: Module | None = None
 
     def picture(self, case: CaseRecord, group: str | None) -> Picture | None:
         """The picture of a case, or None where there is none: the problem may have changed since."""
@@ -130,7 +130,7 @@ class Artist:
         try:
             if self._module is None:
                 self._module = load_module(problem)
-            draw = self._module.topic.picture
+            draw = self._module.hooks.picture
             if draw is None:
                 return None
             proof = Validator(problem, self._module.solve).proof(values)

@@ -18,11 +18,13 @@ from judge.drawing.clip import polygon, polyline
 from judge.drawing.frame import Frame, direction
 from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
 from judge.exact import Surd
+from judge.problem.declare import InvalidCase
 from judge.problem.topic import Chance, Puzzle
 from judge.values import Real
 
 IntPoint = tuple[int, int]
 Solve = Callable[..., Any]
+_UNCLEAR = object()
 
 _LABELS = "ABCD"
 _TRIES = 2_000
@@ -147,12 +149,20 @@ def _figure(chance: Chance, most: int) -> _Figure:
     return _Figure(tuple(rings), start, along) if any(along) and not near else _figure(chance, most)
 
 
+def _answer(solve: Solve, *case: Any) -> Any:
+    """The exact answer; _UNCLEAR where the case breaks the problem's promise."""
+    try:
+        return solve(*case)
+    except InvalidCase:
+        return _UNCLEAR
+
+
 def _hits(figure: _Figure, solve: Solve) -> list[_Event] | None:
     """The first hit of each circle that the ray meets, in order; None where two are too close to tell."""
     events = []
     for ring in figure.rings:
-        answer, broken = solve(ring.x, ring.y, ring.r, figure.start, figure.along)
-        if broken or not isinstance(answer, Real | None):
+        answer = _answer(solve, ring.x, ring.y, ring.r, figure.start, figure.along)
+        if not isinstance(answer, Real | None):
             return None
         if answer is not None:
             events.append(_Event(Surd.of(answer.x), ring.label, ""))
@@ -168,8 +178,8 @@ def _crossings(figure: _Figure, solve: Solve) -> list[_Event] | None:
     forward, length = (1 if (u, v)[axis] > 0 else -1), hypot(u, v) / abs((u, v)[axis])
     events = []
     for ring in figure.rings:
-        answer, broken = solve(ring.x, ring.y, ring.r, (x, y), (x + u, y + v))
-        if broken or not isinstance(answer, list):
+        answer = _answer(solve, ring.x, ring.y, ring.r, (x, y), (x + u, y + v))
+        if not isinstance(answer, list):
             return None
         tags = ("t",) if len(answer) == 1 else ("i", "o")
         for point, tag in zip(answer, tags, strict=False):
@@ -180,8 +190,8 @@ def _crossings(figure: _Figure, solve: Solve) -> list[_Event] | None:
 def _every_hit(figure: _Figure, solve: Solve) -> list[_Event] | None:
     """Every hit of the ray, in order; None where two of them are too close to tell."""
     circles = [(ring.x, ring.y, ring.r) for ring in figure.rings]
-    answer, broken = solve(circles, figure.start, figure.along)
-    if broken or any(not isinstance(hit, tuple) for hit in answer):  # a run of hits at one place
+    answer = _answer(solve, circles, figure.start, figure.along)
+    if answer is _UNCLEAR or any(not isinstance(hit, tuple) for hit in answer):  # a run of hits at one place
         return None
     events = [
         _Event(Surd.of(place.x), figure.rings[index].label, _LETTERS[tag]) for place, index, tag in answer

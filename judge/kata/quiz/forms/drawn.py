@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 
 def _count(card: Card, sources: Sources, draw: Draw) -> Question:
-    from judge.data.build import bound_builder, new_case
-    from judge.data.module import blaming
+    from judge.data.build import new_case
     from judge.data.validate import Validator
     from judge.drawing.hidden import unanswered
+    from judge.problem.module import blaming
     from judge.problem.topic import Shown
 
     problem, module = sources.problem(card.problem), sources.module(card.problem)
@@ -35,7 +35,7 @@ def _count(card: Card, sources: Sources, draw: Draw) -> Question:
     with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
         for _ in range(_TRIES):
             group = draw.choice(_groups(card, problem))
-            builder = bound_builder(problem, module, group)
+            builder = module.draws[group.name]
             case, exact = new_case(problem, group, builder, validator, lambda _attempt: draw, 1)
             if not card.largest or all(_is_whole(number, card.largest) for number in _numbers(case)):
                 break
@@ -44,7 +44,7 @@ def _count(card: Card, sources: Sources, draw: Draw) -> Question:
             raise cannot(card, what, "raise largest, or name other groups")
         values = problem.named(case)
         shown = Shown(problem, values, None, None, None)  # else the answer would be drawn
-        drawn = module.topic.picture(shown) if module.topic.picture else None
+        drawn = module.hooks.picture(shown) if module.hooks.picture else None
     many = _many(card, exact)
     return Question(
         card,
@@ -109,10 +109,10 @@ def _plain(value: Any) -> str:
 
 
 def _puzzle(card: Card, sources: Sources, draw: Draw) -> Question:
-    from judge.data.module import blaming
+    from judge.problem.module import blaming
 
     problem, module = sources.problem(card.problem), sources.module(card.problem)
-    make = module.topic.puzzle
+    make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
         found = make(card.form, draw, module.solve) if make else None
     if found is None:

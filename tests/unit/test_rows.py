@@ -1,0 +1,219 @@
+"""Katas whose groups stand in problem.py: read, kept, built, pinned, measured; and refused in one line."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from judge.data import load_data
+from judge.data.pins import read_pins
+from judge.errors import ProblemError
+from judge.mistakes.verified import verify_choices
+from judge.problem.find import find_problem
+from judge.problem.level import KataLevel
+from judge.problem.load import load_problem
+from judge.problem.module import load_module
+from judge.run.verify import verify_problem
+from judge.sandbox import Boxes
+
+TOML = """title = "Signs"
+tier = "junior"
+summary = "The sign of a number."
+entry = "sign"
+answer = "count"
+
+[parameters]
+x = { type = "number", about = "any number" }
+"""
+PYTHON = """from judge.problem.declare import InvalidCase, group
+
+
+def solve(x):
+    if abs(x) > 50 and x % 2:
+        raise InvalidCase("a large number is even")
+    return 2 if x > 0 else 1 if x == 0 else 0
+
+
+def small(draw):
+    return (draw.integer(-3, 3) / 2,)
+
+
+def large(draw):
+    return (draw.integer(-(10**6), 10**6),)
+
+
+INTERVIEW = [
+    group("small", "Small numbers.", small, cases=7, skills="zero has no sign"),
+]
+PRODUCTION = [
+    group("large", "Large numbers.", large, cases=30, points=40, skills=("zero has no sign", "large")),
+]
+"""
+STATEMENT = "# Signs\n\n    >>> sign(3)\n    2\n    >>> sign(0)\n    1\n"
+MISTAKES = '''"""How signs go wrong."""
+
+
+def compare(x):
+    "right"
+    if x > 0:
+        return 2
+        # ? wrong-sign: return 0
+        # ? one-off: return 2 if x != 1.5 else 1
+    return 1 if x == 0 else 0
+'''
+
+
+@pytest.fixture
+def kata(tmp_path):
+    folder = tmp_path / "problems" / "signs"
+    (solutions := tmp_path / "solutions" / "signs" / "accepted").mkdir(parents=True)
+    folder.mkdir(parents=True)
+    for name, text in {"problem.toml": TOML, "problem.py": PYTHON, "statement.md": STATEMENT}.items():
+        (folder / name).write_text(text)
+    (solutions / "plain.py").write_text('"""plain"""\n\n\ndef sign(x):\n    return (x > 0) - (x < 0) + 1\n')
+    (solutions.parent / "mistakes.py").write_text(MISTAKES)
+    (tmp_path / "solutions" / "mistakes.toml").write_text('[wrong-sign]\nwhy = "Signs."\nadvice = "Ask."\n')
+    return folder
+
+
+def test_rows_become_groups_after_the_examples(kata):
+    problem = load_problem(kata)
+    assert [(group.name, group.count, group.points, group.level) for group in problem.groups] == [
+        ("examples", 2, 30, KataLevel.INTERVIEW),
+        ("small", 7, 30, KataLevel.INTERVIEW),
+        ("large", 30, 40, KataLevel.PRODUCTION),
+    ]
+    assert [(skill.name, skill.groups) for skill in problem.skills] == [
+        ("zero has no sign", ("small", "large")),
+        ("large", ("large",)),
+    ]
+    parameter = problem.parameters[0]
+    assert (parameter.low, parameter.high, float(parameter.smallest)) == (-(2**30), 2**30, 1e-30)
+    assert (problem.limits.cpu_seconds, problem.limits.memory_bytes) == (2, 256 << 20)
+
+
+def test_a_problem_that_was_read_before_is_not_run_again(kata):
+    first = load_problem(kata)
+    text = (kata / "problem.py").read_text()
+    (kata / "problem.py").write_text(text + "\nopen(__file__ + '.ran', 'w').close()\n")
+    changed = load_problem(kata)
+    assert (kata / "problem.py.ran").exists()
+    (kata / "problem.py.ran").unlink()
+    assert load_problem(kata) == changed
+    assert not (kata / "problem.py.ran").exists()
+    assert changed == first
+
+
+def test_cases_are_drawn_until_they_keep_the_promise_and_replayed_by_their_seed(kata):
+    data = load_data(load_problem(kata), cache=False)
+    large = data.groups[2]
+    assert all(abs(x) <= 50 or x % 2 == 0 for (x,) in large.cases)
+    assert sum(large.attempts) > 0
+    assert load_data(load_problem(kata), cache=False).groups[2].cases == large.cases
+    assert load_data(load_problem(kata), seed=1, cache=False).groups[2].cases != large.cases
+
+
+def test_verify_measures_and_pins_what_each_group_rejects(kata):
+    problem = load_problem(kata)
+    data = [load_data(problem, seed=seed, cache=False) for seed in (None, 1, 2)]
+    found = verify_choices(problem, data, Boxes())
+    (fault,) = [each for each in found.faults if "one-off" in each.what and "nothing" not in each.what]
+    assert re.search(r"one-off, .*: (no group rejects it in more than|no case rejects)", fault.what)
+    report = verify_problem(found.problem, update_pins=True, made=found.made, kills=found.kills, data=data)
+    assert report.faults == ()
+    pins = read_pins(problem)
+    assert pins["large"]["kills"] == ["wrong-sign"]
+    assert pins["small"]["cases"] == 7
+    lines = (kata / "pins.json").read_text().splitlines()
+    assert [json.loads("{" + line.rstrip(",") + "}") for line in lines[1:-1]] == [
+        {name: pin} for name, pin in pins.items()
+    ]
+    assert load_problem(kata).group("large").kills == ("wrong-sign",)
+    assert {each.name: each.group for each in found.least}["wrong-sign"] == "large"
+
+
+def test_a_drift_of_the_data_or_of_what_they_reject_is_told(kata):
+    problem = load_problem(kata)
+    data = [load_data(problem, cache=False)]
+    verify_problem(problem, update_pins=True, kills={"large": ["wrong-sign"]}, data=data)
+    report = verify_problem(problem, kills={}, data=data)
+    (fault,) = report.faults
+    assert fault.what == "group 'large' rejects other mistakes than its pin says"
+    (kata / "problem.py").write_text(PYTHON.replace("10**6", "10**5"))
+    report = verify_problem(load_problem(kata), kills={"large": ["wrong-sign"]})
+    assert [fault.what for fault in report.faults] == [
+        "the data of group 'large' differ from their pinned hash"
+    ]
+
+
+FAULTS = {
+    "a name": ('"large", "Large', '"Large", "Large', 22, "'Large' is no name for a group"),
+    "two of a name": ('"large", "Large', '"small", "Large', 22, "there are two groups 'small'"),
+    "examples": ('"large", "Large', '"examples", "Large', 22, "the examples come by themselves"),
+    "no sentence": ('"Large numbers."', '""', 22, "does not say what it probes"),
+    "no draw": ("large, cases", "7, cases", 22, "group 'large' draws from 7"),
+    "no cases": ("cases=30", "cases=0", 22, "group 'large' has 0 cases"),
+    "many points": ("points=40", "points=140", 22, "group 'large' has 140 points"),
+    "a limit": (
+        "points=40",
+        "limits={'cpu': 3}",
+        22,
+        "no limit 'cpu'; the keys are cpu_",
+    ),
+    "a tolerance": ("points=40", "tolerance={'relative': 1e-9}", 22, "without real numbers"),
+    "a time limit": ("points=40", "time_limit=3", 22, "timed beside a reference solution"),
+    "one level": ("PRODUCTION", "OTHERS", None, "define INTERVIEW = [group(…), …] and PRODUCTION"),
+    "no rows": ("INTERVIEW = [", "INTERVIEW = [3,", None, "INTERVIEW is no list of group(…)"),
+    "hooks": ("INTERVIEW =", "HOOKS = 3\nINTERVIEW =", None, "HOOKS is 3, which is no Hooks"),
+    "an exit": ("INTERVIEW =", "exit()\nINTERVIEW =", 18, "SystemExit"),
+    "a float": ("return 2 if", "return 2.0 if", 4, "returns 2.0, and a float is not exact"),
+    "a draw that fails": ("draw.integer(-3, 3)", "draw.integer(3, -3)", 11, "its draw fails"),
+    "out of bounds": ("10**6", "10**60", 22, "group 'large' draws a case out of bounds: x has"),
+    "in vain": ("draw.integer(-(10**6), 10**6)", "51", 22, "its draw gives no case 1 of 30 in 1000 attempts"),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_fault_is_one_line_with_its_place(name, kata):
+    before, after, line, told = FAULTS[name]
+    assert before in PYTHON
+    (kata / "problem.py").write_text(PYTHON.replace(before, after))
+    with pytest.raises(ProblemError) as caught:
+        load_data(load_problem(kata), cache=False)
+    assert told in str(caught.value)
+    assert "\n" not in str(caught.value)
+    assert str(caught.value).startswith(f"signs/problem.py:{line}:" if line else "signs/problem.py: ")
+
+
+def test_a_key_that_is_none_is_told_with_its_line(kata):
+    (kata / "problem.toml").write_text(TOML.replace("about =", "abuot ="))
+    with pytest.raises(
+        ProblemError, match=r"^signs/problem.toml:8: unknown key 'abuot'; did you mean 'about'\?"
+    ):
+        load_problem(kata)
+
+
+def test_points_that_exceed_the_score_are_told(kata):
+    (kata / "problem.py").write_text(PYTHON.replace("cases=7", "cases=7, points=70"))
+    with pytest.raises(ProblemError, match="the groups' points sum to 110"):
+        load_problem(kata)
+
+
+def test_growth_is_measured_over_the_groups_that_have_a_size(kata):
+    more = 'growth = 0.4\n\n[time]\nlimit = 8\nfunction = "plain.py"\n\n[parameters]'
+    (kata / "problem.toml").write_text(TOML.replace("\n[parameters]", more))
+    with pytest.raises(ProblemError, match="growth needs groups of two different sizes"):
+        load_problem(kata)
+    sized = PYTHON.replace("cases=7", "cases=7, size=20").replace("points=40", "points=40, size=10")
+    (kata / "problem.py").write_text(sized)
+    assert load_problem(kata).growth.groups == ("large", "small")
+
+
+def test_the_module_runs_solve_and_draws(kata):
+    module = load_module(load_problem(kata))
+    assert module.solve(-2) == 0
+    assert [*module.draws] == ["small", "large"]
+    assert find_problem("signs", [Path(kata.parent)]).id == "signs"
