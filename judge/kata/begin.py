@@ -1,6 +1,6 @@
 """A kata to begin with: whole and sound, to be changed file by file into one's own.
 
-    <folder>/problems/<name>/      problem.toml, problem.py, statement.md, hints.md, hashes.json
+    <folder>/problems/<name>/      problem.toml, problem.py, statement.md, hints.md, pins.json
     <folder>/solutions/<name>/     accepted/, wrong/
 
 Its texts are those of judge/manual/new-kata.md.
@@ -18,12 +18,16 @@ from msgspec import Struct
 
 from judge.atomic import new_file
 from judge.data import load_data
-from judge.data.pins import pins_of, write_pins
+from judge.data.model import ProblemData
+from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import UsageError, unwritable
+from judge.mistakes.computed import Computer, Program
+from judge.mistakes.makers import read_makers
 from judge.problem import Problem
 from judge.problem.find import near_problem_folders
 from judge.problem.load import load_problem
 from judge.problem.names import is_name
+from judge.run.verify import ENOUGH
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -59,8 +63,9 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
             home, _, rest = file.partition("/")
             _write(homes[home] / rest, text, made)
         problem = load_problem(problems / name)
-        made.append(problems / name / "hashes.json")
-        write_pins(problem, pins_of(problem, load_data(problem, cache=False).groups, {}))
+        made.append(pins_file(problem))
+        data = load_data(problem, cache=False)
+        write_pins(problem, pins_of(problem, data.groups, _kills(data)))
     except OSError as fault:
         _undo(made)
         raise unwritable(Path(fault.filename or folder), fault, "name another folder") from None
@@ -139,3 +144,15 @@ def _undo(made: list[Path]) -> None:
             path.rmdir() if path.is_dir() else path.unlink(missing_ok=True)
         except OSError:  # somebody else has put something there
             continue
+
+
+def _kills(data: ProblemData) -> dict[str, list[str]]:
+    """The mistakes of the new kata's own wrong programs that each group rejects."""
+    computer = Computer(data)
+    found: dict[str, list[str]] = {}
+    for maker in read_makers(data.problem).all:
+        program = Program(maker.program.source, maker.file, trusted=True)  # the template's
+        for group, answers in computer.behaviour(program).items():
+            if len(answers.wrong) >= ENOUGH:
+                found.setdefault(group, []).append(maker.name)
+    return found

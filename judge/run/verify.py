@@ -160,9 +160,11 @@ def verify_problem(
             faults += _on_other_seeds(problem, others, solution, settings)
     tell("judging solutions", len(solutions), len(solutions))
     matrix = _matrix(problem.groups, reports)
+    few = [*_few(problem, matrix)]
     if problem.in_toml:
         faults += _kill_faults(problem, reports, made)
     else:
+        faults += few
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
     rejected = _rejected(matrix, kills or {})
     pins, drift = _check_pins(problem, pins_of(problem, pinned.groups, rejected), update_pins)
@@ -175,7 +177,7 @@ def verify_problem(
         solutions=tuple(reports),
         faults=tuple(faults),
         matrix=matrix,
-        warnings=(*_few(problem, matrix), *_in_vain(pinned)),
+        warnings=(*(few if problem.in_toml else ()), *_in_vain(pinned)),
     )
 
 

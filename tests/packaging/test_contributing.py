@@ -25,8 +25,8 @@ def test_a_kata_is_added_as_told(page, tmp_path):
     taken = go(steps(page, WALKS[1][1]), tmp_path)
     claims_hold(taken)
     assert [each.status for each in taken] == [0, 0, 0, 1, 0]
-    pinned = tmp_path / "problems" / "two-points" / "hashes.json"
-    assert "far-together" in json.loads(pinned.read_text(encoding="utf-8"))["groups"]
+    pinned = tmp_path / "problems" / "two-points" / "pins.json"
+    assert "law-of-cosines" in json.loads(pinned.read_text(encoding="utf-8"))["far-together"]["kills"]
 
 
 @pytest.mark.nightly

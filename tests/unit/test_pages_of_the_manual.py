@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import tomllib
 from pathlib import Path
@@ -9,7 +10,8 @@ from pathlib import Path
 import msgspec
 
 from judge.problem import schema
-from judge.problem.topic import Topic
+from judge.problem.declare import Hooks, group
+from judge.problem.level import KataLevel
 from judge.sandbox.attacks import ATTACKS
 from judge.values.grammar import ALIASES, VECTORS
 
@@ -17,16 +19,11 @@ ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "judge" / "manual"
 PAGE = (MANUAL / "problem-toml.md").read_text(encoding="utf-8")
 TABLES = {
-    "The file": schema.ProblemTable,
-    "Parameters": schema.ParameterTable,
+    "The file": schema.HeadTable,
+    "Parameters": schema.ParameterRow,
     "Limits": schema.LimitsTable,
     "Tolerance": schema.ToleranceTable,
     "Time": schema.TimeTable,
-    "Growth": schema.GrowthTable,
-    "Groups": schema.GroupTable,
-    "Time of a group": schema.GroupTimeTable,
-    "Limits of a group": schema.GroupLimitsTable,
-    "Sets and skills": schema.SkillTable,
     "Words": schema.WordsTable,
     "Source": schema.SourceTable,
 }
@@ -44,8 +41,6 @@ def told(section: str) -> dict[str, bool]:
 
 
 def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
-    tables = {*schema._TABLES.values(), *schema._TABLES_OF_GROUPS.values(), schema.ProblemTable}
-    assert tables == set(TABLES.values())
     for section, table in TABLES.items():
         assert told(section) == {field.name: not field.required for field in msgspec.structs.fields(table)}
         (example, *_) = re.findall(r"^```toml\n(.*?)^```$", sections()[section], re.MULTILINE | re.DOTALL)
@@ -62,7 +57,9 @@ def test_every_type_of_the_loader_is_told():
 
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
     rows = re.findall(r"^\| `(\w+)", (MANUAL / "problem-py.md").read_text(encoding="utf-8"), re.MULTILINE)
-    assert rows == ["solve", "BUILDERS", "TOPIC", *Topic.__struct_fields__]
+    names = ["solve", *(level.name for level in KataLevel), "GROUPS", "HOOKS"]
+    arguments = [*inspect.signature(group).parameters]
+    assert rows == [*names, *arguments, *Hooks.__struct_fields__]
 
 
 SECURITY = (MANUAL / "security.md").read_text(encoding="utf-8")
