@@ -88,7 +88,7 @@ class Line(Quadratic):
         return (self.time(0), self.real_point(0)) if self.a else None
 
     def normal_form(self) -> tuple[Real, Real, Real] | None:
-        """(a, b, c): the unit normal to the left, whose unit is 1, and C's signed distance, above 0 on the left.
+        """The left unit normal's two parts, of unit 1, and C's signed distance, above 0 on the left.
 
         None where there is no line.
         """
