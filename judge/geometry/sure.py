@@ -1,7 +1,7 @@
 """Decisions about lengths that are exactly 0, or clear: at least 1e-7 of the figure's size.
 
-A sign is exact. That a length is clear is certified by a lower bound, so a case is never taken for clear that
-is not; one that is may be refused where it is longer than the threshold by less than one part in 2**38.
+A sign is exact. That a length is clear is certified by a lower bound: what is taken for clear is clear. A
+length that is longer than the threshold by less than one part in 2**38 may be refused (for per >= 1).
 """
 
 from __future__ import annotations
