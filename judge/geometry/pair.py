@@ -102,8 +102,8 @@ class Pair:
         return found
 
     def _apart(self) -> Lie:
-        outer = self.sure.beside(self.square, self.r1 + self.r2, what=_OUTER)
-        inner = self.sure.beside(self.square, abs(self.r1 - self.r2), what=_INNER)
+        outer = self.sure.distance(self.square, self.r1 + self.r2, what=_OUTER)
+        inner = self.sure.distance(self.square, abs(self.r1 - self.r2), what=_INNER)
         if outer >= 0:
             return Lie.APART if outer else Lie.OUTER
         return (Lie.INSIDE, Lie.INNER, Lie.CROSSING)[inner + 1]

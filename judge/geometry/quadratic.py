@@ -84,7 +84,7 @@ class Quadratic:
                 self._meets = ()
             else:
                 across = self.a * self.square - self.b * self.b
-                gap = self.sure.beside(across, self.r, self.a, what=self.touch)
+                gap = self.sure.distance(across, self.r, self.a, what=self.touch)
                 self._meets = ((-1, 1), (0,), ())[gap + 1]
         return self._meets
 
@@ -93,7 +93,7 @@ class Quadratic:
         found = self._sides.get(t)
         if found is None:
             square = self.square + t * (2 * self.b + self.a)
-            found = self._sides[t] = self.sure.beside(square, self.r, what=self.ends[t])
+            found = self._sides[t] = self.sure.distance(square, self.r, what=self.ends[t])
         return found
 
     def beside(self, which: int, t: int) -> int:

@@ -24,9 +24,13 @@ class Words(NamedTuple):
     almost: str  # without its full stop: "The line is almost a tangent"
     must: str  # "It must touch exactly, or stay at least 1e-7·e away."
 
+    def sentence(self, gap: float) -> str:
+        """What InvalidCase says of that part of e."""
+        return f"{self.almost} (gap {_short(abs(gap))}·e). {self.must}"
+
 
 class Decision(NamedTuple):
-    """A decision that was asked for: its words, and its signed length as a part of e, 0 where it is exact."""
+    """A decision that was made: its words, and its signed length as a part of e, 0 where it is exact."""
 
     words: Words
     gap: float
@@ -44,7 +48,7 @@ class Sure:
     """Decides the signs of lengths in a figure of this size e; all numbers are the figure's integers.
 
     Each method that decides raises InvalidCase where the length is neither 0 nor clear. `decisions` lists
-    what was asked, in order.
+    those that were made, in order.
     """
 
     __slots__ = ("decisions", "size")
@@ -54,18 +58,6 @@ class Sure:
         self.decisions: list[Decision] = []
 
     def sign(
-        self, p: int, q: int = 0, d: int = 0, u: int = 0, v: int = 0, *, per: int | Fraction = 1, what: Words
-    ) -> int:
-        """The sign of x = p + q·√d + u·√v, where |x|/√per is the length: 0 or clear."""
-        found = two_root_sign(p, q, d, u, v)
-        if found == 0:
-            self.decisions.append(Decision(what, 0.0))
-            return 0
-        top = (p << BITS) + _scaled_root(q, d) + _scaled_root(u, v)
-        self._clear(found * max(found * top - 2, 0), *self._size_times_root(per), CLEAR, what)
-        return found
-
-    def clear(
         self,
         p: int,
         q: int = 0,
@@ -75,39 +67,45 @@ class Sure:
         *,
         per: int | Fraction = 1,
         share: int = CLEAR,
+        zero: bool = True,
         what: Words,
     ) -> int:
-        """The same sign, of a length that must be at least size/share: 0 is invalid too."""
+        """The sign of x = p + q·√d + u·√v, where |x|/√per is the length: 0, or at least size/share.
+
+        zero=False: 0 is invalid too.
+        """
         found = two_root_sign(p, q, d, u, v)
-        top = (p << BITS) + _scaled_root(q, d) + _scaled_root(u, v)
-        self._clear(found * max(found * top - 2, 0), *self._size_times_root(per), share, what)
+        if found == 0:
+            return self._exactly(zero, what)
+        length = found * ((p << BITS) + _scaled_root(q, d) + _scaled_root(u, v)) - 2
+        top, bottom = per.numerator, per.denominator
+        size = isqrt(self.size * self.size * top * bottom << _UNIT) + 1  # size·√per, times the bottom
+        self._clear(found * max(length, 0) * bottom, size, share, what)
         return found
 
-    def beside(self, square: int, radius: int, per: int = 1, *, what: Words) -> int:
-        """The sign of √(square/per) − radius, a length: 0 or clear; square and radius >= 0, per > 0.
+    def distance(self, square: int, radius: int, per: int = 1, *, zero: bool = True, what: Words) -> int:
+        """The sign of the length √(square/per) − radius: 0, or clear; square, radius >= 0 and per > 0.
 
         With δ = square − radius²·per the length is δ/(√(square·per) + radius·per).
         """
         gap = square - radius * radius * per
         if gap == 0:
-            self.decisions.append(Decision(what, 0.0))
-            return 0
+            return self._exactly(zero, what)
         reach = isqrt(square * per << _UNIT) + 1 + (radius * per << BITS)
-        self._clear(gap << BITS, self.size * reach, 1, CLEAR, what)
+        self._clear(gap << BITS, self.size * reach, CLEAR, what)
         return 1 if gap > 0 else -1
 
-    def nested(self, square: Root, radius: int, per: Root, *, what: Words, zero: bool = True) -> int:
-        """`beside` for a square >= 0 and a per > 0 that have one root √d; zero=False: 0 is invalid too."""
+    def nested(self, square: Root, radius: int, per: Root, *, zero: bool = True, what: Words) -> int:
+        """`distance` for a square and a per in one root √d; two more roots certify its size."""
         whole = radius * radius
         p, q, d = square.p - whole * per.p, square.q - whole * per.q, square.d if square.q else per.d
         found = root_sign(p, q, d)
-        if found == 0 and zero:
-            self.decisions.append(Decision(what, 0.0))
-            return 0
+        if found == 0:
+            return self._exactly(zero, what)
         gap = max(abs((p << BITS) + _scaled_root(q, d)) - 1, 0)
         above, below = ((x.p << BITS) + _scaled_root(x.q, x.d) + 1 for x in (square, per))
         reach = isqrt(above * below) + 1 + radius * below
-        self._clear(found * gap, self.size * reach, 1, CLEAR, what)
+        self._clear(found * gap, self.size * reach, CLEAR, what)
         return found
 
     def least(self, square: int, share: int, what: str, *, zero: bool = True) -> None:
@@ -120,17 +118,18 @@ class Sure:
             wanted = f"{'0, or ' if zero else ''}at least {_short(1 / share)}·e"
             raise InvalidCase(f"{what} is {part}·e. It must be {wanted}.")
 
-    def _size_times_root(self, per: int | Fraction) -> tuple[int, int]:
-        """An upper bound of size·√per·2**BITS, as a quotient."""
-        top, bottom = per.numerator, per.denominator
-        return isqrt(self.size * self.size * top * bottom << _UNIT) + 1, bottom
+    def _exactly(self, zero: bool, what: Words) -> int:
+        if not zero:
+            raise InvalidCase(what.sentence(0.0))
+        self.decisions.append(Decision(what, 0.0))
+        return 0
 
-    def _clear(self, length: int, size: int, bottom: int, share: int, what: Words) -> None:
-        """Record length·bottom/size as a decision; InvalidCase where it is less than 1/share."""
-        gap = length * bottom / size if size else 0.0
+    def _clear(self, length: int, size: int, share: int, what: Words) -> None:
+        """Record length/size as a decision; InvalidCase where it is less than 1/share."""
+        gap = length / (size or 1)
+        if abs(length) * share < size or not length:
+            raise InvalidCase(what.sentence(gap))
         self.decisions.append(Decision(what, gap))
-        if abs(length) * bottom * share < size or not length:
-            raise InvalidCase(f"{what.almost} (gap {_short(abs(gap))}·e). {what.must}")
 
 
 def _scaled_root(q: int, d: int) -> int:
@@ -143,6 +142,6 @@ def _scaled_root(q: int, d: int) -> int:
 
 def _short(part: float) -> str:
     """Two digits, such as 1.9e-11; 0.1 and more without a power of ten."""
-    return (
-        f"{part:.2g}" if part >= 0.1 or part == 0 else f"{part:.1e}".replace(".0e", "e").replace("e-0", "e-")
-    )
+    if part == 0 or part >= 0.1:
+        return f"{part:.2g}"
+    return f"{part:.1e}".replace(".0e", "e").replace("e-0", "e-")

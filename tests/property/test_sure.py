@@ -72,7 +72,13 @@ def test_a_sign_is_exact_and_a_length_clear(terms, size, per, beside, shift):
         if beside and abs(length) > TINY:  # the size for which this length is about the threshold
             size = max(1, int(abs(length) * CLEAR * (1 + Decimal(shift) * Decimal(2) ** -45)))
         check(lambda: Sure(size).sign(p, q, d, u, v, per=per, what=WORDS), length, size)
-        check(lambda: Sure(size).clear(p, q, d, u, v, per=per, what=WORDS), length, size, zero=False)
+        check(
+            lambda: Sure(size).sign(p, q, d, u, v, per=per, share=10**6, zero=False, what=WORDS),
+            length,
+            size,
+            zero=False,
+            share=10**6,
+        )
 
 
 @given(sums(), sizes, positives, positives)
@@ -85,13 +91,16 @@ def test_per_may_be_a_fraction(terms, size, top, bottom):
 
 @given(naturals, st.integers(-3, 3), positives, sizes, st.booleans(), st.booleans(), st.integers(-40, 40))
 @settings(max_examples=400)
-def test_beside_is_the_length_of_a_root_less_a_radius(radius, off, per, size, near, beside, shift):
+def test_a_distance_is_the_length_of_a_root_less_a_radius(radius, off, per, size, near, beside, shift):
     square = max(0, radius * radius * per + off) if near else abs(off) * radius + per // 2
     with localcontext(Context(prec=400)):
         length = (Decimal(square) / per).sqrt() - radius
         if beside and abs(length) > TINY:
             size = max(1, int(abs(length) * CLEAR * (1 + Decimal(shift) * Decimal(2) ** -45)))
-        check(lambda: Sure(size).beside(square, radius, per, what=WORDS), length, size)
+        check(lambda: Sure(size).distance(square, radius, per, what=WORDS), length, size)
+        check(
+            lambda: Sure(size).distance(square, radius, per, what=WORDS, zero=False), length, size, zero=False
+        )
 
 
 @given(naturals, st.integers(0, 2**40), st.integers(2, 2**60), sizes, st.sampled_from((None, 0, 1, 10**9)))
@@ -128,7 +137,7 @@ def test_least_is_exact(square, size, share):
 def test_a_decision_is_recorded_with_its_part_of_the_size():
     sure = Sure(100)
     assert (sure.sign(25, what=WORDS), sure.sign(-1, 1, 1, what=WORDS)) == (1, 0)
-    assert sure.beside(9, 28, 1, what=WORDS) == -1
+    assert sure.distance(9, 28, 1, what=WORDS) == -1
     assert [decision.gap for decision in sure.decisions] == [0.25, 0, -0.25]
     assert {decision.words for decision in sure.decisions} == {WORDS}
 
