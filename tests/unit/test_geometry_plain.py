@@ -46,6 +46,17 @@ def test_the_tolerant_program_agrees_with_the_exact_ray():
     assert seen == {MISS, AT_ORIGIN, AHEAD}
 
 
+def test_the_tolerant_program_sees_turned_touches():
+    random, blind = Random(4), 0
+    for _ in range(300):
+        p, q, n = random.choice(TRIPLES)
+        k, m = random.randint(2**30, 2**34), random.randint(1, 2**36)
+        case = 0, 0, n * k * 2.0**-20, ((p * k - q * m) * 2.0**-20, (q * k + p * m) * 2.0**-20), (q, -p)
+        assert first_hit(*case, tolerance=1e-10) == exactly(*case) == AHEAD
+        blind += first_hit(*case) == MISS
+    assert blind > 10
+
+
 def test_without_a_tolerance_an_origin_on_the_circle_is_often_missed():
     cases = list(on_the_circle(3, 400))
     wrong = [case for case in cases if first_hit(*case) != first_hit(*case, tolerance=1e-10)]
