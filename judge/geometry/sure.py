@@ -1,0 +1,147 @@
+"""Decisions about lengths that are exactly 0, or clear: at least 1e-7 of the figure's size.
+
+A sign is exact. That a length is clear is certified by a lower bound: what is taken for clear is clear. A
+length that is longer than the threshold by less than one part in 2**38 may be refused (for per >= 1).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+from typing import NamedTuple
+
+from judge.exact.signs import root_sign, two_root_sign
+from judge.problem.declare import InvalidCase
+
+CLEAR = 10_000_000  # a length that decides is 0, or at least size/CLEAR
+BITS = 64  # below the figure's unit: how exactly a root's length is taken
+_UNIT = 2 * BITS
+
+
+class Words(NamedTuple):
+    """What a decision is called where its length is neither 0 nor clear; both are whole sentences."""
+
+    almost: str  # without its full stop: "The line is almost a tangent"
+    must: str  # "It must touch exactly, or stay at least 1e-7·e away."
+
+    def sentence(self, gap: float) -> str:
+        """What InvalidCase says of that part of e."""
+        return f"{self.almost} (gap {_short(abs(gap))}·e). {self.must}"
+
+
+class Decision(NamedTuple):
+    """A decision that was made: its words, and its signed length as a part of e, 0 where it is exact."""
+
+    words: Words
+    gap: float
+
+
+class Root(NamedTuple):
+    """The number p + q·√d, d >= 0."""
+
+    p: int
+    q: int = 0
+    d: int = 0
+
+
+class Sure:
+    """Decides the signs of lengths in a figure of this size e; all numbers are the figure's integers.
+
+    Each method that decides raises InvalidCase where the length is neither 0 nor clear. `decisions` lists
+    those that were made, in order.
+    """
+
+    __slots__ = ("decisions", "size")
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+        self.decisions: list[Decision] = []
+
+    def sign(
+        self,
+        p: int,
+        q: int = 0,
+        d: int = 0,
+        u: int = 0,
+        v: int = 0,
+        *,
+        per: int | Fraction = 1,
+        share: int = CLEAR,
+        zero: bool = True,
+        what: Words,
+    ) -> int:
+        """The sign of x = p + q·√d + u·√v, where |x|/√per is the length: 0, or at least size/share.
+
+        zero=False: 0 is invalid too.
+        """
+        found = two_root_sign(p, q, d, u, v)
+        if found == 0:
+            return self._exactly(zero, what)
+        length = found * ((p << BITS) + _scaled_root(q, d) + _scaled_root(u, v)) - 2
+        top, bottom = per.numerator, per.denominator
+        size = isqrt(self.size * self.size * top * bottom << _UNIT) + 1  # size·√per, times the bottom
+        self._clear(found * max(length, 0) * bottom, size, share, what)
+        return found
+
+    def distance(self, square: int, radius: int, per: int = 1, *, zero: bool = True, what: Words) -> int:
+        """The sign of the length √(square/per) − radius: 0, or clear; square, radius >= 0 and per > 0.
+
+        With δ = square − radius²·per the length is δ/(√(square·per) + radius·per).
+        """
+        gap = square - radius * radius * per
+        if gap == 0:
+            return self._exactly(zero, what)
+        reach = isqrt(square * per << _UNIT) + 1 + (radius * per << BITS)
+        self._clear(gap << BITS, self.size * reach, CLEAR, what)
+        return 1 if gap > 0 else -1
+
+    def nested(self, square: Root, radius: int, per: Root, *, zero: bool = True, what: Words) -> int:
+        """`distance` for a square and a per in one root √d; two more roots certify its size."""
+        whole = radius * radius
+        p, q, d = square.p - whole * per.p, square.q - whole * per.q, square.d if square.q else per.d
+        found = root_sign(p, q, d)
+        if found == 0:
+            return self._exactly(zero, what)
+        gap = max(abs((p << BITS) + _scaled_root(q, d)) - 1, 0)
+        above, below = ((x.p << BITS) + _scaled_root(x.q, x.d) + 1 for x in (square, per))
+        reach = isqrt(above * below) + 1 + radius * below
+        self._clear(found * gap, self.size * reach, CLEAR, what)
+        return found
+
+    def least(self, square: int, share: int, what: str, *, zero: bool = True) -> None:
+        """InvalidCase unless √square is at least size/share, or 0 where `zero` holds.
+
+        `what` is the length's name, such as "The radius".
+        """
+        if square * share * share < self.size * self.size if square else not zero:
+            part = _short(isqrt(square << _UNIT) / ((self.size or 1) << BITS))
+            wanted = f"{'0, or ' if zero else ''}at least {_short(1 / share)}·e"
+            raise InvalidCase(f"{what} is {part}·e. It must be {wanted}.")
+
+    def _exactly(self, zero: bool, what: Words) -> int:
+        if not zero:
+            raise InvalidCase(what.sentence(0.0))
+        self.decisions.append(Decision(what, 0.0))
+        return 0
+
+    def _clear(self, length: int, size: int, share: int, what: Words) -> None:
+        """Record length/size as a decision; InvalidCase where it is less than 1/share."""
+        gap = length / (size or 1)
+        if abs(length) * share < size or not length:
+            raise InvalidCase(what.sentence(gap))
+        self.decisions.append(Decision(what, gap))
+
+
+def _scaled_root(q: int, d: int) -> int:
+    """q·√d in units of 2**-BITS, rounded towards 0."""
+    if not q or not d:
+        return 0
+    root = isqrt(q * q * d << _UNIT)
+    return root if q > 0 else -root
+
+
+def _short(part: float) -> str:
+    """Two digits, such as 1.9e-11; 0.1 and more without a power of ten."""
+    if part == 0 or part >= 0.1:
+        return f"{part:.2g}"
+    return f"{part:.1e}".replace(".0e", "e").replace("e-0", "e-")
