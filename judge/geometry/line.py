@@ -29,7 +29,7 @@ class Line(Quadratic):
     """
 
     @classmethod
-    def through(cls, cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Line:  # noqa: N803
+    def through(cls, cx: Number, cy: Number, r: Number, A: Point, B: Point) -> Line:
         """The line from A (t = 0) to B (t = 1); e = max(r, |A − C|∞, |B − C|∞)."""
         (x, y, radius, ax, ay, bx, by), shift = integers(cx, cy, r, *A, *B)
         size = max(radius, abs(ax - x), abs(ay - y), abs(bx - x), abs(by - y))
@@ -39,7 +39,7 @@ class Line(Quadratic):
         return line
 
     @classmethod
-    def ray(cls, cx: Number, cy: Number, r: Number, O: Point, D: Point) -> Line:  # noqa: E741, N803
+    def ray(cls, cx: Number, cy: Number, r: Number, O: Point, D: Point) -> Line:
         """The ray O + t·D; e = max(r, |O − C|∞), and D has no part in it."""
         (x, y, radius, ox, oy, dx, dy), shift = integers(cx, cy, r, *O, *D)
         f = (ox - x, oy - y)
@@ -48,7 +48,7 @@ class Line(Quadratic):
         return line
 
     @classmethod
-    def point(cls, cx: Number, cy: Number, r: Number, P: Point) -> Line:  # noqa: N803
+    def point(cls, cx: Number, cy: Number, r: Number, P: Point) -> Line:
         """The point P, and no line; e = max(r, |P − C|∞)."""
         (x, y, radius, px, py), shift = integers(cx, cy, r, *P)
         f = (px - x, py - y)

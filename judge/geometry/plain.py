@@ -20,8 +20,8 @@ def first_hit(
     cx: Number,
     cy: Number,
     r: Number,
-    O: Point,  # noqa: E741, N803
-    D: Point,  # noqa: N803
+    O: Point,
+    D: Point,
     *,
     tolerance: float = 0.0,
 ) -> str:

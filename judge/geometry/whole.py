@@ -92,11 +92,9 @@ class Discriminant(Struct, frozen=True):
         return (terms + Fraction(self.whole**2, 1 << 98)) * self.unit
 
 
-def discriminant(
-    cx: Number, cy: Number, r: Number, ax: Number, ay: Number, bx: Number, by: Number
-) -> Discriminant:
-    """The discriminant for seven numbers as they are. ValueError for nan and infinities."""
-    (x, y, radius, x1, y1, x2, y2), shift = integers(cx, cy, r, ax, ay, bx, by)
+def discriminant(*seven: Number) -> Discriminant:
+    """The discriminant for cx, cy, r, ax, ay, bx, by as they are. ValueError for nan and infinities."""
+    (x, y, radius, x1, y1, x2, y2), shift = integers(*seven)
     dx, dy, fx, fy = x2 - x1, y2 - y1, x1 - x, y1 - y
     right, left = dx * fy, dy * fx
     reach = radius * radius * (dx * dx + dy * dy)

@@ -286,7 +286,7 @@ def _in_vain(data: ProblemData) -> Iterator[Fault]:
     """The groups of which more than half of the draws make no case."""
     for each in data.groups:
         group, vain = each.group, sum(each.attempts)
-        if not data.problem.in_toml and vain > group.count:
+        if not data.problem.in_toml and not group.neighbours and vain > group.count:
             what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
             yield Fault(what, group_place(data.problem, group.name, "builder"), "draw what can be used")
 

@@ -1,0 +1,248 @@
+"""Level figures made of words, put just off where a word says so, and posed; and draws of plain numbers.
+
+In a level figure the line is parallel to the x axis and all that is exact is whole. A word is a height of a
+line over a circle (`touch`), a place on it (`before`), or what a scene adds; "~" after a word puts the figure
+just off it: by 3 to 8 times 1e-7 of its size.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable, Sequence
+from math import isqrt
+from typing import Any, NamedTuple
+
+from judge.data.draw import Draw
+from judge.errors import ProblemError
+from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, triple
+
+Scene = Callable[[Draw], tuple[Any, ...]]
+HEIGHTS = ("cut", "chord", "through", "touch", "miss", "dot", "dot-miss")
+PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "=")
+_FINE = 27  # bits of the size where a figure is nudged: 1e-7 of it is 13 units and more
+_LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
+
+
+class Nudge(NamedTuple):
+    """This coordinate is put just off: `times` the gap, to one side, or to either where `side` is 0."""
+
+    atom: int
+    coordinate: int
+    side: int = 0
+    times: int = 1
+
+
+Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…) to a level figure
+
+
+def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[list[str]], None]) -> Any:
+    """A maker of draws from a level figure: plans, of which a case takes one, and how it is posed.
+
+    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none.
+    """
+
+    def make(*plans: str, **how: Any) -> Scene:
+        kept = {key: how.pop(key) for key in _LEVEL if key in how}
+        split = [plan.split() for plan in plans]
+        for words in split:
+            check(words)
+
+        def draw_case(draw: Draw) -> tuple[Any, ...]:
+            atoms, nudges = level(draw, draw.choice(split), **kept)
+            if nudges:
+                _nudge(draw, atoms, nudges)
+            return shape(*posed(draw, atoms, **how))
+
+        return draw_case
+
+    return make
+
+
+def either(*scenes: Scene) -> Scene:
+    """One of several scenes."""
+    return lambda draw: draw.choice(scenes)(draw)
+
+
+def telling(drawn: Scene, plain: Callable[..., Any], tolerant: Callable[..., Any], tries: int = 40) -> Scene:
+    """Only cases on which a plain program's answer has another form than a tolerant one's."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        for _ in range(tries):
+            case = drawn(draw)
+            if plain(*case) != tolerant(*case):
+                return case
+        return draw.reject()
+
+    return draw_case
+
+
+def checked(word: str, known: Iterable[str], what: str) -> None:
+    """Refuse a word that is none; "~", "-" and "?" around it do not count. Raises ProblemError."""
+    bare = word.rstrip("~").lstrip("-?")
+    if bare not in known:
+        near = difflib.get_close_matches(bare, list(known), 1)
+        remedy = f"did you mean {near[0]!r}?" if near else "use one of these"
+        raise ProblemError(f"{bare!r} is not {what}: {', '.join(known)}", remedy=remedy)
+
+
+# -- a line over a circle -----------------------------------------------------------------------------
+
+
+def height(draw: Draw, word: str, size: int) -> tuple[int, int, int | None]:
+    """(R, h, half): the radius, the line's height, and half the chord where that is whole.
+
+    A chord is never so flat that it nearly touches.
+    """
+    R = draw.integer(max(2, size // 2), size)
+    if word == "dot":
+        return 0, 0, 0
+    if word == "dot-miss":
+        return 0, R * draw.sign(), None
+    if word == "through":
+        return R, 0, R
+    if word == "chord":
+        p, q, c = triple(draw, max(5, min(size, 4_418)))
+        k = draw.integer(max(1, size // c // 2), max(1, size // c))
+        if q * 20 < c:
+            draw.reject()
+        return c * k, p * k * draw.sign(), q * k
+    if word == "cut":
+        return R, draw.integer(1 - R, R - 1), None
+    if word == "touch":
+        return R, R * draw.sign(), 0
+    return R, (R + draw.integer(1, 2 * R)) * draw.sign(), None  # miss
+
+
+def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) -> int:
+    """x of a place on the line, seen from the circle's foot; the ray or segment runs to greater x."""
+    turned = {"-": -1, "?": draw.sign() if word[0] == "?" else 1}.get(word[0], 1)
+    name, r = word.rstrip("~").lstrip("-?"), R or size
+    inner, outer = isqrt(max(0, R * R - h * h - 1)) if abs(h) < R else 0, root_up(max(0, R * R - h * h))
+    if name in ("before", "after"):
+        x = outer + 1 + draw.integer(0, 2 * r)
+        x = -x if name == "before" else x
+    elif name == "in":
+        if inner < 1:
+            draw.reject()
+        x = draw.integer(1 - inner, inner - 1)
+    elif name in ("first", "last"):
+        if half is None:
+            draw.reject()
+        x = -half if name == "first" else half
+    elif name == "near":
+        x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "by":
+        x = (outer + draw.integer(1, 3 * r)) * 1
+    elif name == "far":
+        x = -r * draw.integer(100, 20_000)
+    elif name == "very-far":
+        x = -r * draw.integer(10**5, 10**6)
+    else:  # foot
+        x = 0
+    return turned * x
+
+
+def over_circle(
+    draw: Draw, words: Sequence[str], size: int = 30, dimension: int = 2, uneven: int = 0
+) -> tuple[int, list[Point], list[Nudge]]:
+    """The radius, the points at the places of `words`, whose first is the height, and the nudges, of which
+    the atoms are counted from the first point."""
+    R, h, half = height(draw, words[0].rstrip("~"), size)
+    R, h, half = R << uneven, h << uneven, half if half is None else half << uneven
+    xs: list[int] = []
+    for word in words[1:]:
+        xs.append(xs[-1] if word[0] == "=" else place(draw, word, R, h, half, size << uneven))
+    if uneven and len(xs) > 1:  # split: only the way from the first point has more bits than a double
+        most = size >> draw.choice((0, 24))
+        xs[1] = xs[0] + (1 if xs[1] > xs[0] else -1) * draw.integer(most // 2, most)
+    rest = [0] * (dimension - 2)
+    points = [Point([x, h, *rest]) for x in xs]
+    side = draw.sign()
+    nudges = [Nudge(at, 1, side) for at in range(len(xs)) if words[0][-1] == "~"]
+    ends = [at for at, word in enumerate(words[1:]) if word[-1] == "~"]
+    off = draw.sign()
+    for at in ends:
+        # Across the circle a step along the line counts half/R of itself, and none at a touch.
+        times = -(-R // half) if half else 1
+        nudges += (
+            [Nudge(i, 0, off, times) for i, x in enumerate(xs) if x == xs[at]]
+            if "=" in words
+            else [Nudge(at, 0, off, times)]
+        )
+    return R, points, nudges
+
+
+def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
+    """Scale the figure up until 1e-7 of its size is several units, and put it just off."""
+    points = [each for each in atoms if isinstance(each, Point)]
+    reach = [abs(n) for each in atoms if isinstance(each, Length) for n in each]
+    reach += [abs(m - n) for each in points for m, n in zip(each, points[0], strict=True)]
+    fine = 1 << max(0, _FINE - max(reach).bit_length())
+    for each in atoms:
+        if not isinstance(each, Vector):
+            each[:] = [n * fine for n in each]
+    size = max(reach) * fine
+    gap = draw.integer(3 * size, 8 * size) // 10**7 + 1
+    for nudge in nudges:
+        side = nudge.side or draw.sign()
+        atoms[nudge.atom][nudge.coordinate] += side * nudge.times * gap
+
+
+# -- plain numbers ------------------------------------------------------------------------------------
+
+
+def grid(shape: str, reach: int) -> Scene:
+    """Whole numbers up to `reach`: n a number, r a radius, p a point, P a point in space, d a direction.
+
+    So small that everything special comes up by itself; now and then a number is that of another argument, or
+    a point is the origin.
+    """
+    return _shaped(shape, lambda draw: draw.integer(-reach, reach), again=True)
+
+
+def whole(shape: str, bits: int) -> Scene:
+    """Ints up to 2**bits."""
+    return _shaped(shape, lambda draw: draw.integer(-(1 << bits), 1 << bits))
+
+
+def uniform(shape: str, *reaches: float) -> Scene:
+    """Doubles and ints up to one of `reaches`."""
+
+    def number(draw: Draw, reach: float) -> int | float:
+        if draw.integer(0, 3) == 0:
+            return draw.integer(-int(reach), int(reach))
+        return draw.integer(-(2**40), 2**40) / 2**40 * reach
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        reach = draw.choice(reaches)
+        return _shaped(shape, lambda draw: number(draw, reach))(draw)
+
+    return draw_case
+
+
+def _shaped(shape: str, number: Callable[[Draw], Any], *, again: bool = False) -> Scene:
+    sizes = {"n": 1, "r": 1, "p": 2, "d": 2, "P": 3, "D": 3}
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        kind = draw.choice(("int", "float", "mixed")) if again else ""
+        case: list[Any] = []
+        for letter in shape:
+            numbers = [number(draw) for _ in range(sizes[letter])]
+            if again and draw.integer(0, 11) == 0:
+                numbers = [0] * len(numbers)
+            earlier = [each for each in case if isinstance(each, tuple) and len(each) == len(numbers)]
+            if again and earlier and letter in "pP" and draw.integer(0, 11) == 0:
+                case.append(draw.choice(earlier))
+                continue
+            if kind:
+                numbers = [_typed(draw, kind, each) for each in numbers]
+            if letter == "r":
+                numbers = [abs(numbers[0])]
+            case.append(numbers[0] if letter in "nr" else tuple(numbers))
+        return tuple(case)
+
+    return draw_case
+
+
+def _typed(draw: Draw, kind: str, number: int) -> int | float:
+    return float(number) if kind == "float" or (kind == "mixed" and draw.boolean()) else number

@@ -1,0 +1,228 @@
+"""Posing a level figure: turned, moved and scaled so that nothing is ever rounded.
+
+A turn is a matrix M of integers with M·Mᵀ = n²: a Pythagorean triple in the plane, an integer quaternion in
+space. It maps whole points to whole points and multiplies every length by n, so what touches still touches. A
+number is a double if its significant bits, without trailing zeros, are at most 53; a pose that needs more is
+given up.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import permutations
+from math import gcd, isqrt
+from typing import Any
+
+from judge.data.draw import Draw
+
+Matrix = Sequence[Sequence[int]]
+_DOUBLE = 53  # significant bits of a double
+_BOUND = 30  # coordinates stay within ±2**30
+_UNIT = -99  # and the unit is at least 2**-99, which is above 1e-30
+_FAR = 50  # bits that a split point has in common with the first one
+
+# How large the figure is before the pose, how it is turned, by how many bits moved, scaled to which powers
+# of two. Beside each, how many bits of a double its numbers use.
+PLAIN = {"size": 30, "turn": "small", "move": 6}  # 13
+AXIS = {"size": 30, "turn": "axis", "move": 6}  # 8
+BIG = {"size": 2**20, "turn": "any", "move": 30, "shift": (0, -20)}  # 34: squares round
+HUGE = {"size": 2**38, "turn": "any", "move": 50, "shift": -22}  # 52: a cross product rounds
+SPLIT = {
+    "size": 2**40,
+    "uneven": 9,
+    "turn": "any",
+    "move": "split",
+    "shift": -32,
+}  # differences of 63: all rounds
+NEAR = {"size": 2**12, "turn": "any", "shift": (0, -20, -40)}  # 40
+TINY = {"size": 2**12, "turn": "any", "shift": (-99, -75)}  # 40
+FAR = {"size": 40, "turn": "small", "shift": (0, -20)}  # 32
+OFFSET = {"size": 50, "turn": "small", "move": 47, "shift": -20}  # 47
+STEEP = {"size": 2**10, "turn": "steep", "move": 6, "shift": (0, -20)}  # 51
+DECIMALS = {"size": 99, "turn": "axis", "move": 6, "decimals": True}
+
+
+class Point(list[int]):
+    """A point: turned and moved."""
+
+
+class Vector(list[int]):
+    """A vector: turned, never moved."""
+
+
+class Length(list[int]):
+    """A length, in a list of one: multiplied by the turn's n."""
+
+
+Atom = Point | Vector | Length
+
+_TRIPLES = sorted(
+    (
+        (m * m - n * n, 2 * m * n, m * m + n * n)
+        for m in range(2, 48)
+        for n in range(1, m)
+        if gcd(m, n) == 1 and (m - n) % 2
+    ),
+    key=lambda triple: triple[2],
+)  # 461 of them, hypotenuses from 5 to 4,418
+
+
+def triple(draw: Draw, most: int) -> tuple[int, int, int]:
+    """(p, q, c) with p² + q² = c² and 5 <= c <= most, in either order of p and q."""
+    p, q, c = draw.choice(_TRIPLES[: bisect_right(_TRIPLES, most, key=lambda each: each[2])])
+    return (q, p, c) if draw.boolean() else (p, q, c)
+
+
+def posed(
+    draw: Draw,
+    atoms: Sequence[Atom],
+    *,
+    turn: str = "any",
+    move: int | str = 0,
+    shift: int | Sequence[int] = 0,
+    stretch: int | Sequence[int] = 0,
+    numbers: str = "any",
+    decimals: bool = False,
+) -> list[Any]:
+    """The figure as the caller's numbers: a tuple for a point or vector, one number for a length.
+
+    Args:
+        turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418) or "steep".
+        move: by whole numbers of so many bits. Or "split": the second point takes the last bits of the way
+            from the first one, which takes all others, so that their difference is no double.
+        shift: the power of two that scales all; of several one is taken.
+        stretch: another one for vectors.
+        numbers: "int", "float", "mixed" or any of these, where a number is whole.
+        decimals: whether the numbers are tenths or hundredths, each the double that is nearest.
+    """
+    matrix, norm = _turned(draw, len(next(each for each in atoms if isinstance(each, Point))), turn)
+    turned = [
+        [norm * each[0]] if isinstance(each, Length) else [_dot(row, each) for row in matrix]
+        for each in atoms
+    ]
+    centre = _centre(
+        draw, [row for row, each in zip(turned, atoms, strict=True) if isinstance(each, Point)], move
+    )
+    whole = [
+        [x + m for x, m in zip(row, centre, strict=True)] if isinstance(each, Point) else row
+        for row, each in zip(turned, atoms, strict=True)
+    ]
+    if decimals:
+        return _named(atoms, _decimals(draw, atoms, turned))
+    if any(_significant(x) > _DOUBLE for row in whole for x in row):
+        draw.reject()
+    exponent = min(_one(draw, shift), _BOUND - _bits(whole))
+    kind = draw.choice(("int", "float", "mixed")) if numbers == "any" else numbers
+    number = _binary(draw, kind, exponent)
+    vectors = [row for row, each in zip(whole, atoms, strict=True) if isinstance(each, Vector)]
+    longer = max(_UNIT, min(exponent + _one(draw, stretch), _BOUND - _bits(vectors)))
+    along = _binary(draw, kind, longer)
+    return _named(
+        atoms,
+        [
+            [(along if isinstance(each, Vector) else number)(x) for x in row]
+            for row, each in zip(whole, atoms, strict=True)
+        ],
+    )
+
+
+def _named(atoms: Sequence[Atom], values: Sequence[Sequence[Any]]) -> list[Any]:
+    """A number for a length, a tuple for a point or vector."""
+    return [
+        row[0] if isinstance(each, Length) else tuple(row) for each, row in zip(atoms, values, strict=True)
+    ]
+
+
+def _turned(draw: Draw, dimension: int, turn: str) -> tuple[Matrix, int]:
+    """(M, n) with M·Mᵀ = n²."""
+    if dimension == 3:
+        return _turned_in_space(draw, turn)
+    if turn == "axis":
+        p, q, n = draw.choice(((1, 0, 1), (0, 1, 1)))
+    elif turn == "steep":
+        m = 1 << draw.integer(1, 20)
+        p, q, n = m * m - 1, 2 * m, m * m + 1
+        p, q = (q, p) if draw.boolean() else (p, q)
+    else:
+        p, q, n = triple(draw, 65 if turn == "small" else 4_418)
+    p, q, mirror = p * draw.sign(), q * draw.sign(), draw.sign()
+    return ((p, -q * mirror), (q, p * mirror)), n
+
+
+def _turned_in_space(draw: Draw, turn: str) -> tuple[Matrix, int]:
+    """The rotation of an integer quaternion, or one of the 48 symmetries of the axes."""
+    if turn == "axis":
+        order = draw.choice(list(permutations(range(3))))
+        return tuple(tuple(draw.sign() if j == i else 0 for j in range(3)) for i in order), 1
+    most = 3 if turn == "small" else 40
+    a, b, c, d = (draw.integer(-most, most) for _ in range(4))
+    n = a * a + b * b + c * c + d * d
+    if not n:
+        draw.reject()
+    return (
+        (a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)),
+        (2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)),
+        (2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d),
+    ), n
+
+
+def _centre(draw: Draw, points: Sequence[Sequence[int]], move: int | str) -> list[int]:
+    """By how much the points are moved."""
+    if isinstance(move, int):
+        return [draw.integer(-(2**move), 2**move) if move else 0 for _ in points[0]]
+    first, second = points[:2]
+    ways = [y - x for x, y in zip(first, second, strict=True)]
+    return [way % 2 ** max(0, way.bit_length() - _FAR) - y for way, y in zip(ways, second, strict=True)]
+
+
+def _binary(draw: Draw, kind: str, shift: int) -> Callable[[int], int | float]:
+    def number(x: int) -> int | float:
+        whole = shift >= 0 or x % (1 << -shift) == 0
+        if whole and (kind == "int" or (kind == "mixed" and draw.boolean())):
+            return x << shift if shift >= 0 else x >> -shift
+        return float(x << shift) if shift >= 0 else x / (1 << -shift)  # exact: the bits were counted
+
+    return number
+
+
+def _decimals(draw: Draw, atoms: Sequence[Atom], turned: Sequence[Sequence[int]]) -> list[list[int | float]]:
+    """The figure in tenths or hundredths, each the double that is nearest.
+
+    What touches still does where the numbers that must be equal are one double. So the centre is at a whole
+    number along an axis only if every difference from it is exact, and else at 0.
+    """
+    per = draw.choice((10, 100))
+    exact = [[x // per if x % per == 0 else x / per for x in row] for row in turned]
+    places = [row for row, each in zip(exact, atoms, strict=True) if isinstance(each, Point)]
+    for axis in range(len(places[0])):
+        centre = draw.integer(-9, 9)
+        moved = [row[axis] + centre for row in places]
+        if all(
+            Fraction(after) - centre == Fraction(row[axis]) for after, row in zip(moved, places, strict=True)
+        ):
+            for row, after in zip(places, moved, strict=True):
+                row[axis] = after
+    return exact
+
+
+def _one(draw: Draw, options: int | Sequence[int]) -> int:
+    return options if isinstance(options, int) else draw.choice(options)
+
+
+def _significant(x: int) -> int:
+    return (x // (x & -x)).bit_length() if x else 0
+
+
+def _bits(rows: Sequence[Sequence[int]]) -> int:
+    return max((abs(x).bit_length() for row in rows for x in row), default=0)
+
+
+def _dot(u: Sequence[int], v: Sequence[int]) -> int:
+    return sum([x * y for x, y in zip(u, v, strict=True)])
+
+
+def root_up(square: int) -> int:
+    """√square, rounded up."""
+    return isqrt(square - 1) + 1 if square > 0 else 0

@@ -1,0 +1,39 @@
+"""Draws made of words: a scene is a function from choices to a case.
+
+    lines("touch before after", **BIG)       a circle and a line, turned by any triple
+    rays("chord first~", **NEAR)             a ray that begins just off a circle
+    pairs("outer", **SPLIT)                  two circles that touch
+
+The words are those of judge.geometry.level and of each scene, the poses those of judge.geometry.pose.
+"""
+
+from judge.geometry.level import either, grid, telling, uniform, whole
+from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
+from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
+from judge.geometry.scenes.outlines import pairs
+
+__all__ = [
+    "AXIS",
+    "BIG",
+    "DECIMALS",
+    "FAR",
+    "HUGE",
+    "NEAR",
+    "OFFSET",
+    "PLAIN",
+    "SPLIT",
+    "STEEP",
+    "TINY",
+    "closed_up",
+    "either",
+    "feet",
+    "grid",
+    "lines",
+    "pairs",
+    "points",
+    "rays",
+    "spheres",
+    "telling",
+    "uniform",
+    "whole",
+]

@@ -1,0 +1,130 @@
+"""Scenes of one circle or sphere, and a line, segment, ray or point.
+
+    lines("touch before after", **BIG)       (cx, cy, r, A, B)
+    rays("chord first~", **NEAR)             (cx, cy, r, O, D)
+    points("on~", **NEAR)                    (cx, cy, r, P)
+    spheres("cut before", **PLAIN)           (C, r, O, D) in space
+    feet("beyond", **PLAIN)                  (A, B, P), no circle
+
+The first word is the height of the line over the circle, the others are places on it, of A and B or of O: see
+judge.geometry.level. After O the word "anyway" sends the ray in any direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from judge.data.draw import Draw
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
+from judge.geometry.pose import Atom, Length, Point, Vector, posed
+
+_POINTS = ("in", "on", "out", "centre", "far", "dot-on", "dot-out")
+_FEET = ("between", "beyond", "end", "on", "near", "same")
+_Level = tuple[list[Atom], list[Nudge]]
+
+
+def _level_line(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+    R, (start, end), nudges = over_circle(draw, words, size, uneven=uneven)
+    if start == end and "=" not in words:
+        draw.reject()
+    atoms: list[Atom] = [Point([0, 0]), Length([R]), start, end]
+    return atoms, [nudge._replace(atom=nudge.atom + 2) for nudge in nudges]
+
+
+def _level_ray(
+    draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0, dimension: int = 2
+) -> _Level:
+    R, (start,), nudges = over_circle(draw, words[:2], size, dimension, uneven)
+    rest = [0] * (dimension - 2)
+    if words[-1] == "anyway":
+        way = [draw.integer(-9, 9) for _ in range(dimension)]
+        if not any(way):
+            draw.reject()
+    else:
+        way = [draw.integer(1, 9), 0, *rest]
+    atoms: list[Atom] = [Point([0, 0, *rest]), Length([R]), start, Vector(way)]
+    return atoms, [nudge._replace(atom=nudge.atom + 2) for nudge in nudges]
+
+
+def _level_sphere(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+    return _level_ray(draw, words, size, uneven, 3)
+
+
+def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+    """A circle, and a point on the x axis."""
+    word = words[0].rstrip("~")
+    R = 0 if word.startswith("dot") else draw.integer(max(2, size // 2), size) << uneven
+    reach = R or size
+    if word == "in":
+        x = draw.integer(1, max(1, R - 1))
+    elif word == "on":
+        x = R
+    elif word == "far":
+        x = reach * draw.integer(100, 20_000)
+    elif word in ("out", "dot-out"):
+        x = R + draw.integer(1, 3 * reach)
+    else:  # centre, dot-on
+        x = 0
+    nudges = [Nudge(2, 0)] if words[0][-1] == "~" else []
+    return [Point([0, 0]), Length([R]), Point([x, 0])], nudges
+
+
+def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+    """A and B on the x axis, and P at a place of the line between or beyond them, and at a height."""
+    length = draw.integer(1, size) << uneven
+    end = 0 if "same" in words else length
+    at = 0 if "end" in words else draw.integer(0, length)
+    if "beyond" in words:
+        at = draw.choice((-at - 1, length + at + 1))
+    high = 0 if "on" in words else draw.integer(1, size) * draw.sign()
+    if "near" in words:
+        high, at, end = draw.sign(), at << 12, end << 12
+    start, last = (end, 0) if draw.boolean() else (0, end)
+    return [Point([start, 0]), Point([last, 0]), Point([at, high])], []
+
+
+def _check_line(words: list[str]) -> None:
+    checked(words[0], HEIGHTS, "a height of a line")
+    for word in words[1:]:
+        checked(word, PLACES, "a place on a line")
+
+
+def _check_ray(words: list[str]) -> None:
+    _check_line([word for word in words if word != "anyway"])
+
+
+def _check_point(words: list[str]) -> None:
+    for word in words:
+        checked(word, _POINTS, "a place of a point")
+
+
+def _check_foot(words: list[str]) -> None:
+    for word in words:
+        checked(word, _FEET, "a place of a foot")
+
+
+lines = scene(_level_line, lambda C, r, A, B: (*C, r, A, B), _check_line)
+rays = scene(_level_ray, lambda C, r, O, D: (*C, r, O, D), _check_ray)
+spheres = scene(_level_sphere, lambda C, r, O, D: (C, r, O, D), _check_ray)
+points = scene(_level_point, lambda C, r, P: (*C, r, P), _check_point)
+feet = scene(_level_foot, lambda A, B, P: (A, B, P), _check_foot)
+
+
+def closed_up(*plans: str, **how: Any) -> Scene:
+    """Lines of which A and B are close together: 1 part in 2 to 2**48 of the size, and exact."""
+    split = [plan.split() for plan in plans]
+    for words in split:
+        _check_line(words)
+    size = how.pop("size", 30)
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        shift = draw.integer(1, 40)
+        R, (start,), _ = over_circle(draw, draw.choice(split), size)
+        start, radius = Point([start[0] << shift, start[1] << shift]), R << shift
+        end = Point([start[0] + draw.sign() * draw.integer(1, 3), start[1]])
+        scaled = {**how, "shift": how.get("shift", 0) - shift}
+        (cx, cy), r, A, B = posed(draw, [Point([0, 0]), Length([radius]), start, end], **scaled)
+        return cx, cy, r, A, B
+
+    return draw_case
