@@ -88,7 +88,7 @@ FILES = {
     "problems/{}/problem.py",
     "problems/{}/statement.md",
     "problems/{}/hints.md",
-    "problems/{}/hashes.json",
+    "problems/{}/pins.json",
     "solutions/{}/accepted/pythagoras.py",
     "solutions/{}/wrong/sum-of-legs.py",
 }
