@@ -64,7 +64,7 @@ class Validator:
         try:
             return Proof(None, self._solve(*case))
         except InvalidCase as broken:
-            return Proof(str(broken))
+            return Proof(str(broken).removesuffix("."))
 
     def proof(self, case: Any) -> Proof:
         """The first thing that is wrong with the case, or its exact answer."""

@@ -4,6 +4,7 @@
     2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is polished, value by value (polish.py).
+    5. If that still has many digits, the ladder again, for a case that fails in any way.
 
 Cases that no recipe built are judged under the tolerance of the problem's plainest group, and only count if
 the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget of
@@ -36,6 +37,7 @@ SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts tha
 _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
+HARD = 24  # digits above which a simple case that fails in another way is shown instead
 Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
 
@@ -147,6 +149,11 @@ class _Search:
                 best = self._by_parameters()
             under = plain if plain.tolerance == self._group.tolerance else self._group
             best = min(best, polished(self._trial, best, under), key=_measure)
+        if best.measure[0] - items_of(best.case) > HARD:
+            self._trial.look_for(None)
+            other = self._climbed(plain)
+            if other is not None:
+                best, under = polished(self._trial, other, plain), plain
         best = rounded(self._trial, best, under)
         return self._told(self._confirmed(best))
 

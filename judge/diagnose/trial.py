@@ -140,9 +140,13 @@ class Trial:
         self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
 
-    def look_for(self, finding: Finding) -> None:
-        """From now on only cases that fail in this way count: another mistake would explain nothing."""
-        self._kind = finding.kind
+    def look_for(self, finding: Finding | None) -> None:
+        """From now on only cases that fail in this way count: another mistake would explain nothing.
+
+        None: any way.
+        """
+        self._kind = finding.kind if finding else None
+        self._known.clear()
 
     def measure(self, case: Case) -> Simplicity:
         """How simple the case is, to those who know the problem's topic."""

@@ -107,20 +107,22 @@ def to_svg(picture: Picture) -> str:
     return "\n".join([*(part for part in parts if part), "</svg>"]) + "\n"
 
 
-def panel_svg(panel: Panel, name: str, description: str) -> str:
-    """One panel without its heading and its note, as an element of an HTML page.
+def panel_svg(panel: Panel, name: str, description: str, *, alone: bool = False) -> str:
+    """One panel without its heading and its note, as an element of an HTML page or a file of its own.
 
     The page has `style(scope)` once; `name` begins the ids, so that several elements stand in one page.
     """
+    size = f' width="{_n(_SIDE + 2)}" height="{_n(_SIDE + 2)}"' if alone else ""
     side, title, about = _n(_SIDE + 2), f"{name}-title", f"{name}-about"
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-labelledby="{words(title)} {words(about)}" '
-        f'viewBox="-1 -1 {side} {side}">'
+        f'viewBox="-1 -1 {side} {side}"{size}>'
     )
     parts = [
         head,
         f'<title id="{words(title)}">{words(panel.title)}</title>',
         f'<desc id="{words(about)}">{words(description)}</desc>',
+        f"<style>{style()}</style>" if alone else "",
         *_drawing(panel),
     ]
     return "\n".join([*(part for part in parts if part), "</svg>"])

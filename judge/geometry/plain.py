@@ -1,7 +1,7 @@
 """What plain programs in doubles find, with a tolerance or without: for scenes that keep the draws that tell.
 
-A scene asks both, `telling(scene, first_hit, partial(first_hit, tolerance=1e-10))`, and keeps a case where
-they differ. Nothing here decides an answer.
+A scene asks both, `telling(scene, count, partial(count, tolerance=1e-10))`, and keeps a case where they
+differ. Nothing here decides an answer. A tolerance is a part of e, the figure's size.
 """
 
 from __future__ import annotations
@@ -16,6 +16,16 @@ MISS, AT_ORIGIN, AHEAD = "miss", "at the origin", "ahead"
 _NEAR = 1e-9  # of the size: what counts as at the origin, after the program has decided
 
 
+def count(cx: Number, cy: Number, r: Number, A: Point, B: Point, *, tolerance: float = 0.0) -> int | None:
+    """How many points a plain program sees a circle and a line have in common."""
+    fx, fy, dx, dy = A[0] - cx, A[1] - cy, B[0] - A[0], B[1] - A[1]
+    length, edge = hypot(dx, dy), tolerance * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    if length == 0:
+        return None
+    gap = abs(dx * fy - dy * fx) / length - r
+    return 1 if abs(gap) <= edge else 2 if gap < 0 else 0
+
+
 def first_hit(
     cx: Number,
     cy: Number,
@@ -27,8 +37,7 @@ def first_hit(
 ) -> str:
     """Where a plain program sees a ray meet a circle first: MISS, AT_ORIGIN or AHEAD.
 
-    It compares the line's distance with r, and a point's way along the ray with 0, both with a tolerance that
-    is a part of e = max(r, |O − C|∞).
+    It compares the line's distance with r, and a point's way along the ray with 0; e = max(r, |O − C|∞).
     """
     fx, fy, (dx, dy) = O[0] - cx, O[1] - cy, D
     length, size = hypot(dx, dy), max(r, abs(fx), abs(fy))

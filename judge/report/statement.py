@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 from judge.report.layout import line
 from judge.report.screen import Screen, is_terminal
 
+_FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
 _READABLE = 88  # columns of prose that an eye follows with ease
 
 
@@ -14,7 +17,11 @@ def show_statement(text: str, screen: Screen) -> None:
 
 
 def statement_text(text: str, screen: Screen) -> str:
-    """The Markdown `text` for that screen, ready to be written: rendered where a person is looking."""
+    """The Markdown `text` for that screen, ready to be written: rendered where a person is looking.
+
+    A figure on a line of its own is left out.
+    """
+    text = _FIGURE.sub("", text)
     if is_terminal(screen.stream):
         return _rendered(text, screen)
     return screen.text(line(row) for row in text.rstrip("\n").split("\n"))

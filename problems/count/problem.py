@@ -1,15 +1,64 @@
-"""The common points of a circle and a line: the exact count, with the tangency band of problem.toml."""
+"""Line and circle: how many common points, by the exact sign of d − r."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import LINE, Bands, CircleLine, builders
-from judge.topics.circles.recipes import bounds, chords, counting, edges, whole
+from judge.geometry import Line, plain
+from judge.geometry.hooks import LINE, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    DECIMALS,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TINY,
+    closed_up,
+    either,
+    grid,
+    lines,
+    telling,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-BUILDERS = builders(chords.RECIPES, counting.RECIPES, edges.LINES, whole.LINES, bounds.RECIPES)
-TOPIC = LINE
+HOOKS = hooks(LINE)
+TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
+TELLING = plain.count, partial(plain.count, tolerance=1e-10)
 
 
-def solve(cx, cy, r, A, B, *, bands):
-    """0, 1 or 2 by exact signs, None for A == B; a line may not be nearly within the tangency band."""
-    line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
-    return widths.count(line), widths.broken_count(line)
+def solve(cx, cy, r, A, B):
+    return Line.through(cx, cy, r, A, B).count()
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="distance against radius"),
+    group("lines", "Lines that cut, touch and miss.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **PLAIN), skills="distance against radius"),
+    group("tangent", "The line touches: one point.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("axis-parallel", "Level and upright lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **AXIS), skills="no slopes"),
+    group("off-segment", "The line crosses, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
+    group("from-centre", "A or B is the centre, or the foot of the perpendicular.", lines("through foot ?by", "cut foot ?by", "miss foot ?by", **PLAIN), skills="distance against radius"),
+    group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
+    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
+    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
+    group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **NEAR), skills="nearly is not touching"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
+    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", **TINY), skills="no absolute epsilon"),
+    group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
+    group("far", "A or B is up to a million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), skills="the sharp discriminant"),
+    group("steep", "Directions almost along an axis.", lines("touch before after", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
+]

@@ -17,9 +17,8 @@ import judge.topics.circles.explore as explore
 from judge.data.load import load_data
 from judge.exact.surd import Surd
 from judge.problem.find import find_problem
+from judge.problem.module import load_module
 from judge.topics.circles import Bands, CircleLine
-from judge.topics.circles.explore import explored
-from judge.topics.circles.part import Part
 
 pytestmark = pytest.mark.slow
 
@@ -80,9 +79,9 @@ def test_the_case_that_broke_a_file(judge, submit):
 # -- in a browser --------------------------------------------------------------------------------------------
 
 
-def shown(tmp_path, problem, part, values, script=""):
+def shown(tmp_path, problem, values, script=""):
     """The page's text after a script has run in it, which may say more in a <pre id="said">."""
-    html = explored(part, find_problem(problem), values)
+    html = load_module(found := find_problem(problem)).hooks.explore(found, values)
     html = re.sub(r"<meta http-equiv=[^>]*>", "", html)
     page = tmp_path / "page.html"
     page.write_text(
@@ -102,15 +101,15 @@ def values(*case):
 
 @browser
 @pytest.mark.parametrize(
-    ("problem", "part", "case", "answer", "promise"),
+    ("problem", "case", "answer", "promise"),
     [
-        ("count", Part.LINE, (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "between the bands"),
-        nightly("segment", Part.SEGMENT, (0, 0, 5, (3, 4), (3, 4)), "1 point", "keeps the promise"),
-        nightly("ray-nearest", Part.RAY, (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "keeps the promise"),
+        ("count", (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "between the bands"),
+        nightly("segment", (0, 0, 5, (3, 4), (3, 4)), "1 point", "keeps the promise"),
+        nightly("ray-nearest", (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "keeps the promise"),
     ],
 )
-def test_what_it_says(tmp_path, problem, part, case, answer, promise):
-    page = shown(tmp_path, problem, part, values(*case))
+def test_what_it_says(tmp_path, problem, case, answer, promise):
+    page = shown(tmp_path, problem, values(*case))
     assert text_of(page, "answer") == answer
     assert promise in text_of(page, "promise")
     cx, cy, r, a, b = case
@@ -149,7 +148,7 @@ document.getElementById("said").textContent = JSON.stringify([keyed, dragged, tu
 @browser
 @pytest.mark.nightly
 def test_keys_fingers_and_fields_move_it(tmp_path):
-    page = shown(tmp_path, "count", Part.LINE, values(0, 0, 5, (-7, -1), (6, 4)), MOVES)
+    page = shown(tmp_path, "count", values(0, 0, 5, (-7, -1), (6, 4)), MOVES)
     keyed, dragged, turned, invalid = json.loads(text_of(page, "said"))
     assert keyed == 'judge try count "0, 0, 5.1, (-8, -0.9), (6, 3.9999999999999)"'
     moved = re.fullmatch(r'judge try count "(\d+), 0, 5\.1, \(-8, -0\.9\), \(6, 3\.9999999999999\)"', dragged)

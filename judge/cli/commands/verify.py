@@ -9,6 +9,7 @@ from typing import Any
 import click
 from msgspec.structs import replace
 
+from judge.atomic import replace_file
 from judge.cli.options import json_option, problems_option, write_json
 from judge.data.model import ProblemData
 from judge.errors import ExitCode, ProblemError
@@ -34,6 +35,7 @@ SCHEMA = 1
 @click.argument("names", metavar="[PROBLEM]...", nargs=-1)
 @click.option("--matrix", is_flag=True, help="Show which test group kills which wrong program.")
 @click.option("--pin", is_flag=True, help="Pin the data as they are now: write pins.json.")
+@click.option("--figures", is_flag=True, help="Draw the statement's figure: write figure.svg.")
 @click.option(
     "--seeds",
     type=click.IntRange(1, 100),
@@ -44,7 +46,13 @@ SCHEMA = 1
 @json_option
 @problems_option
 def command(
-    names: tuple[str, ...], matrix: bool, pin: bool, seeds: int, as_json: bool, folders: tuple[Path, ...]
+    names: tuple[str, ...],
+    matrix: bool,
+    pin: bool,
+    figures: bool,
+    seeds: int,
+    as_json: bool,
+    folders: tuple[Path, ...],
 ) -> ExitCode:
     """Check problems from the setter's side.
 
@@ -63,6 +71,8 @@ def command(
     reports = []
     for name in dict.fromkeys(chosen):
         report = _verify(name, folders, pin=pin, seeds=seeds)
+        if figures and report.ok:
+            _draw_figure(find_problem(name, folders))
         reports.append(report)
         if as_json:
             write_json(as_object(report, with_matrix=matrix))
@@ -109,6 +119,15 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int) -> Ver
         faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
         warnings=(*report.warnings, *found.warnings),
     )
+
+
+def _draw_figure(problem: Problem) -> None:
+    """Write figure.svg beside the statement, where there is something to draw."""
+    from judge.report.figure import FIGURE, figure
+
+    drawn = figure(problem)
+    if drawn is not None:
+        replace_file(problem.folder / FIGURE, drawn.encode())
 
 
 def _data(problem: Problem, seeds: int, progress: Progress | None) -> list[ProblemData]:

@@ -8,8 +8,8 @@ Why that matters: in b² - a·c both terms are as large as the figure, and what 
 small as the circle. Their difference keeps the rounding errors of the large ones. Seen from the
 foot there is only d and r, two lengths, and r - d is exact where they are close to each other.
 
-The threshold is one for (r - d)(r + d), not for r - d: so it is 1e-10 extents times r + d. It lies
-in the gap that the statement promises, far above the rounding and far below the first real miss.
+The threshold is one for (r - d)(r + d), not for r - d: so it is 1e-10 of the figure's size times
+r + d, far above the rounding and far below the first real miss.
 A == B is asked for first and exactly, since close points do give a line.
 """
 
