@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Sequence
 from math import isqrt
 from typing import Any, NamedTuple
 
-from judge.data.draw import Draw
+from judge.data.draw import Draw, Rejected
 from judge.errors import ProblemError
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, triple
 
@@ -68,7 +68,10 @@ def telling(drawn: Scene, plain: Callable[..., Any], tolerant: Callable[..., Any
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         for _ in range(tries):
-            case = drawn(draw)
+            try:
+                case = drawn(draw)
+            except Rejected:
+                continue
             if plain(*case) != tolerant(*case):
                 return case
         return draw.reject()
