@@ -16,20 +16,16 @@ def half_chord(cx, cy, r, A, B):
     # : Only one coordinate of the centre is subtracted. Subtract both.
     bx, by = B[0] - cx, B[1] - cy
     # ? forgotten-centre@unused: bx, by = B
-    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
-    # = extent = max(r, hypot(ax, ay), hypot(bx, by))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
-    # ? coordinate-epsilon: extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
+    size = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    # = size = max(r, hypot(ax, ay), hypot(bx, by))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    # ? coordinate-epsilon: size = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    # ? radius-epsilon: extent = r
-    # ? signed-extent: extent = max(r, ax, ay, bx, by)
-    # ? length-epsilon: extent = hypot(bx - ax, by - ay)
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     length = hypot(dx, dy)
@@ -77,10 +73,10 @@ def half_chord(cx, cy, r, A, B):
     # : Nothing keeps a line that misses the circle from the root: the program ends there. Return None first.
     # ? equality-tangency: if d == r: return 0
     # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same
-    # : double, and the root of what is left is 1e-8. Compare within a small part of the extent.
+    # : double, and the root of what is left is 1e-8. Compare within a small part of the size.
     # ? equality-tangency: pass
     # : A touch is not asked for: under the root is a number like 1e-16, and its root is 1e-8. Decide the touch
-    # : first, within a small part of the extent.
+    # : first, within a small part of the size.
     half = sqrt((r - d) * (r + d))
     # = half = sqrt(r * r - d * d)
     # = half = (r * r - d * d) ** 0.5
