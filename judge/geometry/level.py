@@ -17,8 +17,8 @@ from judge.errors import ProblemError
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, triple
 
 Scene = Callable[[Draw], tuple[Any, ...]]
-HEIGHTS = ("cut", "chord", "through", "touch", "miss", "dot", "dot-miss")
-PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "=")
+HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
+PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "remote", "=")
 _FINE = 27  # bits of the size where a figure is nudged: 1e-7 of it is 13 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
@@ -109,6 +109,8 @@ def height(draw: Draw, word: str, size: int) -> tuple[int, int, int | None]:
         if q * 20 < c:
             draw.reject()
         return c * k, p * k * draw.sign(), q * k
+    if word == "off-centre":  # by 2**-2 to 2**-40 of the radius
+        return R, max(1, R >> draw.integer(2, 40)) * draw.sign(), None
     if word == "cut":
         return R, draw.integer(1 - R, R - 1), None
     if word == "touch":
@@ -135,11 +137,13 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
     elif name == "near":
         x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
     elif name == "by":
-        x = (outer + draw.integer(1, 3 * r)) * 1
+        x = outer + draw.integer(1, 3 * r)
     elif name == "far":
         x = -r * draw.integer(100, 20_000)
     elif name == "very-far":
         x = -r * draw.integer(10**5, 10**6)
+    elif name == "remote":  # so far that only a touch is clear
+        x = -r * draw.integer(10**7, 10**8)
     else:  # foot
         x = 0
     return turned * x

@@ -1,15 +1,48 @@
-"""Inside, on or outside a circle: by exact signs, with the band of problem.toml."""
+"""Inside, on or outside a circle: the exact sign of |P − C| − r."""
 
-from __future__ import annotations
+from judge.geometry import Line
+from judge.geometry.hooks import POINT, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    TINY,
+    either,
+    grid,
+    points,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-from judge.topics.circles import POINT, Bands, CircleLine, builders, circle_and_point
-from judge.topics.circles.recipes import edges, points
-
-BUILDERS = builders(edges.SEGMENTS, points.RECIPES, adapter=circle_and_point)
-TOPIC = POINT
+HOOKS = hooks(POINT)
 
 
-def solve(cx, cy, r, P, *, bands):
-    """-1, 0 or 1; a point may not be nearly within the band."""
-    line, widths = CircleLine.through(cx, cy, r, P, P), Bands.of(bands)
-    return widths.side(line), widths.broken_segment(line)
+def solve(cx, cy, r, P):
+    return Line.point(cx, cy, r, P).side()
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
+    group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
+    group("outside", "Points outside, near and far.", points("out", "out", "far", **PLAIN), skills="inside, on or outside"),
+    group("on", "Points on the circle by Pythagoras, in small numbers.", either(points("on", **PLAIN), points("on", **AXIS)), skills="inside, on or outside"),
+    group("radius-zero", "The circle is a point: P is the centre, or it is not.", points("dot-on", "dot-out", **PLAIN), skills="r = 0"),
+    group("random", "Any numbers, small and large.", uniform("nnrp", 20, 1e4, 1e9), skills="inside, on or outside"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
+    group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
+    group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **NEAR), skills="nearly is not on it"),
+    group("tiny", "All of it around 1e-20.", points("on", "on~", "in", "dot-on~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", **OFFSET), skills="far from the origin"),
+    group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
+    group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
+    group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 4), turns=True, skills="nothing kept between calls"),
+]

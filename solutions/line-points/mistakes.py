@@ -30,20 +30,16 @@ def foot(cx, cy, r, A, B):
     # ? forgotten-centre@unused: ox, oy = 0, 0
     # ? forgotten-centre: ox, oy = 0, 0
     # : The points are given as seen from the centre. Add it to them again.
-    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
-    # = extent = max(r, hypot(ax, ay), hypot(bx, by))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
-    # ? coordinate-epsilon: extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
+    size = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    # = size = max(r, hypot(ax, ay), hypot(bx, by))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    # ? coordinate-epsilon: size = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    # ? radius-epsilon: extent = r
-    # ? signed-extent: extent = max(r, ax, ay, bx, by)
-    # ? length-epsilon: extent = hypot(bx - ax, by - ay)
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? shortest-decimal@s: dx, dy = shortest(B[0], A[0]), shortest(B[1], A[1])
     # ? point-for-direction: dx, dy = B
@@ -77,19 +73,18 @@ def foot(cx, cy, r, A, B):
     m = -(ux * ax + uy * ay)
     # ? foot-sign: m = ux * ax + uy * ay
     where = 1 if d > r + near else 0 if d >= r - near else -1
-    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *A, *B)): where = (lambda p, q: (p > q) - (p < q))((dx * ay - dy * ax) ** 2, r * r * (dx * dx + dy * dy))
-    # + snapped-to-centre: if where == -1 and d <= 1e-6 * extent and r > 1e-3 * extent: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
-    # + snapped-to-centre: if where == -1 and d <= 1e-7 * extent and r > 1e-3 * extent: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
+    # + snapped-to-centre: if where == -1 and d <= 1e-6 * size and r > 1e-3 * size: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
+    # + snapped-to-centre: if where == -1 and d <= 1e-7 * size and r > 1e-3 * size: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
     # ? equality: where = 1 if d > r else 0 if d == r else -1
     # ? equality: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
     # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1
     # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
-    # : lengths, within a small part of the extent.
+    # : lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if d > r - near else -1
     # ? tangent-twice: where = 1 if d > r + near else -1
     # ? tangent-twice: where = 1 if d > r else -1
     # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of others.
-    # : Treat the touch as a case of its own, within a small part of the extent.
+    # : Treat the touch as a case of its own, within a small part of the size.
     # ? sqrt-of-negative@a: where = 0 if abs(d - r) <= near else -1
     # ? sqrt-of-negative@b: where = 0 if abs(d - r) <= near else -1
     # : Nothing keeps a line that misses the circle from the root: the program ends there. Return [] first.
@@ -154,12 +149,10 @@ def quadratic(cx, cy, r, A, B):
     k = dx * fy - dy * fx
     disc = r * r * a - k * k
     # ? cancellation@e: disc = b * b - a * c
-    # ? cancellation@f: disc = b * b - a * c
     # ? cancellation@g: disc = b * b - a * c
     gap = abs(k) / sqrt(a) - r
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? cancellation@e: where = 1 if disc < -near * r * a else 0 if disc <= near * r * a else -1
-    # ? cancellation@f: where = 1 if disc < -1e-12 * b * b else 0 if disc <= 1e-12 * b * b else -1
     # ? cancellation@g: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1

@@ -19,18 +19,17 @@ def lengths(cx, cy, r, P):
     # ? shortest-decimal: fx, fy = (float(Fraction(str(p)) - Fraction(str(c))) for p, c in zip(P, (cx, cy)))
     # ? forgotten-centre: fx, fy = P[0] + cx, P[1] + cy
     # : The centre is added to P. Seen from the centre, P is P − C.
-    extent = max(r, abs(fx), abs(fy))
-    # = extent = max(r, hypot(fx, fy))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
-    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+    size = max(r, abs(fx), abs(fy))
+    # = size = max(r, hypot(fx, fy))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
+    # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # = near = 1e-10 * r
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? tight-epsilon: near = {1e-15..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     d = hypot(fx, fy)
     # = d = sqrt(fx * fx + fy * fy)
     # ? manhattan: d = abs(fx) + abs(fy)
@@ -45,19 +44,16 @@ def lengths(cx, cy, r, P):
     # : For a radius of 0 the answer is 0, wherever P is. The circle is the point C then.
     # + zero-radius: if r == 0: return None
     # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
-    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *P)): return (lambda k: (k > 0) - (k < 0))(fx * fx + fy * fy - r * r)
     if abs(d - r) <= near:
         return 0
         # ? boolean: return True
         # ? boolean@both: return True
         # ? only-on-or-off: return 1
-    # ? equality: if d == r: return 0
+    # = if d == r: return 0
     # ? equality: if fx * fx + fy * fy == r * r: return 0
-    # : |f|² is compared with r² by ==. Turned by some angle, hardly any point is exactly there: compare within
-    # : a small part of the extent.
-    # ? equality: if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return 0
-    # : Everything is exact, so that a point whose coordinates were rounded is inside or outside by 1e-17. Apply
-    # : the statement's band, which says what the truth is.
+    # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
+    # : part of the size.
+    # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return 0
     # ? strict-less: if d == r: return 1
     # ? strict-less: if abs(d - r) <= near: return 1
     # : A point on the circle is called outside. It is on it: 0.
@@ -65,13 +61,13 @@ def lengths(cx, cy, r, P):
     # : A point on the circle is called inside. It is on it: 0.
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/3}: return 0
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= near: return 0
-    # : |f|² − r², an area, is compared with a length, 1e-10 of the extent. Compare |f| with r, or multiply the
+    # : |f|² − r², an area, is compared with a length, 1e-10 of the size. Compare |f| with r, or multiply the
     # : threshold by |f| + r.
     # ? loose-epsilon: if abs(d - r) <= 1e-8 + 1e-5 * r: return 0
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold in the gap of
-    # : the promise: 1e-10 of the extent.
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within 1e-9 of
+    # : the size.
     # ? absolute-epsilon: if abs(d - r) <= max(1e-9, 1e-9 * r): return 0
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
+    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
     return 1 if d > r else -1
     # ? boolean@both: return False
     # ? boolean: return d > r

@@ -6,8 +6,8 @@
 
 def on_circle(cx, cy, r, P):
     fx, fy = P[0] - cx, P[1] - cy
-    extent = max(r, abs(fx), abs(fy))
+    size = max(r, abs(fx), abs(fy))
     area = fx * fx + fy * fy - r * r
-    if abs(area) <= 2e-10 * extent * extent:
+    if abs(area) <= 2e-10 * size * size:
         return 0
     return 1 if area > 0 else -1

@@ -1,4 +1,4 @@
-"""foot and half-chord
+"""foot and half-chord, with a tolerance
 
 The foot of the perpendicular from the centre is the middle of both points: from there the same way
 back and forth along the line.
@@ -9,7 +9,7 @@ normal from C, so it never passes through A, however far away that is. The other
 with r as its longest side is half of the chord.
 
 Back comes before forth on the way from A to B: that is the order which is wanted. A touch is
-decided by lengths, in a band of 1e-10 extents, and is the foot alone.
+decided by lengths, within 1e-9 of the size, and is the foot alone.
 """
 
 from math import hypot, sqrt
@@ -20,7 +20,7 @@ def line_points(cx, cy, r, A, B):
     if dx == 0 and dy == 0:
         return None
     fx, fy = A[0] - cx, A[1] - cy
-    near = 1e-10 * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    near = 1e-9 * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
     length = hypot(dx, dy)
     ux, uy = dx / length, dy / length
     side = ux * fy - uy * fx
