@@ -1,33 +1,51 @@
-"""Where the tangents through a point touch a circle: exact points, and the promise of every case."""
+"""Where the tangents through a point touch a circle, the point left of P→C first."""
 
-from __future__ import annotations
+from judge.geometry import Line
+from judge.geometry.hooks import TANGENTS, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TINY,
+    either,
+    grid,
+    points,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-from collections.abc import Sequence
-from typing import Any
-
-from judge.data.draw import Draw
-from judge.topics.circles import TANGENTS, Bands, CircleLine, builders, circle_and_point
-from judge.topics.circles.figures.figure import Figure
-from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import edges, outside, points
-from judge.values import vector
-
-
-def beside(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """A point outside that is straight beside the centre, but for the pose."""
-    radius = draw.integer(1, size)
-    return posed(
-        draw, Figure((0, 0), radius, ((radius + draw.integer(1, 3 * size), 0),)), poses=poses, **pose
-    )
-
-
-RECIPES = (edges.SEGMENTS, points.RECIPES, outside.RECIPES, {"beside": beside})
-BUILDERS = builders(*RECIPES, adapter=circle_and_point)
-TOPIC = TANGENTS
+HOOKS = hooks(TANGENTS)
 
 
-def solve(cx, cy, r, P, *, bands):
-    """The points left and right of P→C; P may not be nearly on the circle, nor the circle be tiny."""
-    line, widths = CircleLine.through(cx, cy, r, P, P), Bands.of(bands)
-    found = [vector(line.touching(which), line.extent_length()) for which in widths.tangents(line)]
-    return found, line.small(bands["least_radius"]) or widths.broken_segment(line)
+def solve(cx, cy, r, P):
+    return Line.point(cx, cy, r, P).tangents()
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 3), cases=180, skills="the small grid"),
+    group("outside", "P outside, in every direction: two points.", points("out", **PLAIN), skills="tangents from a point"),
+    group("order", "P straight beside, above or below the circle: the point left of P→C comes first.", points("out", **AXIS), skills="left and right of a line"),
+    group("on", "P on the circle: it touches itself, once.", either(points("on", **PLAIN), points("on", **AXIS)), skills="inside, on or outside"),
+    group("inside", "P inside the circle, or its centre: no tangent, and no root of a negative number.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
+    group("radius-zero", "The circle is the point C, and that is where every line touches it.", points("dot-on", "dot-out", **PLAIN), skills="r = 0"),
+    group("beside", "P almost straight beside the centre or above it.", points("out", **STEEP), skills="no slopes"),
+    group("random", "Any numbers, small and large.", uniform("nnrp", 20, 1e4, 1e9), skills="full precision"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
+    group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
+    group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", **NEAR), skills="nearly is not on it"),
+    group("far", "P a hundred to ten thousand radii away.", points("far", **FAR), skills="tangents from a point"),
+    group("tiny", "All of it around 1e-20.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", points("on", "in", "out", "out", **OFFSET), skills="far from the origin"),
+    group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),
+]

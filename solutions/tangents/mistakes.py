@@ -31,22 +31,21 @@ def polar(cx, cy, r, P):
     # : The points are as seen from the centre: it was subtracted from P, and never added again.
     # ? forgotten-centre: ox, oy = P
     # : The points are added to P, but they were found as seen from the centre. Add them to C.
-    extent = max(r, abs(fx), abs(fy))
-    # = extent = max(r, hypot(fx, fy))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
-    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+    size = max(r, abs(fx), abs(fy))
+    # = size = max(r, hypot(fx, fy))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
+    # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * r
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold in the gap of
-    # : the promise: 1e-10 of the extent.
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within 1e-9 of
+    # : the size.
     d = hypot(fx, fy)
     # = d = sqrt(fx * fx + fy * fy)
     # ? global-frame: d = sqrt(max(1.0, P[0] * P[0] + P[1] * P[1] - 2 * (P[0] * cx + P[1] * cy) + cx * cx + cy * cy))
@@ -56,16 +55,14 @@ def polar(cx, cy, r, P):
         # ? on-is-two: return [P, P]
     # ? on-is-two: if abs(d - r) <= near: d = r
     # : The general way gives both points for P on the circle as well, and they are the same. It is one: [P].
-    # ? equality: if d == r: return [P]
+    # = if d == r: return [P]
     # ? equality: if fx * fx + fy * fy == r * r: return [P]
-    # : |f|² is compared with r² by ==. Turned by some angle, hardly any point is exactly there: compare within
-    # : a small part of the extent.
-    # ? equality: if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return [P]
-    # : Everything is exact, so that a point whose coordinates were rounded is inside or outside by 1e-17. Apply
-    # : the statement's band, which says what the truth is.
+    # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
+    # : part of the size.
+    # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return [P]
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/3}: return [P]
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= near: return [P]
-    # : |f|² − r², an area, is compared with a length, 1e-10 of the extent. Compare |f| with r, or multiply the
+    # : |f|² − r², an area, is compared with a length, 1e-10 of the size. Compare |f| with r, or multiply the
     # : threshold by |f| + r.
     if d < r:
         return []

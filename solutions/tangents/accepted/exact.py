@@ -6,9 +6,6 @@ Rational numbers throughout; the one square root is taken to 60 digits by the in
 from fractions import Fraction
 from math import isqrt
 
-SNAP = Fraction(1, 10**12)
-
-
 def square_root(value):
     """The root of a rational number from below, to about 60 digits."""
     shift = 400
@@ -20,10 +17,9 @@ def tangent_points(cx, cy, r, P):
     fx, fy = Fraction(P[0]) - cx, Fraction(P[1]) - cy
     if not r:
         return [(float(cx), float(cy))]
-    slack = SNAP * max(r, abs(fx), abs(fy))
     square = fx * fx + fy * fy
-    if square > (r + slack) ** 2:
+    if square > r * r:
         a, b = r * r / square, r * square_root(square - r * r) / square
         ends = [(cx + a * fx + s * b * fy, cy + a * fy - s * b * fx) for s in (1, -1)]
         return [(float(x), float(y)) for x, y in ends]
-    return [tuple(P)] if square >= (r - slack) ** 2 else []
+    return [tuple(P)] if square == r * r else []

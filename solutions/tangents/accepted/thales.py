@@ -10,10 +10,10 @@ from math import sqrt
 
 def tangent_points(cx, cy, r, P):
     px, py = P[0] - cx, P[1] - cy
-    extent = max(r, abs(px), abs(py))
+    size = max(r, abs(px), abs(py))
     if r == 0:
         return [[cx, cy]]
-    px, py, q = px / extent, py / extent, r / extent
+    px, py, q = px / size, py / size, r / size
     square = px * px + py * py
     gap = (square - q * q) / (sqrt(square) + q)
     if gap < -1e-9:
@@ -26,4 +26,4 @@ def tangent_points(cx, cy, r, P):
     fx, fy = reach * mx, reach * my
     half = sqrt(q * q - fx * fx - fy * fy) if gap > 1e-3 else q * sqrt(gap * (gap + 2 * q) / square)
     ux, uy = py / sqrt(square), -px / sqrt(square)
-    return [[cx + extent * (fx + s * half * ux), cy + extent * (fy + s * half * uy)] for s in (1, -1)]
+    return [[cx + size * (fx + s * half * ux), cy + size * (fy + s * half * uy)] for s in (1, -1)]
