@@ -1,6 +1,7 @@
 """A statement as the docstring of a stub: what is wanted, wrapped for code, the examples as doctests.
 
-Left out are the title, the signature (the stub has its own) and what concerns programs that read stdin.
+Left out are the title, the task and the signature (the stub has its own), figures, and what concerns programs that
+read standard input.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ def _told(problem: Problem) -> Iterator[_Block]:
                 continue
             if not skipped or level <= skipped:
                 skipped = level if _concerns_programs(block.lines[0], problem) else 0
-        if skipped:
+        if skipped or _is_told_elsewhere(block, problem):
             continue
         if block.kind == "text" and task is None and "function" in block.lines[-1].split()[-1:]:
             task = block
@@ -86,6 +87,14 @@ def _told(problem: Problem) -> Iterator[_Block]:
 
 def _concerns_programs(heading: str, problem: Problem) -> bool:
     return "program" in heading.lower() and problem.entry not in heading
+
+
+def _is_told_elsewhere(block: _Block, problem: Problem) -> bool:
+    """Whether it is a figure, the task, which the summary tells, or the rule for programs."""
+    text = " ".join(line.strip() for line in block.lines)
+    if block.kind == "item":
+        return "is run as a program" in text
+    return block.kind == "text" and text.startswith(("![", f"Write `{problem.entry}("))
 
 
 def _is_signature(block: _Block, problem: Problem) -> bool:

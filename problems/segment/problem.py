@@ -1,17 +1,75 @@
-"""The circle and the closed segment: the exact common points, in order, and the promise of every case."""
+"""The points of a closed segment that lie on a circle, in order from A to B."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import SEGMENT, Bands, CircleLine, builders
-from judge.topics.circles.recipes import edges, endpoints, whole
-from judge.values import vector
+from judge.geometry import Line, plain
+from judge.geometry.hooks import SEGMENT, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    DECIMALS,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TINY,
+    closed_up,
+    either,
+    grid,
+    lines,
+    telling,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-BUILDERS = builders(endpoints.RECIPES, edges.SEGMENTS, whole.SEGMENTS)
-TOPIC = SEGMENT
+HOOKS = hooks(SEGMENT)
+TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
+BEYOND = ("touch after after", "touch before before", "touch foot by")
+ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
+TELLING = plain.count, partial(plain.count, tolerance=1e-10)
 
 
-def solve(cx, cy, r, A, B, *, bands):
-    """The common points in order of t; none of them, and no tangency, may be nearly within a band."""
-    line, widths = CircleLine.through(cx, cy, r, A, B), Bands.of(bands)
-    points = [vector(line.point(which), line.extent_length()) for which in widths.segment(line)]
-    return points, widths.broken_segment(line)
+def solve(cx, cy, r, A, B):
+    line = Line.through(cx, cy, r, A, B)
+    return [line.real_point(which) for which in line.within()]
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="the small grid"),
+    group("through", "Both ends outside, the circle between them: two points.", lines("cut before after", "through before after", **PLAIN), skills="order along the segment"),
+    group("one-end-inside", "The segment enters the circle or leaves it: one point.", lines("cut before in", "cut in after", **PLAIN), skills="clamp to a segment"),
+    group("both-ends-inside", "All of the segment is inside: no point.", lines("cut in in", **PLAIN), skills="clamp to a segment"),
+    group("beyond", "The line cuts the circle before the segment starts, or after it ends.", lines("cut before before", "cut after after", **PLAIN), skills="clamp to a segment"),
+    group("from-foot", "A is the foot of the perpendicular from C, so that f·D is 0.", lines("cut foot ?by", "through foot ?by", **PLAIN), skills="zero has no sign"),
+    group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
+    group("tangent", "The segment touches: one point, once.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
+    group("tangent-beyond", "The line touches beyond the segment, or at one end.", lines(*BEYOND, **PLAIN), skills="clamp to a segment"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("end-on-circle", "An end is on the circle, or both are.", lines(*ENDS, **PLAIN), skills="closed ends"),
+    group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", **PLAIN), skills="degenerate segment"),
+    group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
+    group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
+    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="full precision"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT)), skills="closed ends"),
+    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", **NEAR), skills="ends no wider than the band"),
+    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), skills="degenerate segment"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
+    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", "chord first~ in", "chord first~ =", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", **OFFSET), skills="far from the origin"),
+    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch remote foot", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"})), cases=90, skills="the sharp discriminant"),
+    group("far-end", "One end is on the circle or just off it, the other is far away.", lines("chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), skills="ends no wider than the band"),
+    group("close-points", "A and B are close together, and still two points.", closed_up("touch foot", "touch by", "cut by", "chord first", "through in"), skills="degenerate segment"),
+    group("steep", "Directions almost along an axis.", lines(*TOUCHES, "cut before in", "miss before after", **STEEP), skills="no slopes"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), turns=True, skills="nothing kept between calls"),
+]

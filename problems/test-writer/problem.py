@@ -49,7 +49,6 @@ FAMILIES = {
         "tangent-twice",
         "sign-of-zero",
         "equality-tangency",
-        "tight-epsilon",
         "loose-epsilon",
     ],
     "degenerate": [
@@ -62,12 +61,7 @@ FAMILIES = {
     ],
     "scale": [
         "absolute-epsilon",
-        "length-epsilon",
-        "radius-epsilon",
-        "radius-epsilon-at-ends",
         "coordinate-epsilon",
-        "one-sided-extent",
-        "signed-extent",
     ],
     "precision": ["global-frame", "single-precision", "cancellation", "overflow-32", "overflow-64"],
 }

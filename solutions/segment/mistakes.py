@@ -37,59 +37,35 @@ def geometric(cx, cy, r, A, B):
     # ? forgotten-centre: ox, oy = 0, 0
     # ? forgotten-centre: ox, oy = 2 * cx, 2 * cy
     # : The centre is added to points that have it already. A + t·(B − A) is where the point is.
-    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
-    # = extent = max(r, hypot(ax, ay), hypot(bx, by))
-    # ? one-sided-extent: extent = max(r, abs(ax), abs(ay))
-    # ? one-sided-extent: extent = max(r, abs(bx), abs(by))
-    # : The extent leaves out A. Where A alone is far away, the threshold is far too narrow. Take the
-    # : largest of r and both ends' coordinates from C.
-    # ? one-sided-extent: extent = max(r, abs(ax), abs(bx))
-    # : The extent leaves out y. A figure that is long in y gets a threshold that is too narrow. Take the
-    # : largest of r and both ends' coordinates from C.
-    # ? one-sided-extent: extent = max(r, abs(ay), abs(by))
-    # ? signed-extent: extent = max(r, ax, ay, bx, by)
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
-    # ? coordinate-epsilon: extent = 1 + max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    size = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    # = size = max(r, hypot(ax, ay), hypot(bx, by))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    # ? coordinate-epsilon: size = 1 + max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
     # : All thresholds are a fraction of 1 plus the coordinates, "to be safe": for a small figure, or one
-    # : far away from the origin, that is too wide. Measure the extent from the centre, and add nothing to
+    # : far away from the origin, that is too wide. Measure the size from the centre, and add nothing to
     # : it.
-    # ? coordinate-epsilon: extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
-    # ? radius-epsilon: extent = r
-    # ? length-epsilon: extent = hypot(bx - ax, by - ay)
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # ? coordinate-epsilon: size = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-14..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     touch = near
-    # ? length-epsilon@both: touch = 1e-10 * hypot(bx - ax, by - ay)
     # ? absolute-epsilon: touch = {1e-14..1e-3/3}
-    # ? tight-epsilon: touch = {1e-16..1e-13} * extent
-    # ? loose-epsilon: touch = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: touch = {1e-6..1e-2/2} * size
     # ? loose-epsilon: touch = {1e-6..1e-2/2} * r
-    # ? radius-epsilon: touch = {1e-11..1e-8} * r
     # ? coordinate-epsilon: touch = 1e-10 * max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
     slack = near
     # ? absolute-epsilon: slack = {1e-14..1e-3/3}
     # ? no-snap: slack = 0
-    # ? no-snap: slack = 1e-15 * extent
-    # : The ends have a slack of 1e-15 of the extent, which is not even the rounding. Let them have the same
-    # : slack as the tangency: 1e-10 of the extent.
-    # ? loose-clamp: slack = {1e-5..1e-1} * extent
+    # ? loose-clamp: slack = {1e-5..1e-1} * size
     # ? loose-clamp: slack = {1e-5..1e-1} * hypot(bx - ax, by - ay)
-    # ? length-epsilon: slack = {1e-12..1e-10/2} * hypot(bx - ax, by - ay)
-    # ? length-epsilon@both: slack = 1e-10 * hypot(bx - ax, by - ay)
-    # ? radius-epsilon-at-ends: slack = {1e-11..1e-8} * r
     # ? coordinate-epsilon: slack = 1e-10 * max(abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
     # : The slack at the ends is a fraction of the largest coordinate, which far from the origin is wider
-    # : than the figure. Measure it in the extent.
+    # : than the figure. Measure it in the size.
     point = near
     # ? degenerate-epsilon-absolute: point = {1e-12..1e-3/3}
-    # ? degenerate-loose: point = {1e-6..1e-2/2} * extent
-    # ? degenerate-tight: point = 1e-14 * extent
-    # ? degenerate-tight: point = 0
-    # : For A == B the distance from the centre is compared with the radius by ==, which rounding and the
-    # : band do not allow. Take a slack of 1e-10 of the extent.
+    # ? degenerate-loose: point = {1e-6..1e-2/2} * size
+    # = point = 0
     # = point = 1e-10 * r
     dx, dy = bx - ax, by - ay
     length = hypot(dx, dy)
@@ -123,13 +99,6 @@ def geometric(cx, cy, r, A, B):
         # ? inside-ends@both: return [A] if hypot(ax, ay) <= r + point else []
     # ? no-degenerate: pass
     # + short-is-a-point: if length < {1e-9..1e-4/2}: return [A] if abs(hypot(ax, ay) - r) <= point else []
-    # + short-is-a-point: if length <= 1e-9 * extent: return [A] if abs(hypot(ax, ay) - r) <= point else []
-    # : A segment shorter than 1e-9 of the extent is taken for the point A, with the slack of a point. On a tangent
-    # : A is on the circle by that slack long before the line touches. Only A == B is a point.
-    # + box-without-band: if max(ax, bx) < -r or min(ax, bx) > r or max(ay, by) < -r or min(ay, by) > r: return []
-    # + box-without-band: if max(ax, bx) < -r: return []
-    # : What ends to the left of the circle is dropped at once, by comparing with -r as it is: rounding pushes an end
-    # : or a touch there outside. Let that have a slack too, 1e-10 of the extent.
     ux, uy = dx / length, dy / length
     side = ux * ay - uy * ax
     # ? swapped-coordinates: side = ux * ax - uy * ay
@@ -137,7 +106,7 @@ def geometric(cx, cy, r, A, B):
     # ? equality-tangency@f: d = hypot(ax - (ux * ax + uy * ay) * ux, ay - (ux * ax + uy * ay) * uy)
     # : The foot of the perpendicular is computed, and its distance from the centre compared with the radius
     # : by ==. After so many roundings it is hardly ever the same double. Compare within 1e-10 of the
-    # : extent.
+    # : size.
     # ? equality-tangency@g: d = abs(dx * ay - dy * ax) / length
     # ? cancellation: d = sqrt(max(0.0, (ax * ax + ay * ay) * (bx * bx + by * by) - (ax * bx + ay * by) ** 2)) / length
     # : The distance of the line is the root of |a|²·|b|² − (a·b)², by |D|: two numbers that are nearly
@@ -157,7 +126,7 @@ def geometric(cx, cy, r, A, B):
     where = 1 if d > r + touch else 0 if d >= r - touch else -1
     # ? equality-tangency: where = 1 if d > r else 0 if d == r else -1
     # : A tangency is where the distance == r, which floats almost never are. Call it a tangency when the
-    # : two differ by less than 1e-10 of the extent.
+    # : two differ by less than 1e-10 of the size.
     # ? equality-tangency: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
     # ? equality-tangency@f: where = 1 if d > r else 0 if d == r else -1
     # ? equality-tangency@g: where = 1 if d > r else 0 if d == r else -1
@@ -166,11 +135,11 @@ def geometric(cx, cy, r, A, B):
     # ? tangent-missed: where = 1 if d > r - touch else -1
     # ? tangent-missed: where = 1 if d >= r else -1
     # : d < r makes two points, and all else is a miss: a tangent gets none, or two where it was rounded to
-    # : the inside. Treat the tangency as a case of its own, within a small part of the extent.
+    # : the inside. Treat the tangency as a case of its own, within a small part of the size.
     # ? tangent-twice: where = 1 if d > r + touch else -1
     # ? tangent-twice: where = 1 if d > r else -1
     # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of
-    # : others. Treat the tangency as a case of its own, within a small part of the extent.
+    # : others. Treat the tangency as a case of its own, within a small part of the size.
     # ? sqrt-of-negative@a: where = 0 if abs(d - r) <= touch else -1
     # ? sqrt-of-negative@b: where = 0 if abs(d - r) <= touch else -1
     # : Nothing keeps a line that misses the circle from the square root, which raises ValueError. Compare
@@ -292,8 +261,8 @@ def quadratic(cx, cy, r, A, B):
     "right"
     fx, fy = A[0] - cx, A[1] - cy
     gx, gy = B[0] - cx, B[1] - cy
-    extent = max(r, abs(fx), abs(fy), abs(gx), abs(gy))
-    near = 1e-10 * extent
+    size = max(r, abs(fx), abs(fy), abs(gx), abs(gy))
+    near = 1e-10 * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     a = dx * dx + dy * dy
     if a == 0:
@@ -324,8 +293,6 @@ def quadratic(cx, cy, r, A, B):
     # ? radius-not-squared@b: disc = b * b - a * c
     # ? wrong-sign@w: disc = b * b - a * c
     # ? cancellation@c0: disc = b * b - a * c
-    # ? cancellation@c1: disc = b * b - a * c
-    # ? cancellation@c2: disc = b * b - a * c
     # ? equality-tangency@d0: disc = b * b - a * c
     # ? equality-tangency@p2: disc = (b / a) ** 2 - c / a
     # ? absolute-epsilon@all: disc = b * b - a * c
@@ -348,17 +315,14 @@ def quadratic(cx, cy, r, A, B):
     gap = abs(k) / length - r
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? equality-tangency: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # : Everything is exact, so a tangent whose numbers were rounded to doubles is a hit or a miss by 1e-17.
-    # : Apply the statement's band, which says what the truth is: |d - r| <= 1e-12 of the extent is a
-    # : tangency.
+    # : The discriminant is compared with 0 by ==. Its terms are rounded, and a touch is hardly ever exactly
+    # : 0. Compare lengths, within a small part of the size.
     # ? equality-tangency@d0: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency@p2: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? wrong-sign@w: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? cancellation@c0: where = 1 if disc < -near * extent * a else 0 if disc <= near * extent * a else -1
-    # ? cancellation@c1: where = 1 if disc < -1e-12 * b * b else 0 if disc <= 1e-12 * b * b else -1
+    # ? cancellation@c0: where = 1 if disc < -near * size * a else 0 if disc <= near * size * a else -1
     # ? cancellation@c4: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? cancellation@u: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
-    # ? cancellation@c2: where = 1 if disc < -1e-12 * (b * b + abs(a * c)) else 0 if disc <= 1e-12 * (b * b + abs(a * c)) else -1
     # ? global-frame@rel: where = 1 if disc < -1e-12 * (b * b + abs(a * c)) else 0 if disc <= 1e-12 * (b * b + abs(a * c)) else -1
     # ? absolute-epsilon@all: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
     # ? absolute-epsilon@all2: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
@@ -408,13 +372,10 @@ def quadratic(cx, cy, r, A, B):
     # ? absolute-epsilon@all: slack = {1e-13..1e-3/3}
     # ? absolute-epsilon@all2: slack = {1e-13..1e-3/3}
     # ? absolute-epsilon@root: slack = {1e-13..1e-3/3}
-    # ? length-epsilon: slack = 1e-12
-    # ? length-epsilon: slack = 1e-10
     # ? loose-clamp: slack = {1e-5..1e-1}
     # ? no-snap: slack = 0
-    # : The roots are exact and so is 0 <= t <= 1: a common point 1e-17 beyond an end, by the rounding of
-    # : the input, is lost. Apply the statement's band at the ends too: up to 1e-12 of the extent beyond an
-    # : end is on the segment.
+    # : The roots are rounded, and 0 <= t <= 1 has no room for that: where an end is on the circle its t is
+    # : 1e-17 or -1e-17. Give t the slack of 1e-9 of the size, divided by |D|.
     kept = [t for t in ts if -slack <= t <= 1 + slack]
     # ? no-clamp: kept = ts
     # ? no-clamp: kept = [t for t in ts if t >= -slack]
@@ -438,8 +399,8 @@ def quadratic(cx, cy, r, A, B):
 def slope(cx, cy, r, A, B):
     "slope-intercept"
     fx, fy, gx, gy = A[0] - cx, A[1] - cy, B[0] - cx, B[1] - cy
-    extent = max(r, abs(fx), abs(fy), abs(gx), abs(gy))
-    near = 1e-10 * extent
+    size = max(r, abs(fx), abs(fy), abs(gx), abs(gy))
+    near = 1e-10 * size
     if A == B:
         return [A] if abs(hypot(fx, fy) - r) <= near else []
     # + slope-intercept: if A[0] == B[0]: return []
@@ -454,13 +415,13 @@ def slope(cx, cy, r, A, B):
     n = fy - m * fx
     a, b, c = 1 + m * m, m * n, n * n - r * r
     disc = b * b - a * c
-    if disc < -near * extent * a:
+    if disc < -near * size * a:
         return []
     # = if disc < -1e-9 * b * b: return []
     # = if disc < -1e-9: return []
     # = if disc < 0: return []
     s = sqrt(abs(disc))
-    xs = [-b / a] if disc <= near * extent * a else [(-b - s) / a, (-b + s) / a]
+    xs = [-b / a] if disc <= near * size * a else [(-b - s) / a, (-b + s) / a]
     # = xs = [-b / a] if disc <= 1e-9 else [(-b - s) / a, (-b + s) / a]
     # = xs = [-b / a] if disc <= 1e-9 * b * b else [(-b - s) / a, (-b + s) / a]
     # = xs = [-b / a] if disc == 0 else [(-b - s) / a, (-b + s) / a]

@@ -77,7 +77,7 @@ def starts(cache: str, rounds: int) -> None:
         problem = find_problem(name)
         accepted = sorted((problem.solutions / "accepted").glob("*.py"))
         solution = next(path for path in accepted if f"def {problem.entry}(" in path.read_text())
-        geometric = problem.solutions / "accepted" / "geometric.py"
+        geometric = problem.solutions / "accepted" / "tolerant.py"
         chosen = geometric if geometric.exists() else solution
         figures[f"judge run {name}"] = process((*JUDGE, "run", name, str(chosen)), cache)
     bases = {"a bare start": process(BARE, cache), "a bare start, -I -S": process(BAREST, cache)}
@@ -95,7 +95,7 @@ def cpu_of(command: tuple[str, ...], cache: str) -> float:
 def folder(cache: str, rounds: int) -> None:
     """The figure of a folder: what `FURTHER` more copies of an accepted solution cost, each."""
     problem = find_problem("segment")
-    source = (problem.solutions / "accepted" / "geometric.py").read_bytes()
+    source = (problem.solutions / "accepted" / "tolerant.py").read_bytes()
     with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as many:
         for place, count in ((one, 1), (many, 1 + FURTHER)):
             for number in range(count):

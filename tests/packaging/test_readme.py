@@ -111,7 +111,7 @@ def test_the_programs_that_judge_do_as_told(place, wanted, tmp_path, built):
     assert len(blocks) == 2
     homework = tmp_path / "homework"
     homework.mkdir()
-    shutil.copy(ROOT / "solutions" / "segment" / "accepted" / "geometric.py", homework / "alice.py")
+    shutil.copy(ROOT / "solutions" / "segment" / "accepted" / "tolerant.py", homework / "alice.py")
     (homework / "bob.py").write_bytes(mistaken("segment", "tangent-twice"))
     (tmp_path / "marks.py").write_text(blocks[place], encoding="utf-8")
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "JUDGE_CACHE": str(built)}

@@ -64,7 +64,7 @@ def assert_neighbours(cases):
 
 def test_fresh_neighbours_are_such_too_with_nothing_between_them():
     problem = load_problem(PROBLEMS / "segment")
-    fresh = Fresh(problem, load_module(problem), [problem.group("neighbours")], 7)
+    fresh = Fresh(problem, load_module(problem), [problem.group("repeated")], 7)
     series = next(fresh.series())
     cases = series.data.cases
     assert_neighbours(cases)

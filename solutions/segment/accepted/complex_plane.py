@@ -9,8 +9,8 @@ def circle_segment(cx, cy, r, A, B):
     start = complex(A[0] - cx, A[1] - cy)
     step = complex(B[0] - A[0], B[1] - A[1])
     finish = complex(B[0] - cx, B[1] - cy)
-    extent = max(r, abs(start.real), abs(start.imag), abs(finish.real), abs(finish.imag))
-    slack = 1e-10 * extent
+    size = max(r, abs(start.real), abs(start.imag), abs(finish.real), abs(finish.imag))
+    slack = 1e-10 * size
 
     if step == 0:
         on_circle = abs(abs(start) - r) <= slack

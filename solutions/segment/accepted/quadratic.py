@@ -3,15 +3,15 @@
 The quadratic in t with the discriminant r²a - k² and the roots that do not cancel.
 
 First the infinite line, then the segment. Whether the line touches is decided by the distance
-|k| / |D| from the centre, in a band of 1e-10 extents: inside it there is one root, the foot of the
+|k| / |D| from the centre, within 1e-10 of the size: there it is one root, the foot of the
 perpendicular, and never two equal ones.
 
 Why r²a - k²: it equals b² - a·c by Lagrange's identity, but keeps its digits when the circle is small
 and A far away. Why q: of the two textbook roots one subtracts nearly equal numbers; q adds them and
 the other root is c / q.
 
-Then the ends. The band is a length along the line, and t counts in lengths of the segment, so the
-slack on t is the band divided by |D|. It holds for the foot of a tangent as well, which may lie
+Then the ends. The slack is a length along the line, and t counts in lengths of the segment, so the
+slack on t is that length divided by |D|. It holds for the foot of a tangent as well, which may lie
 beyond an end. The roots come in order of t, which is the order that is wanted.
 """
 
@@ -28,8 +28,8 @@ def roots(a, b, c, half):
 def circle_segment(cx, cy, r, A, B):
     fx, fy = A[0] - cx, A[1] - cy
     dx, dy = B[0] - A[0], B[1] - A[1]
-    extent = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
-    near = extent * 1e-10
+    size = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    near = size * 1e-10
 
     a = dx * dx + dy * dy
     if a == 0:

@@ -1,12 +1,12 @@
 """many-digits
 
-Right, and hundreds of times slower than it need be: every root is worked out to fifteen hundred digits and
+Right, and hundreds of times slower than it need be: every root is worked out to six thousand digits and
 then rounded to the sixteen of a double.
 """
 
 from decimal import Decimal, getcontext
 
-getcontext().prec = 1_500
+getcontext().prec = 6_000
 
 
 def circle_segment(cx, cy, r, A, B):

@@ -1,8 +1,9 @@
 """figures moved about
 
 A few figures of whole numbers say what may happen: through, touching, ends on and beside the circle, points for
-segments. Each is then turned by a Pythagorean angle, scaled and shifted, so that the same thing happens at an odd angle,
-tiny, huge or far away, where a threshold of the wrong size and lost digits show.
+segments. Each is then turned by a Pythagorean angle, scaled by a power of two and shifted by whole numbers, so that the
+same thing happens, exactly, at an odd angle, tiny, huge or far away, where a threshold of the wrong size and lost digits
+show.
 """
 
 
@@ -21,16 +22,16 @@ def moved(case, turn=(1, 0), scale=1, shift=(0, 0)):
 def cases():
     through = (2, 1, 5, (9, 4), (-7, -2))  # from right to left
     return [
-        moved(through, scale=101_000_000),  # too large for 64 bits
-        (0, 0, 151, (-277426592.2, 369902374.6), (277426833.8, -369902193.4)),  # touches, and is very long
-        moved((0, 0, 5, (3, 4), (-4.9999, 0)), turn=(4, 3), scale=0.1, shift=(1e4, 0)),  # on it, to just inside
-        moved((0, 0, 1, (-3, 1), (4, 1)), turn=(20, 21), scale=0.1, shift=(0, 1e4)),  # touches, at an odd angle
-        moved((0, 0, 1, (2, 1), (4, 1))),  # would touch, before it begins
-        moved((0, 0, 1, (-2, -1.000001), (2, -1.000001)), shift=(2e5, -1e5)),  # misses by a millionth
-        moved((0, 0, 5, (3, 4), (3, 4)), turn=(5, 12), scale=0.1, shift=(1e4, 0)),  # a point on the circle
-        moved((0, 0, 5, (3, 4.00001), (3, 4.00001)), scale=2**-30),  # and one beside it
+        moved(through, turn=(20, 21), scale=2_000_001),  # too large for 64 bits
+        moved((0, 0, 5, (-9, 5), (4, 5)), turn=(20, 21), scale=2**-20, shift=(8e7, -9e7)),  # touches, far from the origin
+        moved((0, 0, 12345677, (-1234567, 12345677), (2345678, 12345677)), turn=(2079, 2600), scale=2**-9),  # touches
+        moved((0, 0, 1, (2, 1), (4, 1)), turn=(-4, -3), scale=2**-40),  # touches before it begins
+        moved((0, 0, 1, (0, 0), (0, -7))),  # upright, from the centre
+        moved((0, 0, 10**7, (-2 * 10**7, -(10**7) - 9), (10**7, -(10**7) - 9)), scale=2**-20, shift=(0, 10**8)),  # misses by a hair, far away
+        moved((0, 0, 12345677, (12345677, 0), (12345677, 0)), turn=(2079, 2600), scale=2**-9),  # a point on the circle
+        moved((0, 0, 5 * 10**5, (3 * 10**5, 4 * 10**5 + 1), (3 * 10**5, 4 * 10**5 + 1)), scale=2**-40),  # one beside it
         moved((0, 0, 0, (-1, -1), (2, 2)), shift=(7, 3)),  # a circle that is a point
-        moved((0, 0, 5, (3, 3.999999), (-3000000, -4000003))),  # on it, as far as such a length can tell
-        moved((0, 0, 1, (0, -0.9), (0, -1.1)), scale=2e-9),  # short, across it
-        moved((2, 1, 5, (2, 1), (-20, -23)), scale=0.1, shift=(8e7, -9e7)),  # from the centre, far away
+        moved((0, 0, 85, (13, -84), (-1354515, -1015980))),  # on the circle, the other end far away
+        moved((0, 0, 10, (-1, 9), (1, 11)), turn=(4, 3), scale=2**-33),  # short, across it
+        moved((0, 0, 28340, (-39340, 7660), (-39340.0000000922, 7660.000000136788))),  # hardly any length
     ]

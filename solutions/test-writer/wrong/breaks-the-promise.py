@@ -1,7 +1,7 @@
 """breaks-the-promise
 
 A case misses the circle by less than the promise allows, where right programs may differ: it is no test. Let a near miss
-be off by a millionth of the figure, and a tangency be one as nearly as doubles can say.
+be off by a millionth of the figure, and let what touches touch exactly.
 """
 
 

@@ -1,7 +1,7 @@
 """whole-numbers-only
 
-Small whole numbers are computed without any rounding, and so no epsilon is ever needed: a tangency comes out equal, an
-end exactly on the circle. Turn a figure by an odd angle and write it in decimals.
+Small whole numbers are computed without any rounding, and so no tolerance is ever needed: a touch comes out equal, an
+end exactly on the circle. Turn a figure by a Pythagorean angle, and make its numbers large.
 """
 
 

@@ -1,4 +1,4 @@
-"""geometric
+"""foot and half-chord, with a tolerance
 
 The foot of the perpendicular and the half-chord, in the circle's own frame.
 """
@@ -9,8 +9,8 @@ from math import hypot, sqrt
 def circle_segment(cx, cy, r, A, B):
     ax, ay = A[0] - cx, A[1] - cy
     dx, dy = B[0] - A[0], B[1] - A[1]
-    extent = max(r, abs(ax), abs(ay), abs(B[0] - cx), abs(B[1] - cy))
-    near = 1e-10 * extent
+    size = max(r, abs(ax), abs(ay), abs(B[0] - cx), abs(B[1] - cy))
+    near = 1e-9 * size
 
     length = hypot(dx, dy)
     if length == 0:
