@@ -1,7 +1,7 @@
 """A statement as the docstring of a stub: what is wanted, wrapped for code, the examples as doctests.
 
-Left out are the title, the task and the signature (the stub has its own), figures, and what concerns programs that
-read standard input.
+Left out are the title, the task and the signature (the stub has its own), figures, and what concerns
+programs that read standard input.
 """
 
 from __future__ import annotations
