@@ -6,7 +6,7 @@ differ. Nothing here decides an answer. A tolerance is a part of e, the figure's
 
 from __future__ import annotations
 
-from math import hypot, sqrt
+from math import copysign, hypot, sqrt
 
 from judge.geometry.quadratic import Number
 
@@ -34,10 +34,12 @@ def first_hit(
     D: Point,
     *,
     tolerance: float = 0.0,
+    power: bool = False,
 ) -> str:
     """Where a plain program sees a ray meet a circle first: MISS, AT_ORIGIN or AHEAD.
 
     It compares the line's distance with r, and a point's way along the ray with 0; e = max(r, |O − C|∞).
+    With `power` it finds the point near O as the power of O by the way to the other one.
     """
     fx, fy, (dx, dy) = O[0] - cx, O[1] - cy, D
     length, size = hypot(dx, dy), max(r, abs(fx), abs(fy))
@@ -47,7 +49,11 @@ def first_hit(
     if across - r > edge:
         return MISS
     half = sqrt(max(0.0, (r - across) * (r + across))) if r - across > edge else 0.0
-    for way in (foot - half, foot + half):
+    ways = [foot - half, foot + half]
+    if power and half:  # the root that would cancel from the other one and the power of O
+        outer = foot + copysign(half, foot)
+        ways = sorted([outer, (fx * fx + fy * fy - r * r) / outer])
+    for way in ways:
         if way >= -edge:
             return AT_ORIGIN if way <= _NEAR * size else AHEAD
     return MISS

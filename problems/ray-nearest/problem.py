@@ -1,17 +1,73 @@
-"""The circle and the ray: the exact parameter of the first common point, and the promise of every case."""
+"""The parameter of the first common point of a ray and a circle: the least t ≥ 0, exactly."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import RAY, Bands, CircleLine, builders
-from judge.topics.circles.recipes import edges, rays, whole
-from judge.values import Real
+from judge.geometry import Line, plain
+from judge.geometry.hooks import RAY, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    DECIMALS,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TINY,
+    either,
+    grid,
+    rays,
+    telling,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-BUILDERS = builders(rays.RECIPES, edges.RAYS, whole.RAYS)
-TOPIC = RAY
+HOOKS = hooks(RAY)
+TOUCHES = ("touch before", "touch before", "touch near", "touch after")
+ON_CIRCLE = ("chord first", "chord last", "chord first anyway", "touch foot")
+STRETCHED = {**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}
+TELLING = plain.first_hit, partial(plain.first_hit, tolerance=1e-10)
+BY_POWER = partial(plain.first_hit, power=True), partial(plain.first_hit, power=True, tolerance=1e-10)
 
 
-def solve(cx, cy, r, origin, direction, *, bands):
-    """The least t >= 0 or None; the unit is the extent in terms of t, which only t = 0 needs."""
-    line, widths = CircleLine.ray(cx, cy, r, origin, direction), Bands.of(bands)
-    t = widths.ray(line)
-    return None if t is None else Real(t, line.extent_parameter()), widths.broken_ray(line)
+def solve(cx, cy, r, O, D):
+    ray = Line.ray(cx, cy, r, O, D)
+    which = ray.first()
+    return None if which is None else ray.time(which)
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpd", 3), cases=200, skills="the small grid"),
+    group("ahead", "The circle is ahead of the origin: the nearer of two points.", rays("cut before", "through before", **PLAIN), skills="clamp to a ray"),
+    group("inside", "The origin is inside the circle: where the ray leaves.", rays("cut in", "through foot", "cut in anyway", **PLAIN), skills="origin inside"),
+    group("behind", "The line meets the circle, but behind the origin.", rays("cut after", "touch after", "through after", **PLAIN), skills="clamp to a ray"),
+    group("miss", "The line passes the circle.", rays("miss ?by", "miss foot", **PLAIN), skills="no root of a negative number"),
+    group("from-foot", "The origin is the foot of the perpendicular from C, so that f·D is 0.", rays("cut foot", "through foot", **PLAIN), skills="zero has no sign"),
+    group("tangent", "The ray touches: ahead, behind, or at its origin.", rays("touch before", "touch near", "touch after", "touch foot", **PLAIN), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("on-circle", "The origin is on the circle, and the ray looks in or out: t = 0.", rays(*ON_CIRCLE, **PLAIN), skills="origin on the circle"),
+    group("no-ray", "D = (0, 0): there is no ray, wherever the origin is.", lambda draw: (*rays("chord first", "cut in", "cut before", "dot foot", **PLAIN)(draw)[:4], (0, 0.0)), skills="degenerate line"),
+    group("radius-zero", "The circle is a point: ahead, behind, off the ray, or the origin itself.", rays("dot before", "dot after", "dot foot", "dot-miss before", **PLAIN), skills="r = 0"),
+    group("axis", "Upright and level rays in every place.", rays("cut before", "cut in", "cut after", "miss before", **AXIS), skills="no slopes"),
+    group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
+    group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER)), skills="origin on the circle"),
+    group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "cut after", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is no distance", "scale invariance")),
+    group("tiny", "All of it around 1e-20.", rays("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),
+    group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch near", **OFFSET), skills="far from the origin"),
+    group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"})), cases=90, skills="the sharp discriminant"),
+    group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),
+    group("steep", "Directions almost along an axis.", rays(*TOUCHES, "cut before", "miss before", **STEEP), skills="no slopes"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 4), turns=True, skills="nothing kept between calls"),
+]

@@ -15,41 +15,31 @@ def quadratic(cx, cy, r, O, D):
     # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
     # + zero-radius: 1 / r
     # : All lengths are divided by the radius, to make it 1: for r = 0 that is a division by zero. Divide by the
-    # : extent, or by nothing.
+    # : size, or by nothing.
     fx, fy = O[0] - cx, O[1] - cy
     # ? forgotten-centre: fx, fy = O
     # ? reversed-vector: fx, fy = cx - O[0], cy - O[1]
     dx, dy = D
     # ? target-for-direction: dx, dy = D[0] - O[0], D[1] - O[1]
-    extent = max(r, abs(fx), abs(fy))
-    # = extent = max(r, hypot(fx, fy))
-    # ? signed-extent: extent = max(r, fx, fy)
-    # ? one-sided-extent: extent = max(r, abs(fx))
-    # ? one-sided-extent: extent = max(r, abs(fy))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
-    # ? coordinate-epsilon: extent = 1 + max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
+    size = max(r, abs(fx), abs(fy))
+    # = size = max(r, hypot(fx, fy))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
+    # ? coordinate-epsilon: size = 1 + max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
     # : The threshold is a fraction of 1 plus the coordinates, "to be safe": for a small figure, or one far
-    # : away from the plane's origin, that is too wide. Measure the extent from the centre, and add nothing
+    # : away from the plane's origin, that is too wide. Measure the size from the centre, and add nothing
     # : to it.
-    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
-    # ? radius-epsilon: extent = r
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-14..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     touch = near
     # ? absolute-epsilon: touch = {1e-14..1e-3/3}
-    # ? tight-epsilon: touch = {1e-16..1e-13} * extent
-    # ? loose-epsilon: touch = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: touch = {1e-6..1e-2/2} * size
     # ? loose-epsilon: touch = {1e-6..1e-2/2} * r
-    # ? radius-epsilon: touch = {1e-11..1e-8} * r
     slack = near
     # ? absolute-epsilon: slack = {1e-14..1e-3/3}
-    # ? loose-origin: slack = {1e-6..1e-2/2} * extent
-    # ? no-snap: slack = 1e-15 * extent
-    # : t = 0 has a slack of 1e-15 of the extent, which is not even the rounding. Let the origin have the
-    # : same slack as the tangency: 1e-10 of the extent.
+    # ? loose-origin: slack = {1e-6..1e-2/2} * size
     # ? parameter-epsilon: slack = {1e-13..1e-3/3} * hypot(dx, dy)
     # + zero-radius: if r == 0: return None
     # + zero-radius: if r == 0: raise ValueError
@@ -87,7 +77,6 @@ def quadratic(cx, cy, r, O, D):
     # ? no-degenerate: a = a or 1.0
     # ? short-is-null: if a < {1e-12..1e-4/3}: return None
     # ? short-is-null: if sqrt(a) < {1e-12..1e-4/3}: return None
-    # ? short-beside-extent-is-null: if sqrt(a) < {1e-12..1e-8/2} * extent: return None
     # ? absolute-epsilon@all: if a < {1e-13..1e-3/3}: return None
     # ? absolute-epsilon@all2: if a < {1e-13..1e-3/3}: return None
     # ? absolute-epsilon@all3: if a < {1e-13..1e-3/3}: return None
@@ -112,7 +101,6 @@ def quadratic(cx, cy, r, O, D):
     # ? wrong-sign@w: disc = b * b - a * c
     # ? global-frame@q: disc = b * b - a * c
     # ? cancellation@c0: disc = b * b - a * c
-    # ? cancellation@c1: disc = b * b - a * c
     # ? global-frame@d: disc = b * b - a * c
     # ? radius-not-squared@k: disc = b * b - a * c
     # ? direction-not-normalised@b: disc = b * b - c
@@ -152,25 +140,19 @@ def quadratic(cx, cy, r, O, D):
     # ? cancellation: d = sqrt(max(0.0, (fx * fx + fy * fy) * a - b * b)) / length
     gap = d - r
     where = 1 if gap > touch else 0 if gap >= -touch else -1
-    # + exact-for-ints: if all(isinstance(v, int) for v in (cx, cy, r, *O, *D)): where = (disc < 0) - (disc > 0)
-    # + no-snap: if b > 0 and hypot(fx, fy) > r: return None
-    # : A ray from outside that looks away is a miss at once, though rounding alone may have put its origin
-    # : outside. Let the origin have the same slack as the tangency: 1e-10 of the extent.
     # ? direction-not-normalised@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # : Everything is exact, so a tangent whose numbers were rounded to doubles is a hit or a miss by 1e-17.
-    # : Apply the statement's band, which says what the truth is: |d - r| <= 1e-12 of the extent is a
-    # : tangency.
+    # : The discriminant is compared with 0 by ==. Its terms are rounded, and a touch is hardly ever exactly
+    # : 0. Compare lengths, within a small part of the size.
     # ? equality-tangency: where = 1 if gap > 0 else 0 if gap == 0 else -1
     # : A tangency is where the distance == r, which floats almost never are. Call it a tangency when the
-    # : two differ by less than 1e-10 of the extent.
+    # : two differ by less than 1e-10 of the size.
     # ? equality-tangency@d0: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency@p2: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? wrong-sign@w: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? global-frame@q: where = 1 if disc < -2 * r * near * a else 0 if disc <= 2 * r * near * a else -1
-    # ? cancellation@c0: where = 1 if disc < -near * extent * a else 0 if disc <= near * extent * a else -1
-    # ? cancellation@c1: where = 1 if disc < -1e-12 * b * b else 0 if disc <= 1e-12 * b * b else -1
+    # ? cancellation@c0: where = 1 if disc < -near * size * a else 0 if disc <= near * size * a else -1
     # ? global-frame@d: where = 1 if disc < -1e-12 * (b * b + abs(a * c)) else 0 if disc <= 1e-12 * (b * b + abs(a * c)) else -1
     # ? absolute-epsilon@all: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
     # ? absolute-epsilon@all2: where = 1 if gap > {1e-13..1e-3/3} else 0 if gap >= -{1e-13..1e-3/3} else -1
@@ -198,7 +180,7 @@ def quadratic(cx, cy, r, O, D):
     # ? overflow-32@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
     # ? tangent-missed: where = -1 if gap < 0 else 1
     # : d < r makes two points, and all else is a miss: a tangent is none, or has two points where it was
-    # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the extent.
+    # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the size.
     if where == 1:
         return None
         # ? sentinel-miss@m1: return -1
@@ -232,10 +214,7 @@ def quadratic(cx, cy, r, O, D):
         # : Where f·D is 0 the sign of the stable formula is 0, and the root that is found from the other
         # : one is all there is. Take the sign of 0 as +1 (or use copysign).
         ts = sorted([q / a, c / q])
-        # ? cancellation: ts = [(-b - root) / a, (-b + root) / a]
-        # : The half-chord is subtracted from the distance to the foot; close to the circle the two are
-        # : nearly equal. Find the far point first, and the near one from the power of the origin: near ·
-        # : far = f·f - r².
+        # = ts = [(-b - root) / a, (-b + root) / a]
         # ? cancellation@c0: ts = [(-b - root) / a, (-b + root) / a]
         # ? overflow-64@roots: ts = [(-b - root) / a, (-b + root) / a]
         # ? overflow-32@roots: ts = [(-b - root) / a, (-b + root) / a]
@@ -258,7 +237,6 @@ def quadratic(cx, cy, r, O, D):
         # ? global-frame: ts = [((O[0] + t * dx) - O[0]) / dx if dx else ((O[1] + t * dy) - O[1]) / dy for t in sorted([q / a, c / q])]
         # : The point of contact is computed in the plane's own coordinates, and t is found from it. Far
         # : from the origin a coordinate has few digits left for it. Compute t from the differences.
-        # ? sign-of-zero: ts = [c / q] if b == 0 else sorted([q / a, c / q])
         # ? direction-not-normalised: ts = [(-b - root) / length, (-b + root) / length]
         # ? absolute-epsilon@all: ts = [(-b - root) / a, (-b + root) / a]
         # ? absolute-epsilon@all3: ts = [(-b - root) / a, (-b + root) / a]

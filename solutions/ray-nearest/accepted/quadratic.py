@@ -3,14 +3,14 @@
 The quadratic in t with the discriminant r²a - k² and the roots that do not cancel.
 
 Why the cross product: by Lagrange's identity r²a - k² equals b² - a·c, but |k| / |D| is the distance
-of the line from the centre, which rounding moves by about 1e-16 extents only, however far away O is.
+of the line from the centre, which rounding moves by about 1e-16 of the size only, however far away O is.
 Whether the ray touches is therefore decided by lengths, before any root is taken.
 
 Why q: near the circle the root of the discriminant is almost |b|, and one of the two textbook roots
 subtracts them. q adds them, with the sign of b, and the other root is c / q, because the product of
 both is c / a. copysign gives a sign to b = 0 too.
 
-Why the slack is compared with |t|·|D|: t counts in lengths of D, and the statement's band is a length.
+Why the slack is compared with |t|·|D|: t counts in lengths of D, and the tolerance is a length.
 A root that close to O means "O is on the circle", whichever side of 0 it was rounded to.
 """
 
@@ -23,9 +23,9 @@ def ray_nearest(cx, cy, r, O, D):
     if a == 0:
         return None
     fx, fy = O[0] - cx, O[1] - cy
-    extent = max(r, abs(fx), abs(fy))
+    size = max(r, abs(fx), abs(fy))
     length = math.sqrt(a)
-    slack = 1e-10 * extent
+    slack = 1e-10 * size
 
     b = fx * dx + fy * dy
     c = fx * fx + fy * fy - r * r

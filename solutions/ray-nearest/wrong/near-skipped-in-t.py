@@ -13,8 +13,8 @@ def ray_nearest(cx, cy, r, O, D):
     if n == 0:
         return None
     fx, fy = O[0] - cx, O[1] - cy
-    extent = max(r, abs(fx), abs(fy))
-    slack = 1e-10 * extent
+    size = max(r, abs(fx), abs(fy))
+    slack = 1e-10 * size
     d = abs(D[0] * fy - D[1] * fx) / n
     m = -(fx * D[0] + fy * D[1]) / n
     if d > r + slack:

@@ -1,4 +1,4 @@
-"""geometric
+"""foot and half-chord, with a tolerance
 
 The foot of the perpendicular, the half-chord, and the power of the origin for the root that would cancel.
 """
@@ -12,7 +12,7 @@ def ray_nearest(cx, cy, r, O, D):
         return None
     ux, uy = D[0] / length, D[1] / length
     fx, fy = O[0] - cx, O[1] - cy
-    near = 1e-10 * max(r, abs(fx), abs(fy))
+    near = 1e-9 * max(r, abs(fx), abs(fy))
 
     distance = abs(D[0] * fy - D[1] * fx) / length
     to_foot = -(fx * ux + fy * uy)
