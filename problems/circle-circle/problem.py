@@ -1,22 +1,54 @@
-"""The common points of two circles, exactly and in order, and the promise of every case."""
+"""The common points of two circles, the one left of C1→C2 first."""
 
-from __future__ import annotations
+from judge.geometry import Pair
+from judge.geometry.hooks import PAIR, hooks
+from judge.geometry.scenes import (
+    AXIS,
+    BIG,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TINY,
+    either,
+    grid,
+    pairs,
+    uniform,
+    whole,
+)
+from judge.problem.declare import group
 
-from judge.topics.circles import PAIR, Bands, CirclePair, Lie, builders, two_circles
-from judge.topics.circles.recipes import pairs
-from judge.values import vector
-
-BUILDERS = builders(pairs.RECIPES, adapter=two_circles)
-TOPIC = PAIR
+HOOKS = hooks(PAIR)
 
 
-def solve(cx1, cy1, r1, cx2, cy2, r2, *, bands):
-    """The point left of C1→C2 and the right one, their touch, or None for one and the same circle.
+def solve(cx1, cy1, r1, cx2, cy2, r2):
+    return Pair(cx1, cy1, r1, cx2, cy2, r2).points()
 
-    Two points of a tiny circle take more digits than a plain formula has, so circles that cross are not tiny.
-    """
-    pair, widths = CirclePair.of(cx1, cy1, r1, cx2, cy2, r2), Bands.of(bands)
-    lie, unit = pair.lie(widths), pair.extent_length()
-    points = None if lie is Lie.SAME else [vector(point, unit) for point in pair.points(lie)]
-    small = pair.small(bands["least_radius"]) if lie is Lie.CROSSING else None
-    return points, pair.broken(widths, bands["apart"]) or small
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrnnr", 3), cases=180, skills="the small grid"),
+    group("crossing", "Two points, in every direction of C1→C2: the one on its left comes first.", either(pairs("cross", **PLAIN), pairs("cross", **AXIS)), skills=("cut two circles", "left and right of a line")),
+    group("outer-touch", "They touch from outside: one point, once.", pairs("outer", **PLAIN), skills="two ways to touch"),
+    group("inner-touch", "They touch, one inside the other, the first or the second: one point, once.", pairs("inner", **PLAIN), skills="two ways to touch"),
+    group("apart", "They are apart: no point.", pairs("apart", **PLAIN), skills="cut two circles"),
+    group("one-inside", "One is inside the other: no point.", pairs("within", "within", "ring", **PLAIN), skills="two ways to touch"),
+    group("same-centre", "One centre: the same circle, or another radius.", pairs("same", "ring", **PLAIN), skills="one centre"),
+    group("dots", "A radius is 0, or both are.", pairs("dots", "dot-on", "dot-off", "dot-centre", **PLAIN), skills=("r = 0", "one centre")),
+    group("random", "Any numbers, small and large.", uniform("nnrnnr", 20, 1e4, 1e9), skills="full precision"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "Touches that squares cannot see.", pairs("outer", "inner", "dot-on", **BIG), skills="a tangent has a width"),
+    group("full", "Touches that no formula in floats can see.", either(pairs("outer", "inner", "dot-on", **HUGE), pairs("outer", "inner", **SPLIT), pairs("outer", "inner", **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", pairs("outer~", "inner~", "dot-on~", **NEAR), skills="nearly is not touching"),
+    group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
+    group("small-beside-large", "Nearly a touch, and one circle is 500 times larger.", pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), skills="nearly is not touching"),
+    group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
+    group("tiny", "All of it around 1e-20.", pairs("outer", "outer~", "inner~", "cross", "same~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "Small circles far from the origin.", pairs("outer", "inner", "cross", "apart", **OFFSET), skills="far from the origin"),
+    group("steep", "Centres almost beside or above one another.", pairs("cross", "cross", "outer", **STEEP), skills="no slopes"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
+]

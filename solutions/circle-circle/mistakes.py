@@ -25,28 +25,27 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # : The points are as seen from C1: it was subtracted, and never added again.
     # ? forgotten-centre: ox, oy = cx2, cy2
     # : The points are as seen from C1, but they are added to C2.
-    extent = max(r1, r2, abs(vx), abs(vy))
-    # = extent = max(r1, r2, hypot(vx, vy))
-    # ? coordinate-epsilon: extent = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
-    # ? coordinate-epsilon: extent = max(1, r1, r2, abs(vx), abs(vy))
+    size = max(r1, r2, abs(vx), abs(vy))
+    # = size = max(r1, r2, hypot(vx, vy))
+    # ? coordinate-epsilon: size = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
+    # ? coordinate-epsilon: size = max(1, r1, r2, abs(vx), abs(vy))
     # : The threshold is a fraction of 1 at least, "to be safe": small circles are all epsilon. Measure the
-    # : extent by the radii and C2 − C1, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size by the radii and C2 − C1, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the extent alone.
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the size alone.
     # ? area-units@squares: near = {1e-15..1e-3/3}
     # ? equality: near = 0
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * (r1 + r2)
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold in the gap of
-    # : the promise: 1e-10 of the extent.
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Compare within 1e-9 of
+    # : the size.
     d = hypot(vx, vy)
     # = d = sqrt(vx * vx + vy * vy)
     # ? global-frame: d = sqrt(max(1e-9, cx1 * cx1 + cy1 * cy1 - 2 * (cx1 * cx2 + cy1 * cy2) + cx2 * cx2 + cy2 * cy2))
-    if extent == 0:
+    if size == 0:
         return [(cx1, cy1)]
         # ? no-degenerate: return []
         # ? no-degenerate: return None
@@ -72,7 +71,7 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     outer, inner = d - (r1 + r2), d - abs(r1 - r2)
     # ? area-units@squares: outer, inner = d * d - (r1 + r2) ** 2, d * d - (r1 - r2) ** 2
     # ? area-units: outer, inner = d * d - (r1 + r2) ** 2, d * d - (r1 - r2) ** 2
-    # : Differences of squares, areas, are compared with a length, 1e-10 of the extent. Compare d with r1 + r2 and
+    # : Differences of squares, areas, are compared with a length, 1e-10 of the size. Compare d with r1 + r2 and
     # : with |r1 − r2|.
     if outer > near:
         return []

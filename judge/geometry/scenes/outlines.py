@@ -8,7 +8,20 @@ from judge.data.draw import Draw
 from judge.geometry.level import Nudge, checked, scene
 from judge.geometry.pose import Atom, Length, Point
 
-_PAIRS = ("outer", "inner", "cross", "apart", "within", "same", "ring", "dots", "dot-on", "dot-off")
+_PAIRS = (
+    "outer",
+    "inner",
+    "cross",
+    "apart",
+    "within",
+    "close",
+    "same",
+    "ring",
+    "dots",
+    "dot-on",
+    "dot-off",
+    "dot-centre",
+)
 
 
 def _level_pair(
@@ -20,12 +33,17 @@ def _level_pair(
     b = draw.integer(size // 4 + 1, size)
     if draw.boolean():
         a, b = b, a
+    if word == "close":  # they touch, and their centres are 100 to 900 times nearer than their radii
+        a = max(a, 1000 * b)
+        b = a - a // draw.integer(100, 900)
+        a, b = (a, b) if draw.boolean() else (b, a)
     small, large = sorted((a, b))
     if word in ("inner", "within", "cross", "ring") and (large - small) * 50 < large:
         draw.reject()  # else the centres are almost one
     between = {
         "outer": lambda: a + b,
         "inner": lambda: large - small,
+        "close": lambda: large - small,
         "cross": lambda: draw.integer(large - small + 1, a + b - 1),
         "apart": lambda: a + b + draw.integer(1, max(1, a + b)),
         "within": lambda: draw.integer(large // 100 + 1, max(large // 100 + 1, large - small - 1)),

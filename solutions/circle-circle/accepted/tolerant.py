@@ -1,4 +1,4 @@
-"""radical line
+"""radical line, with a tolerance
 
 Subtract the two equations: what is left is a line, and it cuts the first circle where the second does.
 
@@ -6,7 +6,7 @@ Seen from C1, with v = C2 − C1 and d = |v|, the equations are X·X = r1² and 
 difference says that the line is at right angles to v, a = (d² + r1² − r2²)/(2d) away from C1; half the chord is
 √(r1² − a²). The left of v is (−vy, vx).
 
-All the cases are told apart before that, by lengths and within 1e-10 of the extent: one centre, a touch from
+All the cases are told apart before that, by lengths and within 1e-9 of the size: one centre, a touch from
 outside (d = r1 + r2) or from inside (d = |r1 − r2|), no point at all.
 """
 
@@ -15,7 +15,7 @@ from math import hypot, sqrt
 
 def circle_circle(cx1, cy1, r1, cx2, cy2, r2):
     vx, vy = cx2 - cx1, cy2 - cy1
-    near = 1e-10 * max(r1, r2, abs(vx), abs(vy))
+    near = 1e-9 * max(r1, r2, abs(vx), abs(vy))
     d = hypot(vx, vy)
     if d <= near:
         if r1 == r2 == 0:
