@@ -26,6 +26,16 @@ def count(cx: Number, cy: Number, r: Number, A: Point, B: Point, *, tolerance: f
     return 1 if abs(gap) <= edge else 2 if gap < 0 else 0
 
 
+def lie(
+    cx1: Number, cy1: Number, r1: Number, cx2: Number, cy2: Number, r2: Number, *, tolerance: float = 0.0
+) -> tuple[int, int]:
+    """The signs that a plain program sees of d − (r1 + r2) and d − |r1 − r2|; d is the centres' distance."""
+    vx, vy = cx2 - cx1, cy2 - cy1
+    edge = tolerance * max(r1, r2, abs(vx), abs(vy))
+    outer, inner = (hypot(vx, vy) - reach for reach in (r1 + r2, abs(r1 - r2)))
+    return (outer > edge) - (outer < -edge), (inner > edge) - (inner < -edge)
+
+
 def first_hit(
     cx: Number,
     cy: Number,

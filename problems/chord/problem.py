@@ -4,26 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import CHORD, hooks
-from judge.geometry.scenes import (
-    AXIS,
-    BIG,
-    DECIMALS,
-    FAR,
-    HUGE,
-    NEAR,
-    OFFSET,
-    PLAIN,
-    SPLIT,
-    STEEP,
-    TINY,
-    closed_up,
-    either,
-    grid,
-    lines,
-    telling,
-    uniform,
-    whole,
-)
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(CHORD)

@@ -1,26 +1,14 @@
 """The common points of two circles, the one left of C1→C2 first."""
 
-from judge.geometry import Pair
+from functools import partial
+
+from judge.geometry import Pair, plain
 from judge.geometry.hooks import PAIR, hooks
-from judge.geometry.scenes import (
-    AXIS,
-    BIG,
-    HUGE,
-    NEAR,
-    OFFSET,
-    PLAIN,
-    SPLIT,
-    STEEP,
-    TINY,
-    either,
-    grid,
-    pairs,
-    uniform,
-    whole,
-)
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, pairs, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(PAIR)
+TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 
 def solve(cx1, cy1, r1, cx2, cy2, r2):
@@ -35,13 +23,13 @@ INTERVIEW = [
     group("apart", "They are apart: no point.", pairs("apart", **PLAIN), skills="cut two circles"),
     group("one-inside", "One is inside the other: no point.", pairs("within", "within", "ring", **PLAIN), skills="two ways to touch"),
     group("same-centre", "One centre: the same circle, or another radius.", pairs("same", "ring", **PLAIN), skills="one centre"),
-    group("dots", "A radius is 0, or both are.", pairs("dots", "dot-on", "dot-off", "dot-centre", **PLAIN), skills=("r = 0", "one centre")),
+    group("dots", "A radius is 0, or both are.", pairs("dots", "dots", "dot-on", "dot-off", "dot-centre", "dot-centre", **PLAIN), cases=90, skills=("r = 0", "one centre")),
     group("random", "Any numbers, small and large.", uniform("nnrnnr", 20, 1e4, 1e9), skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "Touches that squares cannot see.", pairs("outer", "inner", "dot-on", **BIG), skills="a tangent has a width"),
-    group("full", "Touches that no formula in floats can see.", either(pairs("outer", "inner", "dot-on", **HUGE), pairs("outer", "inner", **SPLIT), pairs("outer", "inner", **SPLIT)), skills="a tangent has a width"),
+    group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", pairs("outer~", "inner~", "dot-on~", **NEAR), skills="nearly is not touching"),
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Nearly a touch, and one circle is 500 times larger.", pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), skills="nearly is not touching"),

@@ -1,32 +1,39 @@
-"""Where the common tangents of two circles touch the first one, and the promise of every case."""
+"""Where the common tangents of two circles touch the first one, the outer ones first."""
 
-from __future__ import annotations
+from functools import partial
 
-from collections.abc import Sequence
-from typing import Any
+from judge.geometry import Pair, plain
+from judge.geometry.hooks import COMMON, hooks
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, pairs, telling, uniform, whole
+from judge.problem.declare import group
 
-from judge.data.draw import Draw
-from judge.topics.circles import COMMON, Bands, CirclePair, builders, two_circles
-from judge.topics.circles.figures.figure import Figure
-from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import pairs
-from judge.values import vector
+HOOKS = hooks(COMMON)
+TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 
-def alike(draw: Draw, *, octaves: Sequence[int], size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """Circles that are apart or cross, with radii that differ by 2**-octaves (bounds) of one of them."""
-    one = draw.integer(size // 2, size)
-    other = one + draw.sign() * max(1, one >> draw.integer(*octaves))
-    away = draw.integer(one // 2, 4 * one)
-    return posed(draw, Figure((0, 0), one, ((away, 0),), (), (other,)), poses=poses, **pose)
+def solve(cx1, cy1, r1, cx2, cy2, r2):
+    return Pair(cx1, cy1, r1, cx2, cy2, r2).tangents()
 
 
-BUILDERS = builders(pairs.RECIPES, {"alike": alike}, adapter=two_circles)
-TOPIC = COMMON
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrnnr", 3), cases=180, skills="the small grid"),
+    group("apart", "They are apart, in every direction: four points, in their order.", either(pairs("apart", **PLAIN), pairs("apart", **AXIS)), skills=("common tangents", "left and right of a line")),
+    group("outer-touch", "They touch from outside: both inner tangents are one, three points.", pairs("outer", **PLAIN), skills="two ways to touch"),
+    group("crossing", "They cross: the outer tangents only.", pairs("cross", **PLAIN), skills="common tangents"),
+    group("inner-touch", "They touch, one inside the other: one point, on the far side if the second is greater.", pairs("inner", **PLAIN), skills="two ways to touch"),
+    group("inside", "One is inside the other: no common tangent.", pairs("within", **PLAIN), skills="common tangents"),
+    group("equal", "Equal radii: the outer tangents run beside C1→C2 and meet nowhere.", pairs("equal", **PLAIN), skills="common tangents"),
+    group("random", "Any numbers, small and large.", uniform("nnrnnr", 20, 1e4, 1e9), skills="common tangents"),
+]
 
-
-def solve(cx1, cy1, r1, cx2, cy2, r2, *, bands):
-    """The points of the outer tangents and of the inner ones; the figure is no point and no ring."""
-    pair, widths = CirclePair.of(cx1, cy1, r1, cx2, cy2, r2), Bands.of(bands)
-    points = [vector(point, pair.extent_length()) for point in pair.tangents(widths)]
-    return points, pair.small(bands["apart"]) or pair.broken(widths, bands["apart"])
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "Touches that squares cannot see.", pairs("outer", "inner", **BIG), skills="a tangent has a width"),
+    group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", pairs("outer~", "inner~", **NEAR), skills="nearly is not touching"),
+    group("alike", "Radii that differ by a thousandth to a ten millionth of themselves.", pairs("alike", **{**PLAIN, "size": 10**7}), skills="common tangents"),
+    group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
+    group("tiny", "All of it around 1e-20.", pairs("outer", "outer~", "inner~", "cross", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "Small circles far from the origin.", pairs("outer", "inner", "cross", "apart", **OFFSET), skills="far from the origin"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
+]

@@ -2,21 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import POINT, hooks
-from judge.geometry.scenes import (
-    AXIS,
-    BIG,
-    HUGE,
-    NEAR,
-    OFFSET,
-    PLAIN,
-    SPLIT,
-    TINY,
-    either,
-    grid,
-    points,
-    uniform,
-    whole,
-)
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(POINT)

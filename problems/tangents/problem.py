@@ -2,23 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import TANGENTS, hooks
-from judge.geometry.scenes import (
-    AXIS,
-    BIG,
-    FAR,
-    HUGE,
-    NEAR,
-    OFFSET,
-    PLAIN,
-    SPLIT,
-    STEEP,
-    TINY,
-    either,
-    grid,
-    points,
-    uniform,
-    whole,
-)
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(TANGENTS)

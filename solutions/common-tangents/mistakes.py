@@ -18,20 +18,19 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
     # ? forgotten-centre: ox, oy = 0, 0
     # : The points are as seen from C1: it was subtracted, and never added again.
     # ? on-circle-2@other: ox, oy = cx2, cy2
-    extent = max(r1, r2, abs(vx), abs(vy))
-    # = extent = max(r1, r2, hypot(vx, vy))
-    # ? coordinate-epsilon: extent = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
-    # ? coordinate-epsilon: extent = max(1, r1, r2, abs(vx), abs(vy))
+    size = max(r1, r2, abs(vx), abs(vy))
+    # = size = max(r1, r2, hypot(vx, vy))
+    # ? coordinate-epsilon: size = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
+    # ? coordinate-epsilon: size = max(1, r1, r2, abs(vx), abs(vy))
     # : The threshold is a fraction of 1 at least, "to be safe": small circles are all epsilon. Measure the
-    # : extent by the radii and C2 − C1, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size by the radii and C2 − C1, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the extent alone.
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the size alone.
     # ? equality: near = 0
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     d = hypot(vx, vy)
     # = d = sqrt(vx * vx + vy * vy)
     # ? global-frame: d = sqrt(max(1e-9, cx1 * cx1 + cy1 * cy1 - 2 * (cx1 * cx2 + cy1 * cy2) + cx2 * cx2 + cy2 * cy2))

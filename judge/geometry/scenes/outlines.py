@@ -9,18 +9,8 @@ from judge.geometry.level import Nudge, checked, scene
 from judge.geometry.pose import Atom, Length, Point
 
 _PAIRS = (
-    "outer",
-    "inner",
-    "cross",
-    "apart",
-    "within",
-    "close",
-    "same",
-    "ring",
-    "dots",
-    "dot-on",
-    "dot-off",
-    "dot-centre",
+    *("outer", "inner", "cross", "apart", "within", "close", "alike", "equal", "same", "ring"),
+    *("dots", "dot-on", "dot-off", "dot-centre"),
 )
 
 
@@ -37,6 +27,8 @@ def _level_pair(
         a = max(a, 1000 * b)
         b = a - a // draw.integer(100, 900)
         a, b = (a, b) if draw.boolean() else (b, a)
+    if word in ("alike", "equal"):  # alike: the radii differ by 2**-10 to 2**-23
+        b = a if word == "equal" else a - max(1, a >> draw.integer(10, 23)) * draw.sign()
     small, large = sorted((a, b))
     if word in ("inner", "within", "cross", "ring") and (large - small) * 50 < large:
         draw.reject()  # else the centres are almost one
@@ -44,6 +36,8 @@ def _level_pair(
         "outer": lambda: a + b,
         "inner": lambda: large - small,
         "close": lambda: large - small,
+        "alike": lambda: draw.integer(large // 2, 4 * large),
+        "equal": lambda: draw.integer(large // 2, 4 * large),
         "cross": lambda: draw.integer(large - small + 1, a + b - 1),
         "apart": lambda: a + b + draw.integer(1, max(1, a + b)),
         "within": lambda: draw.integer(large // 100 + 1, max(large // 100 + 1, large - small - 1)),

@@ -13,13 +13,13 @@ import cmath
 def common_tangents(cx1, cy1, r1, cx2, cy2, r2):
     v = complex(cx2 - cx1, cy2 - cy1)
     away = abs(v)
-    extent = max(r1, r2, abs(v.real), abs(v.imag))
+    size = max(r1, r2, abs(v.real), abs(v.imag))
     found = []
     for radius in (r1 - r2, r1 + r2):
         clear = away - abs(radius)
-        if clear < -1e-9 * extent:
+        if clear < -1e-9 * size:
             continue
-        if clear <= 1e-9 * extent:
+        if clear <= 1e-9 * size:
             sides = [complex(radius / abs(radius), 0) * v / away]
         else:
             root = cmath.sqrt(clear * (away + abs(radius))).real

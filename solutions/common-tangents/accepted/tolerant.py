@@ -1,4 +1,4 @@
-"""normals
+"""normals, with a tolerance
 
 A tangent has a unit normal n, and both centres' distances from it are the radii: n·v = r1 − r2, or r1 + r2.
 
@@ -14,7 +14,7 @@ from math import hypot, sqrt
 
 def common_tangents(cx1, cy1, r1, cx2, cy2, r2):
     vx, vy = cx2 - cx1, cy2 - cy1
-    near = 1e-10 * max(r1, r2, abs(vx), abs(vy))
+    near = 1e-9 * max(r1, r2, abs(vx), abs(vy))
     d = hypot(vx, vy)
     ux, uy = vx / d, vy / d
     found = []
