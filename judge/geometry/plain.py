@@ -6,6 +6,7 @@ differ. Nothing here decides an answer. A tolerance is a part of e, the figure's
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import copysign, hypot, sqrt
 
 from judge.geometry.quadratic import Number
@@ -37,32 +38,39 @@ def lie(
 
 
 def first_hit(
-    cx: Number,
-    cy: Number,
-    r: Number,
-    O: Point,
-    D: Point,
-    *,
-    tolerance: float = 0.0,
-    power: bool = False,
+    cx: Number, cy: Number, r: Number, O: Point, D: Point, *, tolerance: float = 0.0, power: bool = False
 ) -> str:
     """Where a plain program sees a ray meet a circle first: MISS, AT_ORIGIN or AHEAD.
 
     It compares the line's distance with r, and a point's way along the ray with 0; e = max(r, |O − C|∞).
     With `power` it finds the point near O as the power of O by the way to the other one.
     """
-    fx, fy, (dx, dy) = O[0] - cx, O[1] - cy, D
-    length, size = hypot(dx, dy), max(r, abs(fx), abs(fy))
+    return sphere_hit((cx, cy, 0), r, (*O, 0), (*D, 0), tolerance=tolerance, power=power)
+
+
+def sphere_hit(
+    C: Sequence[Number],
+    r: Number,
+    O: Sequence[Number],
+    D: Sequence[Number],
+    *,
+    tolerance: float = 0.0,
+    power: bool = False,
+) -> str:
+    """The same of a sphere, in space."""
+    f, length = [o - c for o, c in zip(O, C, strict=True)], hypot(*D)
     if length == 0:
         return MISS
-    edge, foot, across = tolerance * size, -(fx * dx + fy * dy) / length, abs(dx * fy - dy * fx) / length
+    size = max(r, *map(abs, f))
+    edge, foot = tolerance * size, -sum([x * d for x, d in zip(f, D, strict=True)]) / length
+    across = hypot(D[1] * f[2] - D[2] * f[1], D[2] * f[0] - D[0] * f[2], D[0] * f[1] - D[1] * f[0]) / length
     if across - r > edge:
         return MISS
     half = sqrt(max(0.0, (r - across) * (r + across))) if r - across > edge else 0.0
     ways = [foot - half, foot + half]
     if power and half:  # the root that would cancel from the other one and the power of O
         outer = foot + copysign(half, foot)
-        ways = sorted([outer, (fx * fx + fy * fy - r * r) / outer])
+        ways = sorted([outer, (sum([x * x for x in f]) - r * r) / outer])
     for way in ways:
         if way >= -edge:
             return AT_ORIGIN if way <= _NEAR * size else AHEAD

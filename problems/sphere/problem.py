@@ -1,54 +1,56 @@
-"""The sphere and the ray: the exact parameter of the first common point, and the normal there."""
+"""Where a ray first meets a sphere in space, and the normal there that faces the ray."""
 
-from __future__ import annotations
+from functools import partial
 
-from collections.abc import Sequence
-from fractions import Fraction
+from judge.geometry import Sphere, plain
+from judge.geometry.hooks import SPHERE, hooks
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, spheres, telling, uniform, whole
+from judge.problem.declare import group
 
-from judge.data.draw import Draw
-from judge.topics import spheres
-from judge.topics.circles import Bands
-from judge.topics.spheres import SPHERE, SphereRay
-from judge.topics.spheres.figures import Case, Scene, placed
-from judge.values import Real
-
-__all__ = ["BUILDERS", "TOPIC", "solve"]
-TOPIC = SPHERE
-
-
-def along_an_axis(draw: Draw, *, octaves: Sequence[int], size: int, scales: Sequence[int]) -> Case:
-    """A ray that is off an axis by 2**-octaves (bounds) of its length, from outside or from inside."""
-    radius = draw.integer(size // 2, size)
-    away, aside = draw.integer(-3 * radius, -2 * radius), draw.integer(-radius // 2, radius // 2)
-    origin = (away if draw.integer(0, 2) else 0, aside, draw.integer(-radius // 2, radius // 2))
-    low, high = octaves
-    direction = (1 << high, draw.sign() << draw.integer(0, high - low), draw.integer(-1, 1))
-    scene = Scene((0, 0, 0), radius, origin, direction)
-    return placed(draw, scene, poses=("axis",), scale=draw.choice(scales), stretch=(-high, -high)).case
+HOOKS = hooks(SPHERE)
+TOUCHES = ("touch before", "touch before", "touch near", "touch after")
+ON_SPHERE = ("chord first", "chord last", "chord first anyway", "touch foot")
+STRETCHED = {**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}
+TELLING = plain.sphere_hit, partial(plain.sphere_hit, tolerance=1e-10)
+BY_POWER = partial(plain.sphere_hit, power=True), partial(plain.sphere_hit, power=True, tolerance=1e-10)
 
 
-def at_foot(
-    draw: Draw, *, where: Sequence[str], size: int, poses: Sequence[str], scales: Sequence[int]
-) -> Case:
-    """A ray that touches 1e-6 to 1e-5 of the radius from its origin, ahead of it or behind."""
-    part = draw.integer(size // 2, size)
-    radius, away = part * 10**10, part * draw.integer(10**4, 10**5)
-    origin = (-away if draw.choice(where) == "ahead" else away, radius * draw.sign(), 0)
-    scene = Scene((0, 0, 0), radius, origin, (draw.integer(1, 6) << 40, 0, 0))
-    return placed(draw, scene, poses=poses, scale=draw.choice(scales)).case
+def solve(C, r, O, D):
+    ray = Sphere(C, r, O, D)
+    which = ray.hit()
+    return None if which is None else (ray.time(which), ray.facing(which))
 
 
-BUILDERS = {**spheres.BUILDERS, "at-foot": at_foot, "along-an-axis": along_an_axis}
+def along_an_axis(draw):
+    C, r, O, D = spheres("cut before", "cut in", "through before", **{**AXIS, "numbers": "float"})(draw)
+    return C, r, O, tuple(x or draw.sign() * 2.0 ** -draw.integer(10, 30) for x in D)
 
 
-def solve(centre, radius, origin, direction, *, bands):
-    """(t, N) or None; t counts in extents by |D|∞, N in extents by r."""
-    ray, widths = SphereRay.of(centre, radius, origin, direction), Bands.of(bands)
-    found = ray.first(widths)
-    broken = ray.broken(widths, bands["least_radius"])
-    if found is None:
-        return None, broken
-    t, which = found
-    unit = Fraction(ray.extent, ray.r)
-    normal = tuple(Real(part, unit) for part in ray.normal(which))
-    return (Real(t, Fraction(ray.extent, ray.step)), normal), broken
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("PrPD", 3), cases=180, skills="the small grid"),
+    group("outside", "From outside: the nearer of two points and the normal outward, or a miss.", spheres("cut before", "through before", "miss before", **PLAIN), skills=("three axes, the same formula", "a normal that faces the ray")),
+    group("tilted", "Rays in every direction of space: no plane of two axes holds them.", spheres("cut before", "cut in", **BIG), skills="three axes, the same formula"),
+    group("inside", "From inside: where the ray leaves, and the normal inward, towards it.", spheres("cut in", "cut foot", "cut in anyway", **PLAIN), skills=("a normal that faces the ray", "origin inside")),
+    group("on-sphere", "The origin is on the sphere, and the ray looks in or out: t = 0.", spheres(*ON_SPHERE, **PLAIN), skills="origin on the circle"),
+    group("touch", "The ray touches: ahead, behind, or at its origin.", spheres(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(spheres(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("behind", "The sphere is behind the origin.", spheres("cut after", "touch after", **PLAIN), skills="clamp to a ray"),
+    group("no-ray", "D = (0, 0, 0) is no ray, and with r = 0 there is no sphere.", either(lambda draw: (*spheres("chord first", "cut in", "miss before", **PLAIN)(draw)[:3], (0, 0.0, 0)), spheres("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
+    group("random", "Any numbers, small and large.", uniform("PrPD", 20, 1e4, 1e9), skills="three axes, the same formula"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, **HUGE), spheres(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", spheres("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
+    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER)), skills="origin on the circle"),
+    group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
+    group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", spheres("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills="t is no distance"),
+    group("tiny", "All of it around 1e-20.", spheres("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", spheres("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),
+    group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch near", **OFFSET), skills="far from the origin"),
+    group("far", "The sphere is up to 9,000 times smaller than its distance.", spheres("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="nearly is not touching"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("PrPD", 30), spheres(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("PrPD", 3), turns=True, skills="nothing kept between calls"),
+]

@@ -33,25 +33,19 @@ def foot(C, r, O, D):
     dx, dy, dz = D
     # ? two-components: dx, dy, dz = D[0], D[1], 0
     # : D is taken without its z. It has three parts.
-    extent = max(r, abs(fx), abs(fy), abs(fz))
-    # = extent = max(r, hypot(fx, fy, fz))
-    # ? signed-extent: extent = max(r, fx, fy, fz)
-    # ? signed-extent: extent = max(r, abs(fx), abs(fy), fz)
-    # ? signed-extent: extent = max(r, abs(fx), fy, abs(fz))
-    # ? signed-extent: extent = max(r, fx, abs(fy), abs(fz))
-    # ? radius-epsilon: extent = r
-    # ? coordinate-epsilon: extent = max(r, *map(abs, (*C, *O)))
-    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy), abs(fz))
+    size = max(r, abs(fx), abs(fy), abs(fz))
+    # = size = max(r, hypot(fx, fy, fz))
+    # ? coordinate-epsilon: size = max(r, *map(abs, (*C, *O)))
+    # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy), abs(fz))
     # : The threshold is a fraction of 1 at least, "to be safe": a small sphere is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     slack = near
     # ? no-snap: slack = 0
-    # ? loose-origin: slack = {1e-6..1e-2/2} * extent
+    # ? loose-origin: slack = {1e-6..1e-2/2} * size
     length = hypot(dx, dy, dz)
     # = length = sqrt(dx * dx + dy * dy + dz * dz)
     # ? two-components: length = hypot(dx, dy)
@@ -84,7 +78,7 @@ def foot(C, r, O, D):
     # ? equality: where = 1 if r * r < d * d else 0 if r * r == d * d else -1
     # ? absolute-epsilon: where = 1 if gap < 0 else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1
     # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
-    # : lengths, within a small part of the extent.
+    # : lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if gap <= near else -1
     # ? sqrt-of-negative@a: where = 0 if abs(gap) <= near else -1
     # ? sqrt-of-negative@b: where = 0 if abs(gap) <= near else -1

@@ -18,21 +18,21 @@ def ray_sphere(C, r, O, D):
     m = sum(x * y for x, y in zip(g, u))
     across = [x - m * y for x, y in zip(g, u)]
     d = hypot(*across)
-    extent = max(r, *map(abs, g))
-    if d > r + 1e-10 * extent:
+    reach = max(r, *map(abs, g))
+    if d > r + 1e-10 * reach:
         return None
-    touches = d >= r - 1e-10 * extent
+    touches = d >= r - 1e-10 * reach
     w = [x / d for x in across] if d else [0.0, 0.0, 0.0]
     angle = 0.0 if touches else asin(d / r)
     for side in (-1, 1):
         along = 0.0 if touches else side * r * cos(angle)
         way = m + along
-        if way < -1e-10 * extent:
+        if way < -1e-10 * reach:
             continue
         beside = 1.0 if touches else sin(angle)
         ahead = 0.0 if touches else side * cos(angle)
         outward = [ahead * x - beside * y for x, y in zip(u, w)]
         facing = outward if touches or side < 0 else [-x for x in outward]
-        t = 0.0 if way <= 1e-10 * extent else way / length / size
+        t = 0.0 if way <= 1e-10 * reach else way / length / size
         return t, tuple(facing)
     return None

@@ -16,16 +16,16 @@ def ray_sphere(C, r, O, D):
     if a == 0 or r == 0:
         return None
     f = [o - c for o, c in zip(O, C)]
-    extent = max(r, *map(abs, f))
+    size = max(r, *map(abs, f))
     foot, p = 0.0, f
     for _ in range(2):
         step = -dot(p, D) / a
         foot += step
         p = [x + step * d for x, d in zip(p, D)]
     distance = sqrt(dot(p, p))
-    if distance > r + 1e-10 * extent:
+    if distance > r + 1e-10 * size:
         return None
-    if distance >= r - 1e-10 * extent:
+    if distance >= r - 1e-10 * size:
         found = [(foot, p, 1)]
     else:
         b, c = dot(p, D), (distance - r) * (distance + r)
@@ -34,7 +34,7 @@ def ray_sphere(C, r, O, D):
         found = [
             (foot + s, [x + s * d for x, d in zip(p, D)], side) for s, side in zip(both, (1, -1))
         ]
-    slack = 1e-10 * extent / sqrt(a)
+    slack = 1e-10 * size / sqrt(a)
     for t, point, side in found:
         if t >= -slack:
             return (0.0 if t <= slack else t), [side * x / r for x in point]

@@ -1,11 +1,11 @@
-"""foot and half-chord
+"""foot and half-chord, with a tolerance
 
 The foot of the perpendicular from the centre is the middle of both points: half a chord before it the ray
 enters, half a chord after it it leaves.
 
 The distance of the line from the centre is the length of the cross product D × f by that of D, three
-parts in space where the plane has one number. It is compared with r as a length, in a band of 1e-10
-extents; and so is the way from the origin to each of the points.
+parts in space where the plane has one number. It is compared with r as a length, within 1e-9 of
+the size; and so is the way from the origin to each of the points.
 
 From the centre to the point is the normal, r long. It points outward, which is towards a ray that
 enters; where the ray leaves, it is turned round. Which of the two it is follows from the root, not from
@@ -21,7 +21,7 @@ def ray_sphere(C, r, O, D):
         return None
     ux, uy, uz = D[0] / length, D[1] / length, D[2] / length
     fx, fy, fz = O[0] - C[0], O[1] - C[1], O[2] - C[2]
-    near = 1e-10 * max(r, abs(fx), abs(fy), abs(fz))
+    near = 1e-9 * max(r, abs(fx), abs(fy), abs(fz))
     d = hypot(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx)
     gap = r - d
     if gap < -near:
