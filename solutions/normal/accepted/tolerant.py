@@ -1,4 +1,4 @@
-"""hit from the centre
+"""hit from the centre, with a tolerance
 
 The point of the hit as seen from C is r long: divided by r it is the normal that points outward.
 
@@ -6,7 +6,7 @@ Nothing is added to C, for the point itself is not asked for: far from the origi
 foot of the perpendicular and half the chord are lengths along the ray. If the first of both points is behind O, the
 ray begins inside and leaves at the second: there D·N > 0, and the normal is turned round.
 
-All decisions are lengths beside 1e-10 of the extent: a miss, a touch, and how far ahead of O a point is.
+All decisions are lengths beside 1e-9 of the size: a miss, a touch, and how far ahead of O a point is.
 """
 
 from math import hypot, sqrt
@@ -18,7 +18,7 @@ def hit_normal(cx, cy, r, O, D):
         return None
     ux, uy = D[0] / length, D[1] / length
     fx, fy = O[0] - cx, O[1] - cy
-    near = 1e-10 * max(r, abs(fx), abs(fy))
+    near = 1e-9 * max(r, abs(fx), abs(fy))
 
     distance = abs(D[0] * fy - D[1] * fx) / length
     if distance > r + near:
