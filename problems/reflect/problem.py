@@ -1,38 +1,52 @@
-"""A ray reflected where it meets a circle first: exact point and direction, and the promise of every case."""
+"""The point where a ray first meets a circle, and the direction D − 2(D·N)N in which it is reflected there."""
 
-from __future__ import annotations
+from functools import partial
 
-from collections.abc import Sequence
-from typing import Any
+from judge.geometry import Line, plain
+from judge.geometry.hooks import REFLECTION, hooks
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, rays, telling, uniform, whole
+from judge.problem.declare import group
 
-from judge.data.draw import Draw
-from judge.topics.circles import BOUNCE, Bands, CircleLine, builders
-from judge.topics.circles.figures.figure import Figure, ray
-from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import edges, rays, vectors, whole
-from judge.values import vector
-
-
-def off_centre(draw: Draw, *, octaves: Sequence[int], size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """A ray that passes the centre by 2**-octaves (bounds) of the radius, from outside or from inside."""
-    radius = draw.integer(size // 2, size)
-    offset = max(1, radius >> draw.integer(*octaves)) * draw.sign()
-    start = -radius - draw.integer(1, 2 * radius) if draw.boolean() else draw.integer(1 - radius, radius - 1)
-    return posed(draw, ray((0, 0), radius, (start, offset), (draw.integer(1, 6), 0)), poses=poses, **pose)
+HOOKS = hooks(REFLECTION)
+TOUCHES = ("touch before", "touch before", "touch near", "touch after")
+ON_CIRCLE = ("chord first", "chord last", "chord first anyway", "touch foot")
+STRETCHED = {**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}
+TELLING = plain.first_hit, partial(plain.first_hit, tolerance=1e-10)
+BY_POWER = partial(plain.first_hit, power=True), partial(plain.first_hit, power=True, tolerance=1e-10)
 
 
-BUILDERS = builders(rays.RECIPES, edges.RAYS, whole.RAYS, vectors.RECIPES, {"off-centre": off_centre})
-TOPIC = BOUNCE
+def solve(cx, cy, r, O, D):
+    ray = Line.ray(cx, cy, r, O, D)
+    which = ray.hit()
+    return None if which is None else (ray.real_point(which), ray.reflected(which))
 
 
-def solve(cx, cy, r, origin, direction, *, bands):
-    """The point in units of e and D − 2(D·N)N in units of e/r·|D|∞, or None; the circle may not be tiny."""
-    line, widths = CircleLine.ray(cx, cy, r, origin, direction), Bands.of(bands)
-    if line.degenerate or line.r == 0:
-        return None, None
-    broken = line.small(bands["least_radius"]) or widths.broken_ray(line)
-    which = widths.hit(line)
-    if which is None:
-        return None, broken
-    point = vector(line.point(which), line.extent_length())
-    return (point, vector(line.reflected(which), line.extent_reflected())), broken
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpd", 3), cases=180, skills="the small grid"),
+    group("outside", "From outside: where the ray enters, and is thrown back.", either(rays("cut before", "through before", **PLAIN), rays("cut before", **AXIS)), skills=("reflect a vector", "no slopes")),
+    group("inside", "From inside: the ray is thrown back into the circle.", rays("cut in", "cut foot", "cut in anyway", **PLAIN), skills="origin inside"),
+    group("head-on", "Rays through the centre are thrown back the way they came.", rays("through before", "through foot", "through in", **PLAIN), skills="reflect a vector"),
+    group("on-circle", "The origin is on the circle, and the ray looks in or out.", rays(*ON_CIRCLE, **PLAIN), skills="origin on the circle"),
+    group("touch", "The ray touches, and goes on as it came.", rays(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("behind", "The circle is behind the origin, or beside the ray.", rays("cut after", "touch after", "miss before", **PLAIN), skills="clamp to a ray"),
+    group("no-ray", "D = (0, 0) is no ray, and with r = 0 there is no mirror.", either(lambda draw: (*rays("chord first", "cut in", "miss before", **PLAIN)(draw)[:4], (0, 0.0)), rays("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
+    group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
+    group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER)), skills="origin on the circle"),
+    group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
+    group("far", "The circle is up to 10,000 times smaller than its distance.", rays("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="reflect a vector"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is no distance", "as long as it was")),
+    group("off-centre", "Rays past the centre by 1e-8 to 1e-2 of the radius.", rays("off-centre before", "off-centre in", **HUGE), skills="reflect a vector"),
+    group("tiny", "All of it around 1e-20.", rays("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),
+    group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch near", **OFFSET), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", rays(*TOUCHES, "cut before", "miss before", **STEEP), skills="no slopes"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 3), turns=True, skills="nothing kept between calls"),
+]

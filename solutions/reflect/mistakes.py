@@ -38,34 +38,25 @@ def normal_part(cx, cy, r, O, D):
     # ? forgotten-centre: fx, fy = O
     # ? swapped-coordinates: fx, fy = O[0] - cy, O[1] - cx
     # : The centre is taken as (cy, cx). Its x belongs to the x of O.
-    extent = max(r, abs(fx), abs(fy))
-    # = extent = max(r, hypot(fx, fy))
-    # ? signed-extent: extent = max(r, fx, fy)
-    # ? signed-extent: extent = max(r, abs(fx), fy)
-    # ? signed-extent: extent = max(r, fx, abs(fy))
-    # ? radius-epsilon: extent = r
-    # : The threshold is a part of the radius alone, and far from the circle rounding is more than that. Measure it
-    # : by the largest of r and the coordinates of O seen from C.
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
-    # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+    reach = max(r, abs(fx), abs(fy))
+    # = reach = max(r, hypot(fx, fy))
+    # ? coordinate-epsilon: reach = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
+    # ? coordinate-epsilon: reach = max(1, r, abs(fx), abs(fy))
     # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-    # : extent from the centre, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size from the centre, and add nothing to it.
+    near = 1e-10 * reach
+    # = near = 1e-9 * reach
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the extent alone.
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * reach)
+    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * reach
     touch = slack = near
     # ? absolute-epsilon: touch, slack = {1e-15..1e-3/3}, near
-    # ? tight-epsilon: touch, slack = {1e-16..1e-13} * extent, near
-    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * extent, near
-    # ? loose-origin: touch, slack = near, {1e-6..1e-2/2} * extent
-    # ? no-snap: touch, slack = near, {1e-16..1e-13} * extent
+    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * reach, near
+    # ? loose-origin: touch, slack = near, {1e-6..1e-2/2} * reach
     # ? no-snap: touch, slack = near, 0
     # : Only t ≥ 0 counts, to the letter: with O on the circle, rounding decides whether the ray enters there.
-    # : Let a point that is nearly at O count as there: 1e-10 of the extent, as a length.
+    # : Let a point that is nearly at O count as there: 1e-10 of the size, as a length.
     distance = abs(dx * fy - dy * fx) / length
     # ? needs-unit-direction@all: distance = abs(dx * fy - dy * fx)
     # : The direction is used as if it were 1 long, in every place. Divide it by its length first.
@@ -76,9 +67,7 @@ def normal_part(cx, cy, r, O, D):
     # : centre. Far from the origin both are huge and nothing is left of the figure. Subtract C from O first.
     gap = distance - r
     # ? equality: gap = 0 if distance == r else copysign(2 * touch, gap)
-    # ? equality: gap = (lambda k, a: 0 if k * k == Fraction(r) ** 2 * a else copysign(2 * touch, k * k - Fraction(r) ** 2 * a))(Fraction(dx) * Fraction(fy) - Fraction(dy) * Fraction(fx), Fraction(dx) ** 2 + Fraction(dy) ** 2)
-    # : Everything is exact, so that a touch whose numbers were rounded is a hit or a miss by 1e-17. Apply the
-    # : statement's band, which says what the truth is.
+    # =: gap = (lambda k, a: 0 if k * k == Fraction(r) ** 2 * a else copysign(2 * touch, k * k - Fraction(r) ** 2 * a))(Fraction(dx) * Fraction(fy) - Fraction(dy) * Fraction(fx), Fraction(dx) ** 2 + Fraction(dy) ** 2)
     if gap > touch:
         return None
         # ? sentinel-miss: return O, D
@@ -100,14 +89,14 @@ def normal_part(cx, cy, r, O, D):
     # ? foot-for-hit: half = 0.0
     # ? touch-cut: half = sqrt((r - distance) * (r + distance))
     # : There is no case for a touch: half the chord is the root of a rounding, or of a negative number. Take 0 for
-    # : it within the band.
+    # : it there.
     # ? sqrt-of-negative@plain: half = sqrt(r * r - distance * distance) if abs(gap) > touch else 0.0
     # ? sqrt-of-negative@abs: half = sqrt(abs(r * r - distance * distance)) if abs(gap) > touch else 0.0
     # ? touch-cut: half = sqrt((r - distance) * (r + distance)) if distance < r else 0.0
     # : A touch that rounding moved inside is cut all the same, and the normal turns by 1e-8 or more. Within the
-    # : band it is a touch: take 0 for half the chord.
+    # : tolerance it is a touch: take 0 for half the chord.
     first, last = to_foot - half, to_foot + half
-    # ? touch-missed: first, last = (to_foot - half, to_foot + half) if half else (-extent - length, -extent - length)
+    # ? touch-missed: first, last = (to_foot - half, to_foot + half) if half else (-reach - length, -reach - length)
     # : A touch counts as a miss. It has a normal: the one at the foot.
     way = first
     # ? far-root: way = last
@@ -196,8 +185,8 @@ def quadratic(cx, cy, r, O, D):
     # ? global-frame: b, c = fx * dx + fy * dy, O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
     # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it. Subtract C from
     # : O first.
-    extent = max(r, abs(fx), abs(fy))
-    near = 1e-10 * extent
+    reach = max(r, abs(fx), abs(fy))
+    near = 1e-10 * reach
     size = sqrt(a)
     gap = abs(dx * fy - dy * fx) / size - r
     disc = b * b - a * c
@@ -207,7 +196,7 @@ def quadratic(cx, cy, r, O, D):
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
-    # : within 1e-10 of the extent.
+    # : within 1e-10 of the size.
     # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
     # ? loose-epsilon: where = 1 if disc < -{1e-5..1e-3/2} * r * r * a else 0 if disc <= {1e-5..1e-3/2} * r * r * a else -1
     if where > 0:

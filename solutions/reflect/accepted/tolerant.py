@@ -1,4 +1,4 @@
-"""normal part
+"""normal part, with a tolerance
 
 Two parts of D: along the normal and across it. The one along the normal turns round, the other one stays.
 
@@ -18,7 +18,7 @@ def reflect(cx, cy, r, O, D):
         return None
     ux, uy = D[0] / length, D[1] / length
     fx, fy = O[0] - cx, O[1] - cy
-    near = 1e-10 * max(r, abs(fx), abs(fy))
+    near = 1e-9 * max(r, abs(fx), abs(fy))
 
     distance = abs(D[0] * fy - D[1] * fx) / length
     if distance > r + near:
