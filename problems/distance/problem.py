@@ -1,16 +1,44 @@
-"""The distance of a point from an infinite line, exactly; no case breaks any promise."""
+"""The distance of a point from a line: |D × f| / |D| for D = B − A and f = A − P."""
 
-from __future__ import annotations
+from judge.geometry import Line
+from judge.geometry.hooks import FOOT, hooks
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TINY, either, feet, grid, uniform, whole
+from judge.problem.declare import group
 
-from judge.topics.circles import FOOT, CircleLine, builders, line_and_point
-from judge.topics.circles.recipes import bounds, feet
-from judge.values import Real
-
-BUILDERS = builders(feet.RECIPES, bounds.RECIPES, adapter=line_and_point)
-TOPIC = FOOT
+HOOKS = hooks(FOOT)
+ANYWHERE = ("between", "beyond", "end")
 
 
 def solve(A, B, P):
-    """|D × f| / |D| for D = B − A and f = A − P; None for A == B. The unit is the extent."""
-    line = CircleLine.through(*P, 0, A, B)
-    return None if line.degenerate else Real(line.distance(), line.extent_length()), None
+    return Line.through(*P, 0, A, B).distance()
+
+
+def thin(draw):
+    """P is the whole point next to a point of the line, in coordinates below 2**21."""
+    (ax, ay), (dx, dy) = (tuple(draw.integer(-(2**20), 2**20) for _ in "xy") for _ in "AD")
+    part = draw.integer(1, 2**20)
+    shift = 2.0 ** draw.choice((0, -10))
+    A, B, P = (ax, ay), (ax + dx, ay + dy), (ax + (dx * part >> 20), ay + (dy * part >> 20))
+    return tuple(tuple(x * shift for x in point) for point in (A, B, P))
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("ppp", 3), cases=180, skills="distance of point and line"),
+    group("left-right", "P is on the left of A→B or on the right.", feet("between", "beyond", **PLAIN), skills="distance of point and line"),
+    group("beyond", "The foot of the perpendicular is before A or after B: the line goes on there.", feet("beyond", **PLAIN), skills="a line has no ends"),
+    group("axis", "Upright and level lines.", feet(*ANYWHERE, **AXIS), skills="no slopes"),
+    group("on-line", "P is on the line.", feet("between on", "beyond on", "end on", **PLAIN), skills="distance of point and line"),
+    group("same-point", "A equals B: there is no line.", feet("same", **PLAIN), skills="degenerate line"),
+    group("random", "Any numbers, small and large.", uniform("ppp", 20, 1e4, 1e9), skills="scale invariance"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("long", "A and B are up to a million times farther apart than P is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="distance of point and line"),
+    group("steep", "Directions almost along an axis.", feet(*ANYWHERE, **STEEP), skills="no slopes"),
+    group("thin", "P is hardly beside a line of whole numbers: doubles hold the cross product exactly, but no foot.", thin, tolerance={"ulps": 8}, skills="multiply before you divide"),
+    group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
+    group("close-points", "A and B are close together, and still two points.", feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)}), skills="degenerate line"),
+    group("tiny", "All of it around 1e-20.", feet(*ANYWHERE, **TINY), skills="scale invariance"),
+    group("large", "Whole numbers up to 2**30.", either(whole("ppp", 30), feet("between", "beyond near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("ppp", 3), turns=True, skills="nothing kept between calls"),
+]

@@ -1,18 +1,41 @@
-"""The foot of the perpendicular on an infinite line, exactly; no case breaks any promise."""
+"""The foot of the perpendicular on a line: t = (C − A)·D / D·D and A + t·D, both rational."""
 
-from __future__ import annotations
+from judge.geometry import Line
+from judge.geometry.hooks import FOOT, hooks
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TINY, either, feet, grid, uniform, whole
+from judge.problem.declare import group
 
-from judge.topics.circles import FOOT, CircleLine, builders, line_and_point
-from judge.topics.circles.recipes import bounds, feet
-from judge.values import Real, vector
-
-BUILDERS = builders(feet.RECIPES, bounds.RECIPES, adapter=line_and_point)
-TOPIC = FOOT
+HOOKS = hooks(FOOT)
+ANYWHERE = ("between", "beyond", "end")
 
 
 def solve(A, B, C):
-    """t = (C − A)·D / D·D and A + t·D, all of it rational; None for A == B. The unit is the extent."""
-    line = CircleLine.through(*C, 0, A, B)
-    if line.degenerate:
-        return None, None
-    return (Real(line.root(0), line.extent_step()), vector(line.point(0), line.extent_length())), None
+    return Line.through(*C, 0, A, B).foot()
+
+
+def remote(draw):
+    """Points of a grid of 3, 2**29 to 2**30 away from the origin, in units of 1 to 2**-8."""
+    unit, far = 2.0 ** -draw.integer(0, 8), [draw.integer(2**29, 2**30 - 9) * draw.sign() for _ in "xy"]
+    return tuple(tuple(at + unit * draw.integer(0, 3) for at in far) for _ in "ABC")
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("ppp", 3), cases=180, skills="project onto a line"),
+    group("left-right", "C is on the left of A→B or on the right.", feet("between", "beyond", **PLAIN), skills="project onto a line"),
+    group("beyond", "The foot of the perpendicular is before A or after B: the line goes on there.", feet("beyond", **PLAIN), skills="a line has no ends"),
+    group("axis", "Upright and level lines.", feet(*ANYWHERE, **AXIS), skills="no slopes"),
+    group("on-line", "C is on the line.", feet("between on", "beyond on", "end on", **PLAIN), skills="project onto a line"),
+    group("same-point", "A equals B: there is no line.", feet("same", **PLAIN), skills="degenerate line"),
+    group("random", "Any numbers, small and large.", uniform("ppp", 20, 1e4, 1e9), skills="scale invariance"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("long", "A and B are up to a million times farther apart than C is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="project onto a line"),
+    group("steep", "Directions almost along an axis.", feet(*ANYWHERE, **STEEP), skills="no slopes"),
+    group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
+    group("close-points", "A and B are close together, and still two points.", feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)}), skills="degenerate line"),
+    group("tiny", "All of it around 1e-20.", feet(*ANYWHERE, **TINY), skills="scale invariance"),
+    group("large", "Whole numbers up to 2**30.", either(whole("ppp", 30), feet("between", "beyond near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("ppp", 3), turns=True, skills="nothing kept between calls"),
+]

@@ -1,19 +1,45 @@
-"""The normal form of a line, exactly; no case breaks any promise."""
+"""The normal form of a line: its left unit normal, and the origin's signed distance."""
 
-from __future__ import annotations
+from judge.geometry import Line
+from judge.geometry.hooks import NORMAL_FORM, hooks
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TINY, either, feet, grid, uniform, whole
+from judge.problem.declare import group
 
-from judge.topics.circles import NORMAL, CircleLine, builders, line_alone
-from judge.topics.circles.recipes import bounds, chords, feet
-from judge.values import Real
-
-BUILDERS = builders(chords.RECIPES, feet.RECIPES, bounds.RECIPES, adapter=line_alone)
-TOPIC = NORMAL
+HOOKS = hooks(NORMAL_FORM)
 
 
 def solve(A, B):
-    """The left normal (a, b), whose unit is 1, and the origin's signed distance c; None for A == B."""
-    line = CircleLine.through(0, 0, 0, A, B)
-    if line.degenerate:
-        return None, None
-    a, b = line.left_normal()
-    return (Real(a, 1), Real(b, 1), Real(line.height(), line.extent_length())), None
+    return Line.through(0, 0, 0, A, B).normal_form()
+
+
+def ends(*plans, **pose):
+    """A and B of a figure with a point beside the line; where `home` holds, one of them is the origin."""
+    home, drawn = pose.pop("home", False), feet(*plans, **pose)
+
+    def draw_case(draw):
+        A, B, _ = drawn(draw)
+        if not home:
+            return A, B
+        B = B[0] - A[0], B[1] - A[1]
+        return ((0, 0), B) if draw.boolean() else (B, (0.0, 0.0))
+
+    return draw_case
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("pp", 4), cases=180, skills="left and right of a line"),
+    group("reversed", "Lines in every direction: from B to A the left becomes the right.", ends("between", **PLAIN), skills="left and right of a line"),
+    group("axis", "Upright and level lines.", ends("between", **AXIS), skills="no slopes"),
+    group("from-origin", "A or B is the origin itself.", ends("between", home=True, **PLAIN), skills="distance of point and line"),
+    group("same-point", "A equals B: there is no line.", ends("same", **PLAIN), skills="degenerate line"),
+    group("random", "Any numbers, small and large.", uniform("pp", 20, 1e4, 1e9), skills="scale invariance"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("long", "A and B are up to 1e9 times farther apart than the line is from the origin, or closer together.", either(ends("between near", **BIG), ends("close", **{**BIG, "move": 12})), skills="distance of point and line"),
+    group("steep", "Directions almost along an axis.", ends("between", **STEEP), skills="no slopes"),
+    group("offset", "A small figure far from the origin.", ends("between", **OFFSET), skills="distance of point and line"),
+    group("tiny", "All of it around 1e-20, and A and B may be nearly one: a line all the same.", either(ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})), skills=("degenerate line", "scale invariance")),
+    group("large", "Whole numbers up to 2**30.", either(whole("pp", 30), ends("between near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("pp", 4), turns=True, skills="nothing kept between calls"),
+]

@@ -20,7 +20,7 @@ from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_ci
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 
 _POINTS = ("in", "on", "out", "centre", "far", "dot-on", "dot-out")
-_FEET = ("between", "beyond", "end", "on", "near", "same")
+_FEET = ("between", "beyond", "end", "on", "near", "close", "same")
 _Level = tuple[list[Atom], list[Nudge]]
 
 
@@ -80,6 +80,9 @@ def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
     high = 0 if "on" in words else draw.integer(1, size) * draw.sign()
     if "near" in words:
         high, at, end = draw.sign(), at << 12, end << 12
+    if "close" in words:  # A and B are close together, seen from P
+        away = draw.integer(4, 40)
+        high, at = high << away, at << away
     start, last = (end, 0) if draw.boolean() else (0, end)
     return [Point([start, 0]), Point([last, 0]), Point([at, high])], []
 
