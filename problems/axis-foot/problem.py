@@ -1,20 +1,36 @@
 """The foot of the perpendicular on a level or upright line: one coordinate of the point, one of the line."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import AXIS_FOOT, hooks
+from judge.geometry.scenes import signs
+from judge.problem.declare import group
 
-from judge.topics.circles import Kind, builders, plane, points_only
-from judge.topics.circles.recipes import steps
-
-BUILDERS = builders(steps.RECIPES, adapter=points_only)
-TOPIC = plane(Kind.FOOT)
+HOOKS = hooks(AXIS_FOOT)
+SKILL = "foot on a simple line"
 
 
 def solve(A, B, P):
-    """(x of P, y of the line) for a level line, (x of the line, y of P) for an upright one."""
-    if A == B:
-        return None, "A and B are the same point, so there is no line"
-    if A[1] == B[1]:
-        return (P[0], A[1]), None
-    if A[0] == B[0]:
-        return (A[0], P[1]), None
-    return None, "the line is neither level nor upright"
+    return whole.axis_foot(A, B, P)
+
+
+def beyond(draw, size):
+    """A and B, and P beyond one of them or just above it."""
+    a, b = draw.integer(-size, size - 2), draw.integer(-size, size - 1)
+    return (a, b, draw.integer(max(a, b), size)) if draw.boolean() else (-a, -b, -draw.integer(max(a, b), size))
+
+
+def rounded(draw, size):
+    """The foot is near 0, and doubles round f/D times D, the way to it from A."""
+    a, b, p = draw.integer(-size, size), draw.integer(-size, size), draw.integer(-9, 9)
+    if a == b or (p - a) / (b - a) * (b - a) == p - a:
+        draw.reject()
+    return a, b, p
+
+
+GROUPS = [
+    group("small", "All coordinates up to 4.", signs.level(4), cases=120, skills=SKILL),
+    group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000.", signs.level((100, 10**4, 10**9)), skills=SKILL),
+    group("rounded", "A part of the way to the foot is rounded in floats.", signs.tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
+    group("repeated", "Neighbouring calls differ in one point.", signs.level(3), turns=True, skills=SKILL),
+]

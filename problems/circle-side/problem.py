@@ -1,15 +1,22 @@
 """Whether a point is inside a circle, on it or outside: two squares of whole numbers compared."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import CIRCLE, hooks
+from judge.geometry.scenes import signs
+from judge.problem.declare import group
 
-from judge.topics.circles import Kind, builders, plane
-from judge.topics.circles.recipes import steps
-
-BUILDERS = builders(steps.RECIPES)
-TOPIC = plane(Kind.CIRCLE)
+HOOKS = hooks(CIRCLE)
+SKILL = "compare squares"
 
 
 def solve(cx, cy, r, P):
-    """The sign of |P − C|² − r²."""
-    gap = (P[0] - cx) ** 2 + (P[1] - cy) ** 2 - r * r
-    return (gap > 0) - (gap < 0), None
+    return whole.sign(whole.square((cx, cy), P) - r * r)
+
+
+GROUPS = [
+    group("small", "All numbers up to 5.", signs.scattered("nnrp", 5), cases=120, skills=SKILL),
+    group("on-the-circle", "P is on the circle, of any size, straight beside the centre or in any direction.", signs.beside_circle((10, 100, 10**9), 0), cases=80, skills=SKILL),
+    group("close", "P is beside the circle by as little as whole numbers allow.", signs.beside_circle((100, 10**5, 10**9, 10**9), 1, -1), cases=240, skills=SKILL),
+    group("middling", "Numbers of up to some 100,000, whose squares leave 32 bits, or of up to 1,000,000,000.", signs.scattered("nnrp", 24_000, 33_000, 50_000, 100_000, 10**9), cases=160, skills=SKILL),
+    group("repeated", "Neighbouring calls differ in one argument.", signs.scattered("nnrp", 5), turns=True, skills=SKILL),
+]

@@ -1,15 +1,22 @@
 """How many points a circle and a line have in common, in small whole numbers: the sign of one difference."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import CROSSING, hooks
+from judge.geometry.scenes import signs
+from judge.problem.declare import group
 
-from judge.topics.circles import CircleLine, Kind, builders, plane
-from judge.topics.circles.recipes import steps
-
-BUILDERS = builders(steps.RECIPES)
-TOPIC = plane(Kind.CROSSING)
+HOOKS = hooks(CROSSING)
+SKILL = "count by a sign"
 
 
 def solve(cx, cy, r, A, B):
-    """0, 1 or 2, by the sign of r²·|B − A|² − k² with the cross product k of B − A and A − C."""
-    count = CircleLine.through(cx, cy, r, A, B).count()
-    return count, "A and B are the same point, so there is no line" if count is None else None
+    whole.distinct(A, B)
+    return whole.count_line(cx, cy, r, A, B)
+
+
+GROUPS = [
+    group("small", "All numbers up to 5: every direction comes up.", signs.scattered("nnrpp", 5), cases=150, skills=SKILL),
+    group("touching", "The line touches the circle, upright, level or in any direction.", signs.cuts(20, close=False), cases=80, skills=SKILL),
+    group("close", "The line cuts or misses the circle by as little as numbers up to 20 allow.", signs.tried(signs.cuts(20, close=True)), cases=200, skills=SKILL),
+    group("repeated", "Neighbouring calls differ in one argument.", signs.scattered("nnrpp", 6), turns=True, skills=SKILL),
+]

@@ -1,18 +1,22 @@
-"""The side of a directed line that a point is on: the sign of a cross product of whole numbers."""
+"""The side of a line that a point is on: the sign of a cross product of whole numbers."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import SIDE, hooks
+from judge.geometry.scenes import signs
+from judge.problem.declare import group
 
-from judge.topics.circles import Kind, builders, plane, points_only
-from judge.topics.circles.plane import cross_product
-from judge.topics.circles.recipes import steps
-
-BUILDERS = builders(steps.RECIPES, adapter=points_only)
-TOPIC = plane(Kind.SIDE)
+HOOKS = hooks(SIDE)
+SKILL = "which side of a line"
 
 
 def solve(A, B, P):
-    """The sign of (B − A) × (P − A), above 0 on the left; A and B are not the same point."""
-    if A == B:
-        return None, "A and B are the same point, so there is no line"
-    cross = cross_product(A, B, P)
-    return (cross > 0) - (cross < 0), None
+    return whole.sign(whole.cross(A, B, P))
+
+
+GROUPS = [
+    group("small", "Three points anywhere, their coordinates up to 4: every direction comes up.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
+    group("on-the-line", "P is on the line: between A and B, at one of them, or beyond.", signs.beside_line((6, 100, 10**9), 0), cases=80, skills=SKILL),
+    group("close", "P is beside the line by as little as whole numbers allow.", signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5), cases=240, skills=SKILL),
+    group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9), cases=200, skills=SKILL),
+    group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
+]
