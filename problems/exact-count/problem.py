@@ -1,22 +1,47 @@
-"""The common points of a circle and a line in integers of any size: no band, no tolerance, no promise."""
+"""The common points of a circle and a line in ints of any size: no tolerance, no promise."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import LINE, hooks
+from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
+from judge.problem.declare import group
 
-from judge.topics.circles import LINE, builders
-from judge.topics.circles.recipes import counting
-
-BUILDERS = builders(counting.RECIPES)
-TOPIC = LINE
+HOOKS = hooks(LINE)
+INT, INT_AXIS, WIDE = {**PLAIN, "numbers": "int"}, {**AXIS, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 
 
 def solve(cx, cy, r, A, B):
-    """The sign of r²a − k², for a = |B − A|² and the cross product k of B − A and A − C; None for A == B.
+    return whole.count_line(cx, cy, r, A, B)
 
-    This is the discriminant of the equation for the intersection, by Lagrange's identity.
-    """
-    dx, dy = B[0] - A[0], B[1] - A[1]
-    if dx == dy == 0:
-        return None, None
-    cross = dx * (A[1] - cy) - dy * (A[0] - cx)
-    reach, distance = r * r * (dx * dx + dy * dy), cross * cross
-    return 1 + (reach > distance) - (reach < distance), None
+
+def level(draw):
+    """Upright and level lines that cut, touch and miss by 1, at 1e6 to 1e40."""
+    size = draw.choice((10**6, 10**40))
+    r, at, other = draw.integer(1, size // 4), draw.integer(-size, size), draw.integer(-size, size)
+    (cx, cy), A, B = signs.fitted(draw, 3 * size, [(0, 0), (at, r + draw.integer(-1, 1)), (other, 0)])
+    B = (B[0], A[1]) if draw.boolean() else (A[0], B[1])
+    return cx, cy, r, A, B
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="distance against radius"),
+    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **INT), skills="degenerate line"),
+    group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **INT), skills="r = 0"),
+    group("axis", "Upright and level lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **INT_AXIS), skills="no slopes"),
+    group("tangent", "The line touches, in every direction.", either(lines("touch before after", "touch foot by", "touch ?by ?by", **INT), lines("touch ?by ?by", **WIDE)), skills="collapse the tangent"),
+    group("off-segment", "The line cuts the circle, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **INT), skills="a line has no ends"),
+    group("scattered", "Anything anywhere within a hundred units.", signs.scattered("nnrpp", 10, 100), cases=80, skills="distance against radius"),
+    group("repeated", "Neighbouring calls differ in one argument.", signs.ints(grid("nnrpp", 5)), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
+    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100), cases=160, skills="exact count for integers"),
+    group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2)), cases=120, skills="exact count for integers"),
+    group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
+    group("wide", "Anything anywhere within 1e6 to 1e100: products leave 64 bits, 128 bits, and then any float.", signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, 10**100), cases=160, skills="integers of any size"),
+    group("offset", "A small figure so far from the origin that a double cannot tell its points apart.", either(*[hairlines.hairlines(10**3, off=(0, 0, 1, -1, 200, -200), away=10**far) for far in (17, 40, 100)]), cases=80, skills="far from the origin"),
+    group("slid", "A and B are close together and 1e20 to 1e60 lengths away along the line.", hairlines.hairlines(10**3, 10**6, off=(0, 1, -1), away=10**70, slid=(20, 40, 60)), skills="integers of any size"),
+    group("radius-zero-huge", "The circle is a point at 1e6 and 1e40: on the line, or next to it.", hairlines.hairlines(10**6, 10**40, off=(0, 1, -1), radius=0), skills="integers of any size"),
+    group("axis-huge", "Upright and level lines at 1e6 and 1e40.", level, skills="integers of any size"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=160, skills="no slopes"),
+]

@@ -1,26 +1,40 @@
-"""The common points of a circle and a closed segment in integers of any size, counted by signs alone."""
+"""The common points of a circle and a closed segment in ints of any size, counted by signs alone."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import SEGMENT, hooks
+from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
+from judge.problem.declare import group
 
-from judge.topics.circles import SEGMENT, CircleLine, builders
-from judge.topics.circles.recipes import counting, exact_ends
-
-BUILDERS = builders({"grid": counting.RECIPES["grid"]}, exact_ends.RECIPES)
-TOPIC = SEGMENT
+HOOKS = hooks(SEGMENT)
+INT, WIDE = {**PLAIN, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
+ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
 
 
 def solve(cx, cy, r, A, B):
-    """By the signs of |A − C|² − r², |B − C|² − r² and Δ, and whether the foot, at −b/a, is from A to B."""
-    line = CircleLine.through(cx, cy, r, A, B)
-    inside_a = (line.ax - line.cx) ** 2 + (line.ay - line.cy) ** 2 - line.r**2
-    inside_b = inside_a + 2 * line.b + line.a
-    between = 0 <= -line.b <= line.a
-    if line.a == 0:
-        return int(inside_a == 0), None
-    if line.delta <= 0:
-        return int(line.delta == 0 and between), None
-    if inside_a < 0 or inside_b < 0:  # a root lies on each side of what is inside
-        return int(inside_a >= 0) + int(inside_b >= 0), None
-    if between:  # the foot is inside, neither end is: both roots are on the segment
-        return 2, None
-    return int(inside_a == 0) + int(inside_b == 0), None
+    return whole.count_segment(cx, cy, r, A, B)
+
+
+def one_point(draw):
+    """A = B, on the circle or off it by the least there is."""
+    cx, cy, r, A, _ = hairlines.ends((10**3, 10**9, 10**30), 0, 1, -1)(draw)
+    return cx, cy, r, A, A
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="the small grid"),
+    group("end-on", "An end is on the circle; the other one is inside it, outside, or on it too.", either(lines(*ENDS, **INT), lines(*ENDS, **WIDE)), skills="closed ends"),
+    group("touch", "Touches on the segment, at an end of it, or beyond.", either(lines("touch before after", "touch foot by", "touch after after", "touch before before", **INT), lines("touch before after", "touch after after", **WIDE)), skills="collapse the tangent"),
+    group("inside", "Both ends inside the circle, or one of them.", lines("cut in in", "cut in in", "cut in after", "cut before in", "chord first in", **INT), skills="clamp to a segment"),
+    group("same-point", "A equals B: on the circle, inside or outside; the circle may be a point too.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", "dot by =", **INT), skills="degenerate segment"),
+    group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "touch before after", "chord first after", "miss before after", **{**AXIS, "numbers": "int"}), skills="clamp to a segment"),
+    group("repeated", "Neighbouring calls differ in one argument.", signs.ints(grid("nnrpp", 5)), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("end-off-by-one", "An end with |A − C|² = r² ± 1, at radii of up to 1e30.", hairlines.ends((10**4, 10**9, 10**12, 10**30), 1, -1), cases=120, skills="ends no wider than the band"),
+    group("one-point-huge", "A equals B, on the circle or off it by the least that ints allow.", one_point, skills="degenerate segment"),
+    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9), cases=120, skills="exact count for integers"),
+    group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
+    group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100), hairlines.ends((10**30, 10**100), 0, 1, -1)), cases=100, skills="integers of any size"),
+]

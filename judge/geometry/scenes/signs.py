@@ -87,6 +87,15 @@ def scattered(shape: str, *reaches: int) -> Scene:
     return draw_case
 
 
+def ints(drawn: Scene) -> Scene:
+    """The same draws, their whole floats as ints."""
+
+    def whole(part: Any) -> Any:
+        return tuple(map(int, part)) if isinstance(part, tuple) else int(part)
+
+    return lambda draw: tuple(whole(part) for part in drawn(draw))
+
+
 def tried(drawn: Scene, tries: int = 40) -> Scene:
     """The first of so many draws that is a case."""
 
@@ -136,14 +145,14 @@ def beside_circle(reach: Reach, *off: int) -> Scene:
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         size = reached(draw, reach)
-        x, y, r = _near_circle(draw, size // 2, draw.choice(off))
+        x, y, r = near_circle(draw, size // 2, draw.choice(off))
         (cx, cy), P = fitted(draw, size, [(0, 0), (x, y)])
         return cx, cy, r, P
 
     return draw_case
 
 
-def _near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
+def near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
     """(x, y, r) with x² + y² − r² = off and r <= size, as y² − off = (r − x)(r + x)."""
     if off == 0:
         p, q, c = (1, 0, 1) if size < 5 or draw.integer(0, 3) == 0 else triple(draw, min(size, 4_418))
@@ -202,7 +211,7 @@ def cuts(reach: int, *, close: bool) -> Scene:
 
 @cache
 def _narrowest(dx: int, reach: int) -> list[tuple[Whole, int, int]]:
-    """Directions (dx, up), cross products and radii that nearly touch, the nearest first: 3, for dx = 0 20."""
+    """Directions (dx, up), cross products and radii that nearly touch, the nearest first: 3, or 20 of all."""
     if dx == 0:
         every = [each for width in range(1, 2 * reach + 1) for each in _gaps(width, reach)]
         return [near for _, near in sorted(every)[:20]]
