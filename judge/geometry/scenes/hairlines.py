@@ -29,8 +29,8 @@ def hairlines(
 ) -> Scene:
     """Lines with k = r·|D| + off, either side of the centre.
 
-    `radius` is that of all circles. The figure is moved up to `away`; A and B are moved along the line by up to
-    10**slid times D.
+    `radius` is that of all circles. The figure is moved by up to `away`; A and B are moved along the line by up
+    to 10**slid times D.
     """
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
@@ -47,7 +47,7 @@ def hairlines(
 
 
 def least(*sizes: int) -> Scene:
-    """Lines with Δ = 1 or -1: (k, r) is a solution of Pell's equation for |D|² = n² + 1, from n + √(n² + 1)."""
+    """Lines with Δ = 1 or -1: k + r·√a is a power of n + √a for a = |D|² = n² + 1 (Pell's equation)."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         size = draw.choice(sizes)
@@ -76,7 +76,7 @@ def nearly(*sizes: int) -> Scene:
 
 
 def ends(size: int | Sequence[int], *off: int) -> Scene:
-    """Segments with an end for which |A − C|² − r² is one of `off`: 1, 0 and -1. The other end is anywhere."""
+    """Segments with an end for which |A − C|² − r² is one of `off`: 1, 0, -1. The other end is anywhere."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         reach = size if isinstance(size, int) else draw.choice(size)
