@@ -1,16 +1,38 @@
-"""The sign of Δ = r²·a − k² for doubles just as they are: no band, no tolerance, no promise."""
+"""The sign of Δ = r²·a − k² for doubles just as they are: no tolerance, no promise."""
 
-from __future__ import annotations
+from judge.geometry import whole
+from judge.geometry.hooks import SEVEN, hooks
+from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, signs
+from judge.problem.declare import group
 
-from judge.topics.circles import builders
-from judge.topics.circles.recipes import counting, exact_signs, roundings
-from judge.topics.circles.seven import SEVEN, discriminant, seven
-
-BUILDERS = builders({"grid": counting.RECIPES["grid"]}, exact_signs.RECIPES, roundings.RECIPES, adapter=seven)
-TOPIC = SEVEN
+HOOKS = hooks(SEVEN)
+TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
+seven = doubles.seven
 
 
 def solve(cx, cy, r, ax, ay, bx, by):
-    """In integers over one power of two; 0 for A == B."""
-    delta = discriminant(cx, cy, r, ax, ay, bx, by).delta
-    return (delta > 0) - (delta < 0), None
+    return whole.discriminant(cx, cy, r, ax, ay, bx, by).sign
+
+
+INTERVIEW = [
+    group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="trust a double, or do not"),
+    group("touches", "Small touches, cuts and misses.", seven(lines(*TOUCH, "cut ?by ?by", "miss ?by ?by", **PLAIN)), skills="collapse the tangent"),
+    group("same-point", "A and B are one point: Δ is 0.", seven(lines("cut before =", "touch foot =", "miss by =", **PLAIN)), skills="degenerate line"),
+    group("repeated", "Neighbouring calls differ in one argument.", seven(grid("nnrpp", 5)), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("touch", "Exact touches whose r²·a and k² are no doubles.", either(seven(lines(*TOUCH, **HUGE)), seven(lines(*TOUCH, **BIG)), seven(hairlines.hairlines(10**9, 10**13))), cases=90, skills="collapse the tangent"),
+    group("ulp", "Touches with one number off by one unit in its last place.", either(doubles.ulps(seven(lines(*TOUCH, **BIG)), 1), doubles.ulps(seven(lines(*TOUCH, **HUGE)), 1)), cases=90, skills="trust a double, or do not"),
+    group("ulps", "Touches with one number off by 3 to 30,000 units in its last place.", doubles.ulps(seven(lines(*TOUCH, **BIG)), 3, 30, 300, 3_000, 30_000), cases=120, skills="full precision"),
+    group("hairline", "k is r·|D| ± 1, or Δ is ± 1, where r²·a has 24 digits and more.", either(seven(hairlines.hairlines(10**9, 10**13, 10**15, off=(1, -1))), seven(hairlines.least(10**9, 10**13, 10**15))), skills="integers of any size"),
+    group("turned", "Touches turned by angles that no double holds: Δ is what rounding made of 0.", doubles.turned(seven(lines(*TOUCH, **BIG))), skills="trust a double, or do not"),
+    group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", **BIG))))), cases=120, skills="the sharp discriminant"),
+    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR))), skills="the sharp discriminant"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(signs.tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
+    group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
+    group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
+    group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
+    group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
+    group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=3, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
+]

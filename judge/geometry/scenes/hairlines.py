@@ -29,8 +29,8 @@ def hairlines(
 ) -> Scene:
     """Lines with k = r·|D| + off, either side of the centre.
 
-    `radius` is that of all circles. The figure is moved by up to `away`; A and B are moved along the line by up
-    to 10**slid times D.
+    `radius` is that of all circles. The figure is moved by up to `away`, and A and B along the line by up to
+    10**slid times D.
     """
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:

@@ -1,0 +1,181 @@
+"""Scenes of a circle and a line in doubles as they are: (cx, cy, r, ax, ay, bx, by), and the sign of
+Δ = r²·|D|² − k² is what rounding hides.
+
+    seven(lines("touch before after", **HUGE))     any scene of a circle and a line
+    ulps(drawn, 1)                                 one number is some units in its last place off
+    turned(drawn)                                  turned by an angle that no double holds
+    worst(drawn, 100)                              of so many draws the one that doubles get most wrong
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import cos, inf, isqrt, ldexp, nextafter, sin, ulp
+from typing import Any
+
+from judge.data.draw import Draw, Rejected
+from judge.geometry.level import Scene
+from judge.geometry.whole import discriminant
+
+_U = 2.0**-53
+_ONE = 1 << 52  # ints that are doubles of 1 to 2 stand for so many of their units
+_FINE = 1 << 240  # squares are taken to half of these digits
+_TRIES, _PACE = 400, 648_887  # of a walk through numbers without a pattern
+
+
+def seven(drawn: Scene) -> Scene:
+    """The same with seven numbers, each of which a double holds."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        cx, cy, r, A, B = drawn(draw)
+        numbers = (cx, cy, r, *A, *B)
+        if any(isinstance(x, int) and int(float(x)) != x for x in numbers):
+            draw.reject()
+        return numbers
+
+    return draw_case
+
+
+def rounded(drawn: Scene) -> Scene:
+    """Seven numbers, seen from the centre and rounded to doubles."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        cx, cy, r, A, B = drawn(draw)
+        return (
+            0,
+            0.0,
+            float(r),
+            *(float(x - c) for point in (A, B) for x, c in zip(point, (cx, cy), strict=True)),
+        )
+
+    return draw_case
+
+
+def plain(draw: Draw) -> tuple[Any, ...]:
+    """Everything anywhere within 128: ints, or doubles of 46 bits."""
+    if draw.integer(0, 2) == 0:
+        return (
+            *(draw.integer(-100, 100) for _ in "xy"),
+            draw.integer(0, 100),
+            *(draw.integer(-100, 100) for _ in "abcd"),
+        )
+    return easy(draw)
+
+
+def easy(draw: Draw) -> tuple[Any, ...]:
+    """Everything anywhere within 128: doubles of 46 bits."""
+    top = (1 << 46) - 1
+    return tuple(ldexp(draw.integer(0 if at == 2 else -top, top), -39) for at in range(7))
+
+
+def ulps(drawn: Scene, *steps: int) -> Scene:
+    """One of the numbers is so many units in its last place off."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        numbers, at = [float(x) for x in drawn(draw)], draw.integer(0, 6)
+        if not numbers[at]:
+            draw.reject()
+        sign, many = draw.sign(), draw.choice(steps)
+        value = numbers[at]
+        numbers[at] = value + sign * many * ulp(value) if many > 1 else nextafter(value, sign * inf)
+        return tuple(numbers)
+
+    return draw_case
+
+
+def turned(drawn: Scene) -> Scene:
+    """The figure turned by an angle that no double holds, and rounded."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        cx, cy, r, ax, ay, bx, by = drawn(draw)
+        angle = draw.integer(1, 6_283) / 1000
+        p, q = cos(angle), sin(angle)
+        (cx, cy), A, B = ((p * x - q * y, q * x + p * y) for x, y in ((cx, cy), (ax, ay), (bx, by)))
+        return cx, cy, float(r), *A, *B
+
+    return draw_case
+
+
+def small_radius(drawn: Scene) -> Scene:
+    """The radius is 0 or a part of the rounding of the other numbers."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        cx, cy, _, *rest = drawn(draw)
+        size = float(max(map(abs, (cx, cy, *rest))))
+        return (cx, cy, draw.choice((0, 1, 1, 1)) * draw.integer(1, 12) * ulp(size) / 8, *rest)
+
+    return draw_case
+
+
+def one_place(draw: Draw) -> tuple[Any, ...]:
+    """A touch at one place of one of three circles, the other end off by a unit in its last place or not."""
+    x, y, r = draw.choice(((3, 4, 5), (5, 12, 13), (7, 24, 25)))
+    times = draw.sign() * draw.integer(1, 99) * 2 ** draw.integer(0, 30)
+    b, at = [float(x - times * y), float(y + times * x)], draw.integer(0, 1)
+    b[at] = draw.choice((b[at], nextafter(b[at], inf), nextafter(b[at], -inf)))
+    return 0, 0.0, r, x, y, *b
+
+
+def spread(
+    draw: Draw, large: tuple[int, int] = (76, 92), little: tuple[int, int] = (-98, -80)
+) -> tuple[Any, ...]:
+    """A line through a point of the circle, or next to it, with numbers of about 2**large and 2**little."""
+    up, down = draw.integer(*large), draw.integer(*little)
+    r, dx = (draw.integer(1, 99) << up for _ in range(2))
+    dy, off = (draw.choice((0, 0, 1, -1)) * ldexp(draw.integer(1, 99), down) for _ in range(2))
+    sides = draw.sign(), draw.sign()
+    corners = [(sides[0] * float(x), sides[1] * float(y)) for x, y in ((0, -r), (0, off), (dx, dy or off))]
+    if draw.boolean():
+        corners = [(y, x) for x, y in corners]
+    (cx, cy), A, B = corners
+    return cx, cy, float(r), *A, *B
+
+
+def vanishing(draw: Draw) -> tuple[Any, ...]:
+    """dx·fy and dy·fx are one double, and k is 0 there; it is nearly 3·2**-53 of them, and |D|·r just below."""
+    step = 1 << draw.integer(22, 26)
+    beyond = round(0.98 * _ONE / step) - step
+    number = draw.integer(1, 1 << 30)
+    for at in range(number, number + _TRIES * _PACE, _PACE):
+        x, y = at + beyond, at
+        if 0.485 < x * y % _ONE / _ONE < 0.5:
+            return _crossed(draw, (_ONE + x, _ONE + y, _ONE + x + step, _ONE + y - step))
+    return draw.reject()
+
+
+def _crossed(draw: Draw, numbers: Sequence[int]) -> tuple[Any, ...]:
+    """D and f of doubles (dx, fy, dy, fx) above 1, rounded so that k is too small."""
+    dx, fy, dy, fx = (number / _ONE for number in numbers)
+    off = -draw.integer(9900, 9999) / 10000 * _U
+    wide, high = Fraction(dx) - Fraction(off), Fraction(dy) + Fraction(off)
+    k = wide * (Fraction(fy) - Fraction(off)) - high * (Fraction(fx) + Fraction(off))
+    square = wide * wide + high * high
+    r = float(Fraction(isqrt(int(k * k / square * _FINE)), isqrt(_FINE)))
+    while Fraction(r) ** 2 * square > k * k:
+        r = nextafter(r, -inf)
+    scale = 2.0 ** draw.choice((0, -40, 20))
+    return tuple(scale * x for x in (-fx, -fy, r, off, -off, dx, dy))
+
+
+def worst(drawn: Scene, of: int) -> Scene:
+    """Of so many draws the one whose Δ in doubles is most off, by r²·|D|² + M·|k| for M = |dx·fy| + |dy·fx|."""
+
+    def error(case: tuple[Any, ...]) -> float:
+        cx, cy, r, ax, ay, bx, by = map(float, case)
+        dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+        k = dx * fy - dy * fx
+        found = r * r * (dx * dx + dy * dy) - k * k
+        exact = discriminant(*case)
+        return float(abs(Fraction(found) - exact.value) / (exact.width or 1))
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        found = []
+        for _ in range(of):
+            try:
+                found.append(drawn(draw))
+            except Rejected:
+                continue
+        return max(found, key=error) if found else draw.reject()
+
+    return draw_case
