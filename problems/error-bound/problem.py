@@ -1,20 +1,36 @@
 """An enclosure of Δ = r²·a − k² for doubles as they are, no wider than careful doubles make it."""
 
-from __future__ import annotations
-
-from fractions import Fraction
-
-from judge.topics.circles import builders
-from judge.topics.circles.recipes import counting, exact_signs, roundings
-from judge.topics.circles.seven import SEVEN, discriminant, seven
+from judge.geometry import whole
+from judge.geometry.hooks import SEVEN, hooks
+from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, signs
+from judge.problem.declare import group
 from judge.values import Enclosure
 
-BUILDERS = builders({"grid": counting.RECIPES["grid"]}, exact_signs.RECIPES, roundings.RECIPES, adapter=seven)
-TOPIC = SEVEN
+HOOKS = hooks(SEVEN)
+TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
+seven = doubles.seven
 
 
 def solve(cx, cy, r, ax, ay, bx, by):
-    """Δ, and the width 2⁻⁴⁶·(r²a + M|k|) + 2⁻⁹⁸·M² for M = |dx·fy| + |dy·fx|."""
-    terms = discriminant(cx, cy, r, ax, ay, bx, by)
-    width = Fraction(terms.reach + terms.whole * abs(terms.k), 1 << 46) + Fraction(terms.whole**2, 1 << 98)
-    return Enclosure(terms.delta * terms.unit, width * terms.unit), None
+    found = whole.discriminant(cx, cy, r, ax, ay, bx, by)
+    return Enclosure(found.value, found.width)
+
+
+INTERVIEW = [
+    group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="bound every rounding"),
+    group("touch", "Exact touches: Δ is 0, and what doubles make of it is not.", either(seven(lines(*TOUCH, **BIG)), seven(hairlines.hairlines(10**9, 10**13))), cases=80, skills="bound every rounding"),
+    group("exact-zero", "Δ is 0: A and B are one point, or the line touches, or r is 0 and the line runs through C.", seven(lines("cut before =", "touch foot =", "touch ?by ?by", "dot ?by ?by", **PLAIN)), skills="degenerate line"),
+    group("repeated", "Neighbouring calls differ in one argument.", seven(grid("nnrpp", 9)), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("ulp", "Touches with one number off by one unit in its last place.", either(doubles.ulps(seven(lines(*TOUCH, **BIG)), 1), doubles.ulps(seven(lines(*TOUCH, **HUGE)), 1)), skills="bound every rounding"),
+    group("ulps", "Touches with one number off by 3 to 30,000 units in its last place.", doubles.ulps(seven(lines(*TOUCH, **BIG)), 3, 30, 300, 3_000, 30_000), cases=120, skills="full precision"),
+    group("hairline", "k is r·|D| ± 1, or Δ is ± 1, where r²·a has 24 digits and more.", either(seven(hairlines.hairlines(10**9, 10**13, 10**15, off=(1, -1))), seven(hairlines.least(10**9, 10**13, 10**15))), skills="full precision"),
+    group("worst", "Of a hundred lines the one that doubles get most wrong.", doubles.worst(either(doubles.easy, doubles.turned(seven(lines(*TOUCH, **BIG)))), 100), skills="bound every rounding"),
+    group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", **BIG))))), cases=120, skills="the sharp discriminant"),
+    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR))), skills="the sharp discriminant"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(signs.tried(hairlines.nearly(10**20, 10**25))), cases=160, skills="full precision"),
+    group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
+    group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
+]

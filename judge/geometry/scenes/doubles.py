@@ -133,7 +133,7 @@ def spread(
 
 
 def vanishing(draw: Draw) -> tuple[Any, ...]:
-    """dx·fy and dy·fx are one double, and k is 0 there; it is nearly 3·2**-53 of them, and |D|·r just below."""
+    """dx·fy and dy·fx are one double, and k is 0 there; it is nearly 3·2**-53 of them, |D|·r just below."""
     step = 1 << draw.integer(22, 26)
     beyond = round(0.98 * _ONE / step) - step
     number = draw.integer(1, 1 << 30)
@@ -159,7 +159,7 @@ def _crossed(draw: Draw, numbers: Sequence[int]) -> tuple[Any, ...]:
 
 
 def worst(drawn: Scene, of: int) -> Scene:
-    """Of so many draws the one whose Δ in doubles is most off, by r²·|D|² + M·|k| for M = |dx·fy| + |dy·fx|."""
+    """Of so many draws the one whose Δ in doubles is most off, as a part of `Discriminant.width`."""
 
     def error(case: tuple[Any, ...]) -> float:
         cx, cy, r, ax, ay, bx, by = map(float, case)
