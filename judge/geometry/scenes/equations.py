@@ -1,7 +1,7 @@
 """Scenes of a quadratic equation: each draws the (a, b, c) of a·t² + 2·b·t + c with one property.
 
-All numbers are whole and below 2**53 before a power of two scales them, so that a double holds each of them. Of
-the cases a third are ints where they are whole, a third floats, a third both.
+All numbers are whole and below 2**53 before a power of two scales them, so that a double holds each of them.
+Of the cases a third are ints where they are whole, a third floats, a third both.
 """
 
 from __future__ import annotations
