@@ -25,15 +25,16 @@ CROSSING, AXIS_FOOT, SEVEN = "plane CROSSING", "plane FOOT", "SEVEN"
 _WIDTHS = {"snap": Fraction(1, 10**12), "clear": Fraction(1, 10**7)}  # of what the figures draw as touching
 
 
-def hooks(view: str) -> Hooks:
-    """The hooks of a kata that shows this."""
+def hooks(view: str, *, promise: bool = True) -> Hooks:
+    """The hooks of a kata that shows this; without a promise nothing is too close to be a case."""
+    widths = _WIDTHS if promise else {}
 
     def topic() -> Topic:
         return _topic(view)
 
     def picture(shown: Shown) -> Picture | None:
         draw = topic().picture
-        return draw(replace(shown, problem=replace(shown.problem, bands=_WIDTHS))) if draw else None
+        return draw(replace(shown, problem=replace(shown.problem, bands=widths))) if draw else None
 
     def simpler(problem: Problem, case: Case) -> Iterable[Case]:
         make = topic().simpler
@@ -41,7 +42,7 @@ def hooks(view: str) -> Hooks:
 
     def explore(problem: Problem, values: Mapping[str, Any] | None) -> str | None:
         page = topic().explore
-        return page(replace(problem, bands=_WIDTHS), values) if page else None
+        return page(replace(problem, bands=widths), values) if page else None
 
     def puzzle(form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
         make = topic().puzzle

@@ -5,7 +5,7 @@ from judge.geometry.hooks import SEGMENT, hooks
 from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
 from judge.problem.declare import group
 
-HOOKS = hooks(SEGMENT)
+HOOKS = hooks(SEGMENT, promise=False)
 INT, WIDE = {**PLAIN, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
 

@@ -29,7 +29,6 @@ INTERVIEW = [
     group("miss", "The line passes the circle.", rays("miss ?by", "miss foot", **PLAIN), skills="no root of a negative number"),
     group("from-foot", "The origin is the foot of the perpendicular from C, so that f·D is 0.", rays("cut foot", "through foot", **PLAIN), skills="zero has no sign"),
     group("tangent", "The ray touches: ahead, behind, or at its origin.", rays("touch before", "touch near", "touch after", "touch foot", **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("on-circle", "The origin is on the circle, and the ray looks in or out: t = 0.", rays(*ON_CIRCLE, **PLAIN), skills="origin on the circle"),
     group("no-ray", "D = (0, 0): there is no ray, wherever the origin is.", lambda draw: (*rays("chord first", "cut in", "cut before", "dot foot", **PLAIN)(draw)[:4], (0, 0.0)), skills="degenerate line"),
     group("radius-zero", "The circle is a point: ahead, behind, off the ray, or the origin itself.", rays("dot before", "dot after", "dot foot", "dot-miss before", **PLAIN), skills="r = 0"),
@@ -38,6 +37,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),

@@ -28,13 +28,13 @@ INTERVIEW = [
     group("head-on", "Rays through the centre are thrown back the way they came.", rays("through before", "through foot", "through in", **PLAIN), skills="reflect a vector"),
     group("on-circle", "The origin is on the circle, and the ray looks in or out.", rays(*ON_CIRCLE, **PLAIN), skills="origin on the circle"),
     group("touch", "The ray touches, and goes on as it came.", rays(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("behind", "The circle is behind the origin, or beside the ray.", rays("cut after", "touch after", "miss before", **PLAIN), skills="clamp to a ray"),
     group("no-ray", "D = (0, 0) is no ray, and with r = 0 there is no mirror.", either(lambda draw: (*rays("chord first", "cut in", "miss before", **PLAIN)(draw)[:4], (0, 0.0)), rays("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
     group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),

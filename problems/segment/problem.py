@@ -29,7 +29,6 @@ INTERVIEW = [
     group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("tangent", "The segment touches: one point, once.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("tangent-beyond", "The line touches beyond the segment, or at one end.", lines(*BEYOND, **PLAIN), skills="clamp to a segment"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("end-on-circle", "An end is on the circle, or both are.", lines(*ENDS, **PLAIN), skills="closed ends"),
     group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
@@ -38,6 +37,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),

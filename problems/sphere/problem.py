@@ -33,13 +33,13 @@ INTERVIEW = [
     group("inside", "From inside: where the ray leaves, and the normal inward, towards it.", spheres("cut in", "cut foot", "cut in anyway", **PLAIN), skills=("a normal that faces the ray", "origin inside")),
     group("on-sphere", "The origin is on the sphere, and the ray looks in or out: t = 0.", spheres(*ON_SPHERE, **PLAIN), skills="origin on the circle"),
     group("touch", "The ray touches: ahead, behind, or at its origin.", spheres(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(spheres(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("behind", "The sphere is behind the origin.", spheres("cut after", "touch after", **PLAIN), skills="clamp to a ray"),
     group("no-ray", "D = (0, 0, 0) is no ray, and with r = 0 there is no sphere.", either(lambda draw: (*spheres("chord first", "cut in", "miss before", **PLAIN)(draw)[:3], (0, 0.0, 0)), spheres("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
     group("random", "Any numbers, small and large.", uniform("PrPD", 20, 1e4, 1e9), skills="three axes, the same formula"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(spheres(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, **HUGE), spheres(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", spheres("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),

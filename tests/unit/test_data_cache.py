@@ -187,7 +187,7 @@ def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     for expected in (True, False):
         done = subprocess.run(run, capture_output=True, text=True, env=environment, timeout=60, check=True)
         names = done.stdout.split()
-        for heavy in ("judge.exact", "judge.data.build", "judge.problem.module", "judge.topics"):
+        for heavy in ("judge.exact", "judge.data.build", "judge.problem.module", "judge.geometry"):
             assert (heavy in names) is expected, heavy
         assert any(name.startswith("judge_problem_crossings") for name in names) is expected
         assert not any(name.startswith(("rich", "hypothesis")) for name in names)
