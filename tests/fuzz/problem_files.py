@@ -10,7 +10,6 @@ import os
 import random
 import re
 import shlex
-import tomllib
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -53,6 +52,8 @@ def _base() -> dict[str, bytes]:
         if name.endswith("problem.toml"):
             text = re.sub(rb"(?m)^count = \d+", b"count = %d" % _CASES, files[name])
             files[name] = re.sub(rb"(?m)^(function|program) = .*", rb'\1 = "exact.py"', text)
+        if name.endswith("problem.py"):
+            files[name] = re.sub(rb"cases=\d+", b"cases=%d" % _CASES, files[name])
     return files
 
 
@@ -182,8 +183,8 @@ def _runs(chance: random.Random, problem: str, files: dict[str, bytes]) -> list[
     """Two to four commands that read the problem."""
     programs = [name for name in files if name.startswith(f"solutions/{problem}/")]
     program = f"../{chance.choice(programs)}"
-    table = tomllib.loads(_base()[f"problems/{problem}/problem.toml"].decode())
-    group = chance.choice([each["name"] for each in table["groups"]])
+    written = b"".join(_base()[f"problems/{problem}/problem.{kind}"] for kind in ("toml", "py")).decode()
+    group = chance.choice(re.findall(r'(?m)(?:^name = |group\()"([\w-]+)"', written))
     cheap, dear = (_commands(texts, problem, group, program) for texts in (_CHEAP, _DEAR))
     chosen = [
         *chance.sample(cheap, chance.choice((1, 1, 2))),

@@ -15,12 +15,13 @@ from __future__ import annotations
 import json
 import random
 import re
-import tomllib
 from functools import cache
 from pathlib import Path
 
 from mangle import mangled_bytes, mangled_text, pool
 from runs import ROOT, Ended, Run
+
+from judge.problem.load import load_problem
 
 _BATCH = 10  # odd ones of a case
 _LONGEST = 100_000  # characters of a result
@@ -105,9 +106,8 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
     problem = chance.choice(_PROBLEMS)
-    table = tomllib.loads(_files()[f"problems/{problem}/problem.toml"].decode())
-    entry = table["entry"]
-    parameters = ", ".join(parameter["name"] for parameter in table["parameters"])
+    shipped = load_problem(folder / "problems" / problem)
+    entry, parameters = shipped.entry, ", ".join(parameter.name for parameter in shipped.parameters)
     batch = folder / "work" / "batch"
     batch.mkdir(parents=True)
     (batch / _RIGHT).write_bytes(_program(problem, "accepted", entry))
@@ -124,7 +124,7 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
         name = f"odd{number}.py" if chance.random() < 0.7 else f"{chance.choice(_NAMES)}{number}.py"
         (batch / name).write_bytes(source)
         story.append(f"{name!r}: {what}")
-    return story, _runs(chance, problem, [group["name"] for group in table["groups"]])
+    return story, _runs(chance, problem, [group.name for group in shipped.groups])
 
 
 def _program(problem: str, folder: str, entry: str) -> bytes:
