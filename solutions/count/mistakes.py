@@ -50,22 +50,22 @@ def distance(cx, cy, r, A, B):
     # ? swapped-coordinates@c: bx, by = B[0] - cy, B[1] - cx
     # : The centre is subtracted with x and y exchanged. Its x belongs to the x of the points.
     # ? rounded-input@seen: bx, by = round(B[0] - cx, 7), round(B[1] - cy, 7)
-    extent = max(r, abs(ax), abs(ay), abs(bx), abs(by))
-    # = extent = max(r, hypot(ax, ay), hypot(bx, by))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
-    # ? coordinate-epsilon: extent = 1 + max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    size = max(r, abs(ax), abs(ay), abs(bx), abs(by))
+    # = size = max(r, hypot(ax, ay), hypot(bx, by))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
+    # ? coordinate-epsilon: size = 1 + max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
     # : The threshold is a fraction of 1 plus all coordinates, "to be safe": for a small figure, or one far
     # : from the origin, it is wider than the figure. Measure the size from the centre, and add nothing to
     # : it.
-    # ? coordinate-epsilon: extent = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
-    # ? single-precision@wide: near = 4e-7 * extent
+    # ? coordinate-epsilon: size = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
+    near = 1e-10 * size
+    # = near = 1e-9 * size
+    # ? single-precision@wide: near = 4e-7 * size
     # ? absolute-epsilon: near = {1e-15..1e-2/3}
     # ? absolute-epsilon@short: near = {1e-12..1e-6/3}
     # : Tangencies are compared within a fixed number, and two points within it are taken for one. Measure the
     # : epsilon by the figure's size; only A == B is one point.
-    # ? loose-epsilon: near = {1e-6..1e-1/2} * extent
+    # ? loose-epsilon: near = {1e-6..1e-1/2} * size
     # ? loose-epsilon: near = {1e-6..1e-1/2} * r
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? forgotten-centre@b: dx, dy = bx - ax, by - ay
@@ -109,7 +109,7 @@ def distance(cx, cy, r, A, B):
     # ? absolute-epsilon@short: if length <= {1e-12..1e-6/3}: return None
     # ? shifted-direction@cross: if dx == 0 == dy: return None
     # + degenerate-epsilon: if length <= {1e-16..1e-3/3}: return None
-    # + degenerate-epsilon: if length <= {1e-10..1e-6/2} * extent: return None
+    # + degenerate-epsilon: if length <= {1e-10..1e-6/2} * size: return None
     k = dx * ay - dy * ax
     # ? shifted-direction@cross: k = ax * by - ay * bx
     # : The cross product and the length are taken from coordinates that the centre has been subtracted from:
@@ -239,8 +239,8 @@ def quadratic(cx, cy, r, A, B):
     "right"
     fx, fy = A[0] - cx, A[1] - cy
     dx, dy = B[0] - A[0], B[1] - A[1]
-    extent = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
-    near = 1e-10 * extent
+    size = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    near = 1e-10 * size
     a = dx * dx + dy * dy
     if a == 0:
         return None
