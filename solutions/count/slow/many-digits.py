@@ -1,12 +1,12 @@
 """many-digits
 
-Right, and hundreds of times slower than it need be: the distance is worked out to fifteen hundred digits,
+Right, and hundreds of times slower than it need be: the distance is worked out to six thousand digits,
 where the promised gap between a tangent and any other line leaves a double plenty of room.
 """
 
 from decimal import Decimal, getcontext
 
-getcontext().prec = 1_500
+getcontext().prec = 6_000
 
 
 def line_count(cx, cy, r, A, B):
