@@ -18,7 +18,7 @@ from judge.problem.module import load_module
 from judge.values import Real
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-CASES = 250
+CASES = 2_000  # of another seed than the pinned one's
 SNAP = Decimal("1e-12")
 CLOSE = Decimal("1e-60")  # of a number's unit; of 160 digits differences keep 80, and a root of them more
 
@@ -89,8 +89,9 @@ def broken_promise(name: str, *case: Any) -> str | None:
 
 
 def cases_of(name: str) -> list[Any]:
-    """Shipped cases, as many of every group."""
-    groups = load_data(load_problem(PROBLEMS / name)).groups
+    """Cases of two seeds that are not the pinned one, as many of every group."""
+    problem = load_problem(PROBLEMS / name)
+    groups = [group for seed in (11, 12) for group in load_data(problem, seed=seed, cache=False).groups]
     most = -(-CASES // len(groups))
     return [case for group in groups for case in group.cases[:most]]
 
