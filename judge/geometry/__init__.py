@@ -16,6 +16,6 @@ from judge.geometry import whole
 from judge.geometry.line import Line
 from judge.geometry.pair import Lie, Pair
 from judge.geometry.quadratic import Quadratic, Sphere
-from judge.geometry.sure import Decision, Root, Sure, Words
+from judge.geometry.sure import Root, Sure, Words
 
-__all__ = ["Decision", "Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "Words", "whole"]
+__all__ = ["Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "Words", "whole"]

@@ -11,7 +11,7 @@ from math import isqrt
 from typing import NamedTuple
 
 from judge.exact.signs import root_sign, two_root_sign
-from judge.problem.declare import InvalidCase
+from judge.problem.declare import InvalidCase, decided
 
 CLEAR = 10_000_000  # a length that decides is 0, or at least size/CLEAR
 BITS = 64  # below the figure's unit: how exactly a root's length is taken
@@ -24,16 +24,14 @@ class Words(NamedTuple):
     almost: str  # without its full stop: "The line is almost a tangent"
     must: str  # "It must touch exactly, or stay at least 1e-7·e away."
 
+    @property
+    def name(self) -> str:
+        """The decision in a table: "The line is a tangent"."""
+        return self.almost.replace("almost ", "")
+
     def sentence(self, gap: float) -> str:
         """What InvalidCase says of that part of e."""
         return f"{self.almost} (gap {_short(abs(gap))}·e). {self.must}"
-
-
-class Decision(NamedTuple):
-    """A decision that was made: its words, and its signed length as a part of e, 0 where it is exact."""
-
-    words: Words
-    gap: float
 
 
 class Root(NamedTuple):
@@ -47,15 +45,14 @@ class Root(NamedTuple):
 class Sure:
     """Decides the signs of lengths in a figure of this size e; all numbers are the figure's integers.
 
-    Each method that decides raises InvalidCase where the length is neither 0 nor clear. `decisions` lists
-    those that were made, in order.
+    Each method that decides raises InvalidCase where the length is neither 0 nor clear, and tells
+    `judge.problem.declare.decisions` of it.
     """
 
-    __slots__ = ("decisions", "size")
+    __slots__ = ("size",)
 
     def __init__(self, size: int) -> None:
         self.size = size
-        self.decisions: list[Decision] = []
 
     def sign(
         self,
@@ -121,7 +118,7 @@ class Sure:
     def _exactly(self, zero: bool, what: Words) -> int:
         if not zero:
             raise InvalidCase(what.sentence(0.0))
-        self.decisions.append(Decision(what, 0.0))
+        decided(what.name, 0.0)
         return 0
 
     def _clear(self, length: int, size: int, share: int, what: Words) -> None:
@@ -129,7 +126,7 @@ class Sure:
         gap = length / (size or 1)
         if abs(length) * share < size or not length:
             raise InvalidCase(what.sentence(gap))
-        self.decisions.append(Decision(what, gap))
+        decided(what.name, gap)
 
 
 def _scaled_root(q: int, d: int) -> int:

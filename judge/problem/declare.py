@@ -11,7 +11,9 @@ The group of the statement's examples is no row: it comes first.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,6 +28,34 @@ if TYPE_CHECKING:
     from judge.drawing import Picture
 
 __all__ = ["AnyOf", "Declared", "Hooks", "InvalidCase", "Judged", "Real", "Tolerance", "group"]
+
+
+class Decided(NamedTuple):
+    """A decision of `solve`: what it is, and by how much of the size it is clear; 0 where it is exact."""
+
+    what: str
+    gap: float
+
+
+_made: ContextVar[list[Decided] | None] = ContextVar("_made", default=None)
+
+
+@contextmanager
+def decisions() -> Iterator[list[Decided]]:
+    """The decisions that are made inside, in order."""
+    made: list[Decided] = []
+    token = _made.set(made)
+    try:
+        yield made
+    finally:
+        _made.reset(token)
+
+
+def decided(what: str, gap: float) -> None:
+    """Tell of a decision those who ask for them."""
+    made = _made.get()
+    if made is not None:
+        made.append(Decided(what, gap))
 
 
 class InvalidCase(Exception):  # noqa: N818 - of the case, not of the program

@@ -13,6 +13,7 @@ from judge.run.verify import SolutionReport, VerifyReport
 
 _MATRIX = (Column("wrong program"), Column("share", right=True), Column("rejected by", flexible=True))
 _LEAST = (Column("mistake"), Column("cases", right=True), Column("group"), Column("line", flexible=True))
+_EDGES = (Column("edge", flexible=True), Column("cases", right=True))
 _OTHERS = 3  # groups that a row shows beside its own
 _COLUMNS = (Column("solution"), Column("verdict"), Column("fails", flexible=True))
 
@@ -32,6 +33,12 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
         rows = sorted(report.least, key=lambda each: (each.name, each.cases))
         cells: list[list[Cell]] = [[each.name, str(each.cases), each.group, each.line] for each in rows]
         yield from Table(_LEAST, cells).lines(width)
+    if with_matrix and report.edges:
+        yield line()
+        reached: list[list[Cell]] = [
+            [what, str(cases) if cases else Span("none", Style.WARNING)] for what, cases in report.edges
+        ]
+        yield from Table(_EDGES, reached).lines(width)
     if report.choices:
         yield line()
         yield line(f"  {counted(report.choices, 'mistake')} of mistakes.py judged")

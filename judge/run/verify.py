@@ -102,6 +102,7 @@ class VerifyReport(Struct, frozen=True):
     choices: int = 0  # mistakes of mistakes.py
     least: tuple[Least, ...] = ()  # and for each the group that rejects it in most cases
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
+    edges: tuple[tuple[str, int], ...] = ()  # which edges have cases, and how many
 
     @property
     def ok(self) -> bool:

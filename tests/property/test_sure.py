@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from judge.geometry import Root, Sure, Words
 from judge.geometry.sure import CLEAR
-from judge.problem.declare import InvalidCase
+from judge.problem.declare import InvalidCase, decisions
 
 WORDS = Words("The length is almost 0", "It must be 0, or at least 1e-7·e.")
 TINY = Decimal(10) ** -250  # a number of these sizes that is nearer to 0 is 0
@@ -136,10 +136,12 @@ def test_least_is_exact(square, size, share):
 
 def test_a_decision_is_recorded_with_its_part_of_the_size():
     sure = Sure(100)
-    assert (sure.sign(25, what=WORDS), sure.sign(-1, 1, 1, what=WORDS)) == (1, 0)
-    assert sure.distance(9, 28, 1, what=WORDS) == -1
-    assert [decision.gap for decision in sure.decisions] == [0.25, 0, -0.25]
-    assert {decision.words for decision in sure.decisions} == {WORDS}
+    with decisions() as made:
+        assert (sure.sign(25, what=WORDS), sure.sign(-1, 1, 1, what=WORDS)) == (1, 0)
+        assert sure.distance(9, 28, 1, what=WORDS) == -1
+    sure.sign(25, what=WORDS)
+    assert [decision.gap for decision in made] == [0.25, 0, -0.25]
+    assert {decision.what for decision in made} == {WORDS.name}
 
 
 def test_the_sentence_names_the_decision_and_the_gap():

@@ -24,6 +24,7 @@ from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
 from judge.report.verified import report_lines, summary_line
+from judge.run.edges import edges_of
 from judge.run.matrix import Matrix
 from judge.run.verify import Fault, Progress, SolutionReport, VerifyReport, fresh_data, verify_problem
 from judge.sandbox import Boxes
@@ -33,7 +34,11 @@ SCHEMA = 1
 
 @click.command("verify")
 @click.argument("names", metavar="[PROBLEM]...", nargs=-1)
-@click.option("--matrix", is_flag=True, help="Show which test group kills which wrong program.")
+@click.option(
+    "--matrix",
+    is_flag=True,
+    help="Show which test group kills which wrong program, and which edges have cases.",
+)
 @click.option("--pin", is_flag=True, help="Pin the data as they are now: write pins.json.")
 @click.option("--figures", is_flag=True, help="Draw the statement's figure: write figure.svg.")
 @click.option(
@@ -62,15 +67,16 @@ def command(
 
     A wrong program that fewer than five cases reject is a warning.
 
-    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; and the
-    groups that are the only ones to reject no program.
+    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
+    groups that are the only ones to reject no program; and how many cases reach which edge: a parameter is 0,
+    two are equal, a decision is exact or nearly so.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
     chosen = names or tuple(sorted(folder.name for folder in _chosen(folders)))
     reports = []
     for name in dict.fromkeys(chosen):
-        report = _verify(name, folders, pin=pin, seeds=seeds)
+        report = _verify(name, folders, pin=pin, seeds=seeds, edges=matrix)
         if figures and report.ok:
             _draw_figure(find_problem(name, folders))
         reports.append(report)
@@ -90,7 +96,7 @@ def _chosen(folders: Sequence[Path]) -> list[Path]:
     return folders_within(folders) if folders else problem_folders()
 
 
-def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int) -> VerifyReport:
+def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int, edges: bool) -> VerifyReport:
     """The report on one problem; one that cannot even be read has that as its only fault."""
     try:
         problem = find_problem(name, folders)
@@ -114,6 +120,7 @@ def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int) -> Ver
         )
     return replace(
         report,
+        edges=tuple(edges_of(data[0])) if edges and data and not problem.in_toml else (),
         choices=found.count,
         least=found.least,
         faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
@@ -148,6 +155,7 @@ def as_object(report: VerifyReport, *, with_matrix: bool = False) -> dict[str, A
             for each in report.least
         ]
         matrix = {"matrix": _matrix(report.matrix) if report.matrix else None, "mistakes": least}
+        matrix["edges"] = [{"what": what, "cases": cases} for what, cases in report.edges]
     return {
         "schema": SCHEMA,
         "problem": report.problem,

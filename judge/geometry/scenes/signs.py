@@ -80,7 +80,7 @@ def scattered(shape: str, *reaches: int) -> Scene:
         kinds: dict[str, Callable[[], Any]] = {
             "n": number,
             "r": lambda: abs(number()) or 1,
-            "p": lambda: (number(), number()),
+            "p": lambda: (number(), number()) if draw.integer(0, 11) else (0, 0),
         }
         return tuple(kinds[kind]() for kind in shape)
 
