@@ -1,0 +1,33 @@
+"""A program with a tolerance is right with each from 1e-12 to 5e-8 of the size, and wrong with 1e-5."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from sampling import daily
+
+from judge.data import load_data
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.run import Settings, run_submission
+
+SOLUTIONS = Path(__file__).parents[2] / "solutions"
+KATAS = sorted(path.parents[1].name for path in SOLUTIONS.glob("*/accepted/tolerant.py"))
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.mark.parametrize("kata", daily(KATAS, ["count", "circle-circle"]))
+def test_every_tolerance_that_the_promise_allows_is_right(kata):
+    problem = find_problem(kata)
+    source = (SOLUTIONS / kata / "accepted" / "tolerant.py").read_text(encoding="utf-8")
+    assert "1e-9 * " in source
+    for seed in (None, 31):
+        data = load_data(problem, seed=seed)
+        for tolerance in ("1e-12", "1e-8", "5e-8", "1e-5"):
+            changed = source.replace("1e-9 * ", f"{tolerance} * ").encode()
+            verdict = run_submission(
+                problem, data, changed, "mine.py", settings=Settings(measured=False)
+            ).verdict
+            assert verdict is (Verdict.WA if tolerance == "1e-5" else Verdict.AC), (tolerance, seed)
