@@ -212,6 +212,11 @@ def whole(shape: str, bits: int) -> Scene:
     return _shaped(shape, lambda draw: draw.integer(-(1 << bits), 1 << bits))
 
 
+def corners(shape: str, bits: int) -> Scene:
+    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of two squares three more."""
+    return _shaped(shape, lambda draw: ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign())
+
+
 def uniform(shape: str, *reaches: float) -> Scene:
     """Doubles and ints up to one of `reaches`."""
 

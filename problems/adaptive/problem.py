@@ -34,5 +34,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
     group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
-    group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=3, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
+    group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=2.5, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
 ]

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import LINE, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(LINE)
@@ -34,12 +34,13 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **NEAR), skills="nearly is not touching"),
-    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", **TINY), skills="no absolute epsilon"),
-    group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", "dot far by", **SPLIT), cases=90, skills="r = 0"),
+    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
+    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to a million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", lines("touch before after", "cut before after", "miss before after", **STEEP), skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("nnrpp", 30), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

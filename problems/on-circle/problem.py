@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import POINT, hooks
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, points, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(POINT)
@@ -10,6 +10,12 @@ HOOKS = hooks(POINT)
 
 def solve(cx, cy, r, P):
     return Line.point(cx, cy, r, P).side()
+
+
+def small_circle(draw):
+    """P at the corner that is opposite to a small circle's, mostly."""
+    cx, cy, P = corners("nnp", 30)(draw)
+    return cx, cy, draw.integer(0, 9), P if draw.boolean() else (-cx, -cy)
 
 
 INTERVIEW = [
@@ -30,5 +36,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrp", 30), small_circle), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 4), turns=True, skills="nothing kept between calls"),
 ]

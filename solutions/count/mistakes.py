@@ -185,7 +185,6 @@ def distance(cx, cy, r, A, B):
     # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 6))
     # + rounded-distance: return (lambda d, r: 1 if d == r else 2 if d < r else 0)(round(d, 6), round(r, 6))
     # + rounded-distance: return (lambda d, r: 1 if d == r else 2 if d < r else 0)(round(d, 9), round(r, 9))
-    # + both-on-circle: if r and max(abs(hypot(ax, ay) - r), abs(hypot(bx, by) - r)) <= near: return 2
     if d > r + near:
         return 0
         # ? swapped-answers@s: return 2

@@ -65,7 +65,7 @@ def check_braille(drawn):
         assert body[-1].strip()
         assert max(map(len, (title, *body))) <= COLUMNS
         heights.append(len(body) + 2)
-    assert heights == sorted(heights)
+    assert max(heights) == heights[-1]
     assert heights[0] == heights[1] <= LEAST_ROWS
     assert heights[2] <= 12
     assert heights[3] == heights[4] <= ROWS
@@ -86,7 +86,8 @@ def test_any_case_can_be_drawn_with_any_answer(name, built, monkeypatch):
     problem = load_problem(ROOT / "problems" / name)
     module = load_module(problem)
     if module.hooks.picture is None:
-        pytest.skip("its cases are no figures")
+        assert name in ("stable-roots", "test-writer")  # their cases are no figures
+        return
     chosen = random.Random(name)
     for group in load_data(problem).groups:
         if group.group.size is not None:

@@ -7,7 +7,7 @@
 The words are those of judge.geometry.level and of each scene, the poses those of judge.geometry.pose.
 """
 
-from judge.geometry.level import either, grid, telling, uniform, whole
+from judge.geometry.level import corners, either, grid, telling, uniform, whole
 from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
 from judge.geometry.scenes.outlines import pairs
@@ -25,6 +25,7 @@ __all__ = [
     "STEEP",
     "TINY",
     "closed_up",
+    "corners",
     "either",
     "feet",
     "grid",
