@@ -213,7 +213,7 @@ def whole(shape: str, bits: int) -> Scene:
 
 
 def corners(shape: str, bits: int) -> Scene:
-    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of two squares three more."""
+    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of squares three."""
     return _shaped(shape, lambda draw: ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign())
 
 
