@@ -75,7 +75,7 @@ def circle_circle(cx1, cy1, r1, cx2, cy2, r2):
     if square < 0:
         return []
     height = 2 * square.sqrt() / d
-    along = ((p - height) * (p + height)).sqrt() * (1 if d * d + p * p >= q * q else -1)
+    along = max(Decimal(0), (p - height) * (p + height)).sqrt() * (1 if d * d + p * p >= q * q else -1)
     return left_first(beside(c, times(1 / d, v), along, height), c, other)
 
 
