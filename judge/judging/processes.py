@@ -62,8 +62,8 @@ class Processes:
                     self._alive = len(busy) + len(idle)
                 for future in wait(busy, return_when=FIRST_COMPLETED).done:
                     worker, place = busy.pop(future)
+                    idle.append(worker)  # before the result is taken: whoever takes it may want no more
                     yield from round_.outcome(future, place)
-                    idle.append(worker)
             ended = True
         finally:
             for worker in (*idle, *(worker for worker, _ in busy.values())):

@@ -6,11 +6,13 @@ in tests/executed.py, which their processes must be able to import.
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
@@ -113,6 +115,15 @@ def test_results_come_in_order_until_what_the_caller_has_done_wrong_ends_the_wor
     assert [next(found) for _ in before] == ["N0", "N1"][: len(before)]
     with pytest.raises(UsageError, match="cannot be had here"):
         next(found)
+
+
+def test_who_takes_the_last_result_and_no_more_leaves_no_worker_behind(tmp_path):
+    before = set(threading.enumerate())
+    found = Processes(1).finished(work, items(tmp_path, "well"), lost)
+    assert next(found) == (0, "N0")
+    found.close()
+    assert set(threading.enumerate()) == before  # a pool that still ends can fail where the interpreter does
+    assert multiprocessing.active_children() == []
 
 
 _PARENT = """
