@@ -8,6 +8,8 @@ state = true               # it is one only if a case passes when it is called a
 form = true                # the answer's form is wrong, and that is the mistake itself
 needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.mistakes.features)
 kills = ["halves"]         # groups that should catch it, beside those whose own `kills` name it
+edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right way, or after it where they
+                           # assign `answer`, in each problem with these parameters; what is said of each
 
 [floor-division.in.middle] # in one problem other words, or other of the keys above
 why = "…"
@@ -44,6 +46,7 @@ class Words(Struct, frozen=True):
     needs: tuple[str, ...] = ()
     kills: tuple[str, ...] = ()
     spared: Mapping[str, str] = {}
+    edits: Mapping[str, str] = {}
 
     @property
     def told(self) -> str:
@@ -109,9 +112,8 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     try:
         words = msgspec.convert(merged, Words)
     except msgspec.ValidationError as why:
-        remedy = (
-            "why and advice are texts, needs and kills lists, spared is a table, the others true or false"
-        )
+        tables = "spared and edits are tables, the others true or false"
+        remedy = f"why and advice are texts, needs and kills lists, {tables}"
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
     for feature in words.needs:
         if feature not in FEATURES:

@@ -14,12 +14,13 @@ from msgspec import Struct
 
 from judge.mistakes.catalogue import Catalogue, Words, read_catalogue, with_kills
 from judge.mistakes.routes import Change, Route, Routes, read_routes
-from judge.mistakes.transforms import HELPERS, Transform, transforms
+from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
 from judge.problem import Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.text import read_text
 
 INNER = "right_way"  # what a route is called below a transform
+KEPT = Words(state=True, needs=("state",))  # where mistakes.toml says nothing of it
 
 
 class Choice(Struct, frozen=True):
@@ -47,10 +48,7 @@ class Family:
         path = problem.solutions / MISTAKES
         self.where = f"{path.parent.name}/{MISTAKES}"
         self._routes: Routes = read_routes(read_text(path), self.where)
-        aimed = {name for group in with_kills(problem, self.catalogue).groups for name in group.kills}
-        self._transforms: tuple[Transform, ...] = tuple(
-            each for each in transforms(problem) if each.name in aimed or not problem.in_toml
-        )
+        self._transforms = transforms(with_kills(problem, self.catalogue), self.catalogue)
 
     @staticmethod
     def of(problem: Problem, catalogue: Catalogue | None = None) -> Family | None:
@@ -118,11 +116,16 @@ class Family:
 
     def words(self, name: str) -> Words:
         """What mistakes.toml says of a mistake; nothing where it does not know it."""
-        return self.catalogue.get(name, Words())
+        return self.catalogue.get(name, KEPT if name == KEPT_BETWEEN_CALLS else Words())
 
     def told(self, choice: Choice) -> str:
         """What is wrong and what to do instead, as it fits this very change."""
         texts = [change.text for change in self.changes(choice) if change.text]
+        texts += [
+            self._transforms[i].text
+            for i in (choice.before, choice.after)
+            if i >= 0 and self._transforms[i].text
+        ]
         return texts[0] if texts else self.routes[choice.route].text or self.words(self.names(choice)[0]).told
 
     def place(self, choice: Choice) -> str:
@@ -173,10 +176,11 @@ class Family:
         return "\n\n\n".join(part for part in parts if part) + "\n"
 
     def _outer(self, choice: Choice) -> str:
-        rows = [f"def {self.problem.entry}(*given):"]
+        given = ", ".join(each.name for each in self.problem.parameters)
+        rows = [f"def {self.problem.entry}({given}):"]
         if choice.before >= 0:
             rows.append(f"    {self._transforms[choice.before].line}")
-        rows.append(f"    answer = {INNER}(*given)")
+        rows.append(f"    answer = {INNER}({given})")
         if choice.after >= 0:
             rows.append(f"    {self._transforms[choice.after].line}")
         return "\n".join([*rows, "    return answer"])

@@ -12,6 +12,7 @@
         # + zero: if a == 0: return 0                  a mistake that adds a line here
         # |     a further line of the same one
         # ! it may start anywhere                      why no case can tell it, where none can
+        # @ half-way between both                      words of the rule of the statement that it ignores
 
 A change replaces the statement that ends just above it, at its own indentation. Every function with a
 docstring is a route; one whose docstring is not "right" makes the mistake of that name whatever is changed in
@@ -33,7 +34,7 @@ from judge.errors import ProblemError
 
 RIGHT = "right"  # the docstring of a right way
 
-_MARK = re.compile(r"^(\s*)#\s?([?=+|:!])(?:\s(.*))?$")
+_MARK = re.compile(r"^(\s*)#\s?([?=+|:!@])(?:\s(.*))?$")
 _NAMED = re.compile(r"^([a-z][\w-]*)(?:@(\w+))?:\s(.*)$")
 _DECADES = re.compile(r"\{1e(-?\d+)\.\.1e(-?\d+)(?:/(\d+))?\}")
 
@@ -49,7 +50,8 @@ class Piece(Struct, frozen=True):
 class Change(Struct, frozen=True):
     """One thing done otherwise: a mistake by its name, or a style, which has none.
 
-    `text` is said of it instead of what mistakes.toml says; `equal` is the reason why no case can tell it.
+    `text` is said of it instead of what mistakes.toml says; `equal` is the reason why no case can tell it;
+    `rules` are words of the rules that it ignores.
     """
 
     name: str
@@ -57,6 +59,7 @@ class Change(Struct, frozen=True):
     line: int  # of the file, from 1
     text: str = ""
     equal: str = ""
+    rules: tuple[str, ...] = ()
 
     def clashes(self, other: Change) -> bool:
         """Whether both change the same lines."""
@@ -130,6 +133,7 @@ class _Mark(Struct):
     body: list[str]
     text: str = ""
     equal: str = ""
+    rules: tuple[str, ...] = ()
 
 
 class _Reader:
@@ -175,6 +179,8 @@ class _Reader:
                 marks[-1].body.append(indent + rest)
             elif kind == ":":
                 marks[-1].text = f"{marks[-1].text} {rest}".strip()
+            elif kind == "@":
+                marks[-1].rules += (rest.strip(),)
             else:
                 marks[-1].equal = f"{marks[-1].equal} {rest}".strip()
         return marks
@@ -213,14 +219,15 @@ def _filled(marks: Sequence[_Mark]) -> Iterator[Change]:
     first = marks[0]
     text = next((mark.text for mark in marks if mark.text), "")
     equal = next((mark.equal for mark in marks if mark.equal), "")
+    rules = tuple(rule for mark in marks for rule in mark.rules)
     if not ranges:
-        yield Change(first.name, _pieces(marks, ""), first.line, text, equal)
+        yield Change(first.name, _pieces(marks, ""), first.line, text, equal, rules)
         return
     low = min(int(each[0]) for each in ranges)
     high = max(int(each[1]) for each in ranges)
     step = max(int(each[2] or 1) for each in ranges)
     for power in range(low, high + 1, step):
-        yield Change(first.name, _pieces(marks, f"1e{power}"), first.line, text, equal)
+        yield Change(first.name, _pieces(marks, f"1e{power}"), first.line, text, equal, rules)
 
 
 def _pieces(marks: Sequence[_Mark], value: str) -> tuple[Piece, ...]:

@@ -1,15 +1,20 @@
 """Mistakes made before a right way begins, with its input, or after it has ended, with its answer.
 
-They are written once for all problems, as Python; a problem has those that its groups' `kills` name.
-What they may touch follows from the types of parameters and answer.
+They are lines of Python around a call of the right way, written once for all problems:
+
+    those of this file      for whatever has parameters and an answer of fitting types
+    `edits` of a mistake    in mistakes.toml, for the problems with the parameters that they assign
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import ast
+from collections.abc import Iterator
 
 from msgspec import Struct
 
+from judge.errors import ProblemError
+from judge.mistakes.catalogue import FILE, Catalogue
 from judge.problem import Problem
 
 HELPERS = '''\
@@ -34,46 +39,52 @@ def single(x):
 
 def wrapped(x, bits):
     """A whole number as an integer of so many bits holds it."""
-    return (int(x) + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)'''
+    return (int(x) + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)
+
+
+KEPT = {}'''
 
 _PLACES = (2, 3, 4, 6, 8, 9, 12)
 _DIGITS = (6, 8)
+ANSWER = "answer"
+KEPT_BETWEEN_CALLS = "kept-between-calls"
 
 
 class Transform(Struct, frozen=True):
-    """A mistake by its name, and the expression of `given` or of `answer` that makes it."""
+    """A mistake by its name, and the line that makes it, before the right way is called or `after` it.
+
+    `text` is said of it instead of what mistakes.toml says.
+    """
 
     name: str
-    expression: str
+    line: str
     after: bool = False
-
-    @property
-    def line(self) -> str:
-        """The line of a program that does it."""
-        return f"answer = {self.expression}" if self.after else f"given = {self.expression}"
+    text: str = ""
 
 
-def transforms(problem: Problem) -> tuple[Transform, ...]:
-    """Those that make sense for a problem's types."""
-    return (*_before(problem), *_after(problem))
+def transforms(problem: Problem, catalogue: Catalogue) -> tuple[Transform, ...]:
+    """Those that make sense for a problem's parameters and answer. Raises ProblemError."""
+    if problem.in_toml:
+        aimed = {name for group in problem.groups for name in group.kills}
+        return tuple(each for each in (*_before(problem), *_after(problem)) if each.name in aimed)
+    return (*_before(problem), *_after(problem), *_kept(problem), *_of_pack(problem, catalogue))
 
 
 def _before(problem: Problem) -> Iterator[Transform]:
-    yield Transform("whole-numbers", "[each(value, int) for value in given]")
-    yield Transform("whole-numbers", "[each(value, round) for value in given]")
+    every = "".join(f"{each.name}, " for each in problem.parameters)
+
+    def changed(name: str, change: str) -> Transform:
+        return Transform(name, f"{every.rstrip(' ')} = each(({every.rstrip(' ')}), {change})")
+
+    yield changed("whole-numbers", "int")
+    yield changed("whole-numbers", "round")
     for places in _PLACES:
-        yield Transform("rounded-input", f"[each(value, lambda x: round(x, {places})) for value in given]")
-    yield Transform("single-precision", "[each(value, single) for value in given]")
-    yield Transform("float-coordinates", "[each(value, lambda x: int(float(x))) for value in given]")
-    for place, name in _pairs(problem):
-        kept = f"*given[:{place}], " if place else ""
-        rest = f", *given[{place + 1} :]" if place + 1 < len(problem.parameters) else ""
-        yield Transform("swapped-coordinates", f"[{kept}given[{place}][::-1]{rest}]  # {name} as (y, x)")
-
-
-def _pairs(problem: Problem) -> Sequence[tuple[int, str]]:
-    """The parameters that are pairs of numbers, with their places."""
-    return [(i, each.name) for i, each in enumerate(problem.parameters) if each.type.width == 2]
+        yield changed("rounded-input", f"lambda x: round(x, {places})")
+    yield changed("single-precision", "single")
+    yield changed("float-coordinates", "lambda x: int(float(x))")
+    for each in problem.parameters:
+        if each.type.width == 2:
+            yield Transform("swapped-coordinates", f"{each.name} = {each.name}[::-1]")
 
 
 def _after(problem: Problem) -> Iterator[Transform]:
@@ -94,4 +105,39 @@ def _after(problem: Problem) -> Iterator[Transform]:
 
 
 def _answered(name: str, expression: str) -> Transform:
-    return Transform(name, expression, after=True)
+    return Transform(name, f"answer = {expression}", after=True)
+
+
+def _kept(problem: Problem) -> Iterator[Transform]:
+    """Answers that are kept for the next call under too few of the arguments: all but one, the first of them,
+    or the last.
+    """
+    names = [each.name for each in problem.parameters]
+    keys = [[*names[:i], *names[i + 1 :]] for i in range(len(names))]
+    keys += [part for i in range(1, len(names)) for part in (names[:i], names[i:])]
+    for key in sorted(set(map(tuple, keys))):
+        left = [name for name in names if name not in key]
+        line = f"answer = KEPT.setdefault(repr([{', '.join(key)}]), answer)"
+        text = (
+            f"An answer is kept for later calls, whatever {' and '.join(left)} "
+            f"{'are' if left[1:] else 'is'} by then. Make all arguments the key, or keep nothing."
+        )
+        yield Transform(KEPT_BETWEEN_CALLS, line, after=True, text=text)
+
+
+def _of_pack(problem: Problem, catalogue: Catalogue) -> Iterator[Transform]:
+    """The edits of mistakes.toml that assign nothing but parameters of this problem, or its answer."""
+    known = {ANSWER, *(each.name for each in problem.parameters)}
+    for name, words in catalogue.items():
+        for line, text in words.edits.items():
+            try:
+                nodes = list(ast.walk(ast.parse(line)))
+            except SyntaxError as fault:
+                where = f"{problem.solutions.parent.name}/{FILE}"
+                what = f"the edit {line!r} of [{name}] is no Python: {fault.msg}"
+                raise ProblemError(what, where=where, remedy="repair this line") from None
+            assigned = {
+                node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+            }
+            if assigned and assigned <= known:
+                yield Transform(name, line, ANSWER in assigned, text)

@@ -25,6 +25,7 @@ from judge.mistakes.catalogue import FILE, Words
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
+from judge.mistakes.rules import rule_faults
 from judge.problem import Problem
 from judge.run.execute import run_submission
 from judge.run.settings import Settings
@@ -54,8 +55,12 @@ def verify_choices(
     data: Sequence[ProblemData],
     box_factory: BoxFactory,
     progress: Progress | None = None,
+    *,
+    partial: bool = False,
 ) -> ChoicesReport:
     """Check the problem's mistakes.py, where there is one, on its data: the pinned ones, then of other seeds.
+
+    Where the data are but a `partial` set of groups, no mistake need be rejected.
 
     Raises JudgeError where nothing can be run.
     """
@@ -85,10 +90,14 @@ def verify_choices(
     report = ChoicesReport(len(choices), made, (), tuple(warnings), read.problem)
     if not problem.in_toml:
         kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
-        faults += [fault for name, each in kept.items() for fault in _measured(name, each, read.family)]
+        untagged, unruled = rule_faults(read.family)
+        faults += untagged
+        if not partial:
+            faults += [fault for name, each in kept.items() for fault in _measured(name, each, read.family)]
         return replace(
             report,
             faults=tuple(dict.fromkeys(faults)),
+            warnings=(*warnings, *unruled),
             kills=_kills_measured(kept, read.problem),
             least=tuple(each.least for every in kept.values() for each in every),
         )

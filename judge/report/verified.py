@@ -18,8 +18,13 @@ _OTHERS = 3  # groups that a row shows beside its own
 _COLUMNS = (Column("solution"), Column("verdict"), Column("fails", flexible=True))
 
 
-def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool = False) -> Iterator[Line]:
-    """One problem: its data, its solutions or the kill matrix of the wrong ones, its faults."""
+def report_lines(
+    report: VerifyReport, width: int | None, *, with_matrix: bool = False, with_least: bool = False
+) -> Iterator[Line]:
+    """One problem: its data, its solutions or the kill matrix of the wrong ones, its faults.
+
+    With `with_least`, the mistakes that are rejected at all.
+    """
     data = f"{counted(report.groups, 'group')}, {counted(report.cases, 'case')}, pins {report.pins}"
     yield from beside(Span(report.problem, Style.STRONG), data if report.groups else "", width)
     if with_matrix and report.matrix and report.matrix.rows:
@@ -28,9 +33,10 @@ def report_lines(report: VerifyReport, width: int | None, *, with_matrix: bool =
     elif report.solutions:
         yield line()
         yield from Table(_COLUMNS, [_row(solution) for solution in report.solutions]).lines(width)
-    if with_matrix and report.least:
+    shown = [each for each in report.least if with_matrix or each.cases]
+    if (with_matrix or with_least) and shown:
         yield line()
-        rows = sorted(report.least, key=lambda each: (each.name, each.cases))
+        rows = sorted(shown, key=lambda each: (each.name, each.cases))
         cells: list[list[Cell]] = [[each.name, str(each.cases), each.group, each.line] for each in rows]
         yield from Table(_LEAST, cells).lines(width)
     if with_matrix and report.edges:

@@ -22,7 +22,7 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
 from judge.data.validate import Validator, prove
-from judge.errors import ProblemError
+from judge.errors import ProblemError, UsageError
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
@@ -119,56 +119,67 @@ def verify_problem(
     made: frozenset[str] = frozenset(),
     kills: Kills | None = None,
     data: Sequence[ProblemData] = (),
+    solution: str = "",
+    partial: bool = False,
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
+
+    Where a `solution` is named, as `accepted/exact.py`, no other is judged. A `partial` check, of that one or
+    of some groups, wants no wrong program to be rejected.
 
     Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
     of wrong/, since mistakes.py makes them, `kills` what each group rejects of those that mistakes.py makes.
     `data` are the problem's, as `fresh_data` gives them, and those of other seeds; without it the problem's
     are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
-    where the pins cannot be written, UsageError where a module is not installed that its reference needs.
+    where the pins cannot be written, UsageError where a module is not installed that its reference needs, or
+    where there is no such solution.
     """
     check_needs(problem)
     tell = progress or _untold
     try:
         pinned, *others = data or [fresh_data(problem, progress)]
-        for each in (pinned, *others):
-            _prove_data(problem, each)
+        for drawn in (pinned, *others):
+            _prove_data(problem, drawn)
     except ProblemError as error:
         return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
     solutions, unsound = read_solutions(problem)
+    if solution:
+        solutions, unsound = (_named(solution, solutions),), ()
     faults = [_fault_of(each, problem) for each in unsound]
-    if not any(solution.kind is Kind.ACCEPTED for solution in solutions):
+    if not solution and not any(each.kind is Kind.ACCEPTED for each in solutions):
         folder = problem.solutions / Kind.ACCEPTED.value
         where = f"{problem.solutions.name}/{folder.name}"
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
-    faults += _time_faults(problem, solutions)
+    if not solution:
+        faults += _time_faults(problem, solutions)
     reports = []
     settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
-    for done, solution in enumerate(solutions):
+    for done, each in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
-        lacking = why_not(solution.language) if solution.language else ""
+        lacking = why_not(each.language) if each.language else ""
         if lacking:
             told = f"not judged here: {lacking}"
-            reports.append(SolutionReport(solution.file, solution.kind, solution.name, None, (), told))
+            reports.append(SolutionReport(each.file, each.kind, each.name, None, (), told))
             continue
-        result = run_submission(problem, pinned, solution.source, solution.path.name, settings=settings)
-        report = _solution_report(solution, result)
+        result = run_submission(problem, pinned, each.source, each.path.name, settings=settings)
+        report = _solution_report(each, result)
         reports.append(report)
-        if not report.ok:
+        if not report.ok and not (partial and result.verdict is Verdict.AC):
             faults.append(_verdict_fault(report, result, problem))
-        elif not solution.language:
-            faults += _on_other_seeds(problem, others, solution, settings)
+        elif not each.language and not partial:
+            faults += _on_other_seeds(problem, others, each, settings)
     tell("judging solutions", len(solutions), len(solutions))
     matrix = _matrix(problem.groups, reports)
-    few = [*_few(problem, matrix)]
-    if problem.in_toml:
+    few = [*_few(problem, matrix)] if not partial else []
+    if partial:
+        pass
+    elif problem.in_toml:
         faults += _kill_faults(problem, reports, made)
     else:
         faults += few
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
     rejected = _rejected(matrix, kills or {})
-    pins, drift = _check_pins(problem, pins_of(problem, pinned.groups, rejected), update_pins)
+    pins, drift = _check_pins(problem, pins_of(problem, pinned.groups, rejected), update_pins, partial)
     faults += drift
     return VerifyReport(
         problem=problem.id,
@@ -207,7 +218,19 @@ def _fault_of(error: ProblemError, problem: Problem) -> Fault:
     return Fault(error.what, error.where or problem.id, error.remedy or "")
 
 
-def _check_pins(problem: Problem, found: Mapping[str, Any], update: bool) -> tuple[str, list[Fault]]:
+def _named(name: str, solutions: Sequence[Solution]) -> Solution:
+    """The solution of that name, or file. Raises UsageError."""
+    found = [each for each in solutions if name in (each.file, each.path.name, str(each.path))]
+    found = found or [each for each in solutions if each.path.resolve() == Path(name).resolve()]
+    if len(found) != 1:
+        remedy = meant(name, [each.file for each in solutions], "name one of")
+        raise UsageError(f"{len(found) or 'no'} solutions are called {name!r}", remedy=remedy)
+    return found[0]
+
+
+def _check_pins(
+    problem: Problem, found: Mapping[str, Any], update: bool, partial: bool
+) -> tuple[str, list[Fault]]:
     if update:
         write_pins(problem, found)
         return "written", []
@@ -219,6 +242,8 @@ def _check_pins(problem: Problem, found: Mapping[str, Any], update: bool) -> tup
         return "differing", [_fault_of(error, problem)]
     if pins is None:
         return "differing", [Fault("the data are not pinned", where, remedy)]
+    if partial:  # which mistakes the groups reject was not measured
+        pins = {name: {**pins[name], "kills": found[name]["kills"]} for name in found if name in pins}
     faults = [Fault(what, where, remedy) for what in differences(pins, found)]
     return ("differing" if faults else "matching"), faults
 

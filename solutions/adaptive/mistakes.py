@@ -25,12 +25,6 @@ def decimals(numbers, digits):
 
 def filtered(cx, cy, r, ax, ay, bx, by):
     "right"
-    # + forgotten-centre: cx = cy = 0
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx).
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the argument were half of it.
-    # + point-for-direction: bx, by = ax + bx, ay + by
     cx, cy, r, ax, ay, bx, by = float(cx), float(cy), float(r), float(ax), float(ay), float(bx), float(by)
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
     # + no-degenerate: if dx == dy == 0: return -1
@@ -47,6 +41,7 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     # : Δ is computed as b² − a·c, and the bound is that of r²·a − k²: far along the line b² and a·c are huge, and
     # : so are their roundings.
     # + float-sign: return (delta > 0) - (delta < 0)
+    # @ **exact** one
     # + swapped-answers: delta = -delta
     # + absolute-filter: return 0 if abs(delta) <= {1e-15..1e-6/3} else 1 if delta > 0 else -1
     # + tolerance: return 0 if abs(delta) <= {1e-15..1e-9/2} * reach else 1 if delta > 0 else -1
@@ -57,6 +52,7 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     # : The exact way is decimals of 34 digits; four doubles have 64 and more between them.
     # + boolean-answer: return delta >= 0
     # + segment-for-line: if not 0 <= -(fx * dx + fy * dy) <= dx * dx + dy * dy: return -1
+    # @ the line runs through A
     # : A foot that is not between A and B is taken for a miss. The question is about the infinite line.
     bound = 1.2e-16 * (16 * reach + 18 * m * abs(k)) + 1.3e-30 * m * m
     # = bound = 4e-15 * (reach + m * abs(k)) + 4e-30 * m * m

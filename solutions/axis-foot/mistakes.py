@@ -9,6 +9,7 @@ def coordinates(A, B, P):
     "right"
     # + point-unmoved: return P
     # + end-for-foot: return A
+    # @ foot of the perpendicular
     # + end-for-foot: return B
     # : B is returned, wherever P is. Take one coordinate from P.
     # + end-for-foot: return min((A, B), key=lambda Q: abs(Q[0] - P[0]) + abs(Q[1] - P[1]))
@@ -16,12 +17,12 @@ def coordinates(A, B, P):
     # + end-for-foot: return (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
     # : The middle of A and B is returned, wherever P is. Take one coordinate from P.
     # + always-level: return (P[0], A[1])
+    # @ level or upright
     # + always-level: return (A[0], P[1])
     # : Every line is taken for an upright one. If A and B have the same y it is level.
     # + other-axis: return (A[0], P[1]) if A[1] == B[1] else (P[0], A[1])
     # + clamp-to-ends: P = tuple(max(min(a, b), min(max(a, b), p)) for a, b, p in zip(A, B, P))
-    # + swapped-coordinates: P = (P[1], P[0])
-    # : P is read as (y, x). Points are (x, y).
+    # @ need not be between A and B
     # + clamp-to-ends: if not all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P) if a != b): return None
     # : Where the foot is beyond A or B, None is returned. The line goes on for ever: the foot is there.
     # + forgotten-start: return (P[0], 0) if A[1] == B[1] else (0, P[1])
@@ -63,6 +64,7 @@ def projection(A, B, P):
     # ? other-axis: along = fx * dy - fy * dx
     # : The cross product stands where the scalar product belongs: how far P is from the line, not how far along.
     # ? overflow-32: along = wrap(fx * dx + fy * dy)
+    # @ of whole numbers
     square = dx * dx + dy * dy
     # ? undivided: square = 1
     # ? undivided: square = abs(dx) + abs(dy)

@@ -5,11 +5,6 @@ from math import hypot, sqrt
 
 def half_chord(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of the points.
     ax, ay = A[0] - cx, A[1] - cy
     # ? forgotten-centre@unused: ax, ay = A
     # ? forgotten-centre: ax, ay = A[0] - cx, A[1]
@@ -30,11 +25,13 @@ def half_chord(cx, cy, r, A, B):
     # ? point-for-direction: dx, dy = B
     length = hypot(dx, dy)
     # + zero-radius: if r == 0: return None
+    # @ With r = 0
     # + zero-radius: if r == 0: return 0
     # : For a radius of 0 the answer is 0, wherever the line is. It may miss the point C.
     if length == 0:
         return None
         # ? no-degenerate: return 0
+        # @ If A and B are equal
         # ? no-degenerate: return 0 if abs(hypot(ax, ay) - r) <= near else None
         # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
     # ? no-degenerate: pass
@@ -52,6 +49,7 @@ def half_chord(cx, cy, r, A, B):
     # : The line is written p·x + q·y = s, and s is as large as the distance from the origin: far away the
     # : difference to the centre's own p·x + q·y has lost its digits. Subtract the centre first.
     # ? clamped-to-segment: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(min(1, max(0, -(ax * dx + ay * dy) / length**2)))
+    # @ goes on for ever
     # : The distance is that of the nearest point between A and B. The line has no ends: do not clamp.
     # ? forgotten-abs: d = k / length
     # + rounded-distance: d = round(d, 9)
@@ -59,6 +57,7 @@ def half_chord(cx, cy, r, A, B):
     if d > r + near:
         return None
         # ? zero-for-miss: return 0
+        # @ misses the circle has none
         # ? zero-for-miss: return 0.0
     # ? sqrt-of-negative@abs: pass
     # ? sqrt-of-negative@raised: pass
@@ -66,6 +65,7 @@ def half_chord(cx, cy, r, A, B):
     if d >= r - near:
         return 0
         # ? none-for-touch: return None
+        # @ a chord of length 0
         # ? nan-for-touch: return float("nan")
         # ? touch-is-diameter: return 2 * r
     # ? sqrt-of-negative@abs: if abs(d - r) <= near: return 0
@@ -89,6 +89,7 @@ def half_chord(cx, cy, r, A, B):
     # + clamped-to-segment: return (lambda m: max(0.0, min(length, m + half) - max(0.0, m - half)))(-(ax * dx + ay * dy) / length)
     return 2 * half
     # ? half-chord: return half
+    # @ the length of the part
     # ? squared: return 4 * half * half
     # ? parameter-for-length: return 2 * half / length
     # ? multiplied-by-length: return 2 * half * length

@@ -6,13 +6,6 @@ from math import acos, atan2, hypot, sqrt
 
 def radical(cx1, cy1, r1, cx2, cy2, r2):
     "right"
-    # + diameter-for-radius: r1, r2 = r1 / 2, r2 / 2
-    # + diameter-for-radius: r1, r2 = 2 * r1, 2 * r2
-    # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
-    # + swapped-coordinates: cx1, cy1 = cy1, cx1
-    # : The first centre is taken as (cy1, cx1). Its x belongs to the x of the second one.
-    # + swapped-coordinates: cx2, cy2 = cy2, cx2
-    # : The second centre is taken as (cy2, cx2). Its x belongs to the x of the first one.
     # + swapped-radii: r1, r2 = r2, r1
     vx, vy = cx2 - cx1, cy2 - cy1
     # = vx, vy = -(cx1 - cx2), -(cy1 - cy2)
@@ -55,6 +48,7 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # : Two points that are the same go the way of circles that are the same, and get None. They have one common
     # : point: [C1].
     # + zero-radius: if r1 == 0 or r2 == 0: return []
+    # @ With radius 0
     # + zero-radius: if r1 == 0 or r2 == 0: return None
     # : Where a radius is 0 None is returned, as if there were no circle. The circle is a point then.
     # + zero-radius: if d <= near and r1 == 0: return [(cx1, cy1)]
@@ -63,6 +57,7 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     if d <= near:
         return None if abs(r1 - r2) <= near else []
         # ? same-is-empty: return []
+        # @ One and the same circle
         # ? same-is-empty: return [] if abs(r1 - r2) <= near else None
         # : About one centre None and [] are exchanged: circles that differ have no point, [].
         # ? same-is-empty: return None
@@ -76,11 +71,13 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     if outer > near:
         return []
         # ? none-for-empty: return None
+        # @ No common point
     # ? sqrt-of-negative: pass
     if inner < -near:
         return []
         # ? none-for-empty: return None
     # ? inside-crosses: pass
+    # @ One circle inside the other has none
     # : One circle inside the other goes the way of two that cross: the root is that of a negative number. Ask
     # : for d < |r1 − r2| as well.
     # ? inside-crosses@abs: pass
@@ -99,6 +96,7 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     if abs(outer) <= near:
         return [(ox + r1 * ux, oy + r1 * uy)]
         # ? tangent-twice: return [(ox + r1 * ux, oy + r1 * uy), (ox + r1 * ux, oy + r1 * uy)]
+        # @ the point once
         # ? touch-missed: return []
     if abs(inner) <= near:
         s = r1 if r1 > r2 else -r1
@@ -118,6 +116,7 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     left, right = (ox + a * ux - h * uy, oy + a * uy + h * ux), (ox + a * ux + h * uy, oy + a * uy - h * ux)
     return [left, right]
     # ? right-first: return [right, left]
+    # @ on the left of C1→C2
     # ? unordered: return sorted([left, right])
     # ? unordered: return sorted([left, right], reverse=True)
     # ? unordered: return sorted([left, right], key=lambda point: point[1])

@@ -9,15 +9,11 @@ def wrap(x):
 
 def squares(cx, cy, r, P):
     "right"
-    # + diameter-for-radius: r = 2 * r
-    # + diameter-for-radius: r = r / 2
-    # : r is halved, as if it were the way across the circle. It is the radius: use it as it is.
-    # + forgotten-centre: cx = cy = 0
-    # + swapped-coordinates: cx, cy = cy, cx
     dx, dy = P[0] - cx, P[1] - cy
     # = dx, dy = cx - P[0], cy - P[1]
     # = dx, dy = abs(P[0] - cx), abs(P[1] - cy)
     # ? forgotten-centre: dx, dy = P[0] - cx, P[1]
+    # @ centre C
     # : The centre is subtracted in x only. Subtract it in y as well.
     # ? forgotten-centre: dx, dy = P[0], P[1] - cy
     # : The centre is subtracted in y only. Subtract it in x as well.
@@ -50,6 +46,7 @@ def squares(cx, cy, r, P):
     # ? rounded-root: square = isqrt(dx * dx + dy * dy) ** 2
     # ? rounded-root: square = round(hypot(dx, dy)) ** 2
     # ? overflow-32@wide: square = wrap(dx * dx + dy * dy)
+    # @ All numbers are whole
     # ? forgotten-square: square = abs(dx) + abs(dy)
     # : dx and dy are not squared, but r is. Square all three.
     # ? forgotten-square@mixed: square = sqrt(dx * dx + dy * dy)
@@ -81,6 +78,7 @@ def squares(cx, cy, r, P):
         # ? number-for-sign@sign: return square - limit
         # ? boolean-answer@sign: return True
         # ? edge-missed: return 0
+        # @ if it is on the circle
         # : What is inside is answered with 0. It is -1; only a point on the circle is 0.
         # ? boolean-answer: return False
         # : False is returned for the inside. The answer is a number: -1.

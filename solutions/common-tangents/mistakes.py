@@ -6,11 +6,10 @@ from math import acos, hypot, sqrt
 
 def normals(cx1, cy1, r1, cx2, cy2, r2):
     "right"
-    # + swapped-coordinates: cx1, cy1 = cy1, cx1
-    # : The first centre is taken as (cy1, cx1). Its x belongs to the x of the second one.
     # + swapped-radii: r1, r2 = r2, r1
     vx, vy = cx2 - cx1, cy2 - cy1
     # ? forgotten-centre@unused: vx, vy = cx2, cy2
+    # @ The first circle has centre
     # : cx1 and cy1 are never used: the first circle is taken to stand at the origin. Take v = C2 − C1, and add
     # : C1 to the points again.
     ox, oy = cx1, cy1
@@ -18,6 +17,7 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
     # ? forgotten-centre: ox, oy = 0, 0
     # : The points are as seen from C1: it was subtracted, and never added again.
     # ? on-circle-2@other: ox, oy = cx2, cy2
+    # @ touch the **first** circle
     size = max(r1, r2, abs(vx), abs(vy))
     # = size = max(r1, r2, hypot(vx, vy))
     # ? coordinate-epsilon: size = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
@@ -40,6 +40,7 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
     found = []
     sums = (r1 - r2, r1 + r2)
     # ? inner-first: sums = (r1 + r2, r1 - r2)
+    # @ First the outer tangents
     for q in sums:
         gap = d - abs(q)
         if gap < -near:
@@ -50,6 +51,7 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
             # ? inner-side: c = 1
             found.append((ox + length * c * ux, oy + length * c * uy))
             # ? tangent-twice: found += [(ox + length * c * ux, oy + length * c * uy)] * 2
+            # @ both inner tangents are one
             # ? touch-missed: pass
             continue
         c = q / d
@@ -59,9 +61,11 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
         right = (ox + length * (c * ux + h * uy), oy + length * (c * uy - h * ux))
         found += [left, right]
         # ? right-first: found += [right, left]
+        # @ on the left of C1→C2
         # ? unordered: found += sorted([left, right])
     return found
     # ? inside-crosses: return found or [(ox + length * ux, oy + length * uy)]
+    # @ One inside the other has none
     # ? none-for-empty: return found or None
     # ? unordered: return sorted(found)
     # : All the points are sorted by x. The outer ones come first, and of two the left one.

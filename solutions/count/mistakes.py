@@ -24,12 +24,6 @@ def wrap(x, bits):
 
 def distance(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + forgotten-centre: cx = cy = 0
-    # + swapped-coordinates: A, B = (A[0], B[0]), (A[1], B[1])
-    # : The points are taken as (ax, bx) and (ay, by), as if they came in columns. A is (ax, ay).
     ax, ay = A[0] - cx, A[1] - cy
     # ? forgotten-centre: ax, ay = A
     # ? forgotten-centre@x: ax, ay = A[0], A[1] - cy
@@ -75,6 +69,7 @@ def distance(cx, cy, r, A, B):
     length = hypot(dx, dy)
     # ? shifted-direction@cross: length = hypot(bx - ax, by - ay)
     # + zero-radius: if r == 0: return 0
+    # @ With r = 0
     # + zero-radius: if r == 0: return 1
     # : For a radius of 0 the answer is 1, wherever the line is. The circle is its centre then: the line may
     # : miss it.
@@ -90,6 +85,7 @@ def distance(cx, cy, r, A, B):
     if length == 0:
         return None
         # ? no-degenerate: return 0
+        # @ If A and B are equal
         # : A == B is answered with 0: no line, no points. The contract asks for None there, which is not
         # : the same as a line that misses.
         # ? no-degenerate: return 1
@@ -159,6 +155,7 @@ def distance(cx, cy, r, A, B):
     # : The distance is |f|·sin of the angle at A, and the sine comes from the cosine by √(1 − cos²): when
     # : the angle is small nearly nothing is left of it. The cross product gives |f|·sin at once.
     # ? segment-for-line: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(min(1, max(0, -(ax * dx + ay * dy) / length ** 2)))
+    # @ goes on for ever
     # : The distance is that of the nearest point between A and B, whose parameter is clamped to 0 and 1.
     # : The question is about the infinite line: do not clamp.
     # ? whole-numbers: d = int(abs(k) / length)
@@ -206,6 +203,7 @@ def distance(cx, cy, r, A, B):
     # ? tangent-missed: return 2 if d < r else 0
     # ? tangent-missed: return 2 if d < r - near else 0
     # ? tangent-twice: return 2 if d <= r else 0
+    # @ one point in common
     # ? tangent-twice: return 2 if d <= r + near else 0
     # ? absolute-epsilon: return 1 if abs(d * d - r * r) <= {1e-15..1e-2/3} else 2 if d < r else 0
     # ? absolute-epsilon: return 1 if abs(abs(k) - r * length) <= {1e-15..1e-2/3} else 2 if d < r else 0

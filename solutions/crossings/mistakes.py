@@ -10,16 +10,11 @@ def sign_of(x):
 
 def product(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = 2 * r
-    # + diameter-for-radius: r = r / 2
-    # : r is halved, as if it were the way across the circle. It is the radius: use it as it is.
-    # + forgotten-centre: cx = cy = 0
-    # + swapped-coordinates: cx, cy = cy, cx
-    # + point-for-direction: B = (A[0] + B[0], A[1] + B[1])
     dx, dy = B[0] - A[0], B[1] - A[1]
     # = dx, dy = A[0] - B[0], A[1] - B[1]
     # ? sum-for-difference: dx, dy = B[0] + A[0], B[1] + A[1]
     # ? swapped-coordinates: dx, dy = B[1] - A[1], B[0] - A[0]
+    # @ pairs `(x, y)`
     fx, fy = A[0] - cx, A[1] - cy
     # = fx, fy = cx - A[0], cy - A[1]
     # = fx, fy = B[0] - cx, B[1] - cy
@@ -30,8 +25,10 @@ def product(cx, cy, r, A, B):
     # : The centre is added where it has to be subtracted. Take A - C or C - A.
     # ? swapped-coordinates: fx, fy = A[0] - cy, A[1] - cx
     # + segment-for-line: if not 0 <= -(fx * dx + fy * dy) <= dx * dx + dy * dy: return 0
+    # @ goes on for ever
     # + segment-for-line: return sum(0 <= t <= 1 for t in roots(fx, fy, dx, dy, r))
     # + ends-counted: return (fx * fx + fy * fy <= r * r) + ((fx + dx) ** 2 + (fy + dy) ** 2 <= r * r)
+    # @ Only its edge counts
     # + ends-counted: return (fx * fx + fy * fy == r * r) + ((fx + dx) ** 2 + (fy + dy) ** 2 == r * r)
     # : A and B are looked at, and counted where they are on the circle. The line meets the circle elsewhere too.
     k = dx * fy - dy * fx
@@ -89,6 +86,7 @@ def product(cx, cy, r, A, B):
         # ? number-for-sign@sign: return gap
         # ? boolean-answer@sign: return False
         # ? tangent-missed@disc: return 0
+        # @ if it touches it
     if gap == 0:
         return 1
         # ? tangent-twice: return 2

@@ -17,13 +17,14 @@ def sign(x):
 
 def doubled(A, B, P):
     "right"
-    # + swapped-coordinates: P = (P[1], P[0])
     sx, sy = A[0] + B[0], A[1] + B[1]
     # ? sum-for-difference: sx, sy = B[0] - A[0], B[1] - A[1]
     # ? centre-at-an-end: sx, sy = 2 * A[0], 2 * A[1]
+    # @ half-way between
     # ? centre-at-an-end: sx, sy = 2 * B[0], 2 * B[1]
     # : B is taken for the centre. The centre is half-way between A and B.
     # ? floor-division: sx, sy = (A[0] + B[0]) // 2 * 2, (A[1] + B[1]) // 2 * 2
+    # @ need not be whole
     # ? floor-division: sx, sy = int((A[0] + B[0]) / 2) * 2, int((A[1] + B[1]) / 2) * 2
     # ? floor-division: sx, sy = round((A[0] + B[0]) / 2) * 2, round((A[1] + B[1]) / 2) * 2
     # ? forgotten-half: sx, sy = 2 * (A[0] + B[0]), 2 * (A[1] + B[1])
@@ -46,6 +47,7 @@ def doubled(A, B, P):
     # ? steps-for-distance@steps: away = abs(dx) + abs(dy)
     # ? steps-for-distance: away = (abs(dx) + abs(dy)) ** 2
     # ? overflow-32@wide: away = wrap(dx * dx + dy * dy)
+    # @ of whole numbers
     # ? float-arithmetic@root: away = sqrt(dx * dx + dy * dy)
     # ? float-arithmetic@hypot: away = hypot(dx, dy)
     # ? rounded-root@root: away = isqrt(dx * dx + dy * dy)
@@ -82,6 +84,7 @@ def doubled(A, B, P):
         # ? number-for-sign@sign: return away - across
         # ? boolean-answer@sign: return True
         # ? edge-missed: return 0
+        # @ if it is on the circle
         # : What is inside is answered with 0. It is -1; only a point on the circle is 0.
     if away > across:
         return 1

@@ -9,7 +9,6 @@ def wrap(x):
 
 def legs(P, Q):
     "right"
-    # + swapped-coordinates: Q = (Q[1], Q[0])
     # + sum-for-difference: Q = (-Q[0], -Q[1])
     # : The coordinates are added where they have to be subtracted. The way along x is Q's x less P's x.
     dx = Q[0] - P[0]
@@ -55,6 +54,7 @@ def legs(P, Q):
     # ? one-coordinate: return dx * dy
     # : dx and dy are multiplied with each other, which is the area of a rectangle. Multiply each with itself, and add.
     # ? root-returned: return sqrt(dx * dx + dy * dy)
+    # @ no root to take
     # ? root-returned: return hypot(dx, dy)
     # ? root-returned: return isqrt(dx * dx + dy * dy)
     # : The root is taken in the end, and rounded down. The distance squared is asked for: leave the root out.
@@ -78,6 +78,7 @@ def legs(P, Q):
     # : The power of 2.0 is a float, which holds about 16 digits. Write ** 2.
     # ? float-arithmetic: return round(abs(complex(dx, dy)) ** 2)
     # ? overflow-32: return wrap(dx * dx + dy * dy)
+    # @ of whole numbers
     # ? overflow-32: return (dx * dx + dy * dy) % (1 << 32)
     # ? float-answer: return dist(P, Q) ** 2
     # ? float-answer: return hypot(dx, dy) ** 2

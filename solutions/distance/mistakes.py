@@ -5,8 +5,6 @@ from math import hypot, sqrt
 
 def product(A, B, P):
     "right"
-    # + swapped-coordinates: A, B = (A[0], B[0]), (A[1], B[1])
-    # : The points are taken as (ax, bx) and (ay, by), as if they came in columns. A is (ax, ay).
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     # ? point-for-direction: dx, dy = B[0] - P[0], B[1] - P[1]
@@ -27,6 +25,7 @@ def product(A, B, P):
     if length == 0:
         return None
         # ? no-degenerate: return 0
+        # @ If A and B are equal
         # ? no-degenerate: return hypot(fx, fy)
         # : A == B is answered with the distance of P from that point. There is no line then: the contract
         # : asks for None.
@@ -48,6 +47,7 @@ def product(A, B, P):
     # ? global-frame: k = A[0] * B[1] - B[0] * A[1] + B[0] * P[1] - P[0] * B[1] + P[0] * A[1] - A[0] * P[1]
     d = abs(k) / length
     # ? segment-distance: d = (lambda t: hypot(fx + t * dx, fy + t * dy))(min(1, max(0, -(fx * dx + fy * dy) / length**2)))
+    # @ goes on for ever
     # ? not-divided: d = abs(k)
     # ? not-divided: d = abs(k) / 2
     # : The area of the triangle is returned. Its base is |D| and its height the distance: divide by the
@@ -56,6 +56,7 @@ def product(A, B, P):
     # ? divided-by-square: d = abs(k) / (dx * dx + dy * dy)
     # ? half-area: d = abs(k) / (2 * length)
     # ? signed-distance: d = k / length
+    # @ never negative
     # ? signed-distance: d = -k / length
     # ? foot-cancels: d = (lambda t: hypot(fx + t * dx, fy + t * dy))(-(fx * dx + fy * dy) / (dx * dx + dy * dy))
     # ? foot-cancels: d = (lambda t: hypot(A[0] + t * dx - P[0], A[1] + t * dy - P[1]))(-(fx * dx + fy * dy) / (dx * dx + dy * dy))

@@ -9,10 +9,6 @@ U = 2.0**-53
 def running(cx, cy, r, ax, ay, bx, by):
     "right"
     cx, cy, r, ax, ay, bx, by = map(float, (cx, cy, r, ax, ay, bx, by))
-    # + forgotten-centre: cx = cy = 0.0
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx).
-    # + diameter-for-radius: r = r / 2
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
     p, q = dx * fy, dy * fx
     # ? global-frame: p, q = dx * ay + dy * cx, dy * ax + dx * cy
@@ -23,6 +19,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     delta = reach - k * k
     # ? b2ac-form: delta = (fx * dx + fy * dy) ** 2 - (dx * dx + dy * dy) * (fx * fx + fy * fy - r * r)
     # ? wrong-sign: delta = k * k - reach
+    # @ says how often they meet
     # : The sign of Δ is turned round: it is r²·a − k².
     bound = U * (12 * reach + 16 * m * abs(k)) + 64 * U * U * m * m
     # = bound = U * (20 * reach + 24 * m * abs(k)) + 80 * U * U * m * m
@@ -31,6 +28,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     # ? one-ulp: bound = 4 * U * abs(delta)
     # : Two units of Δ's own last place are taken for its error. Those before it were larger.
     # ? absolute-bound: bound = {1e-15..1e-6/3}
+    # @ nor does a constant
     # ? relative-to-result: bound = {1e-14..1e-8/3} * abs(delta)
     # ? relative-to-result: bound = 32 * U * abs(delta)
     # ? relative-to-result: bound = 100 * U * abs(delta)
@@ -43,9 +41,11 @@ def running(cx, cy, r, ax, ay, bx, by):
     if bound == 0:
         return 0.0, 0.0
         # ? no-degenerate: return nextafter(0.0, -inf), nextafter(0.0, inf)
+        # @ If A and B are equal
     return nextafter(delta - bound, -inf), nextafter(delta + bound, inf)
     # ? inward: return nextafter(delta + bound, inf), nextafter(delta - bound, -inf)
     # ? one-sided-bound: return delta, nextafter(delta + bound, inf)
+    # @ lo ≤ Δ ≤ hi
     # ? one-sided-bound: return nextafter(delta - bound, -inf), delta
     # : The bound is added, but not subtracted. A rounding may go either way.
 

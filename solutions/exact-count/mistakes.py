@@ -36,11 +36,7 @@ def sign_of(x):
 
 def exact(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + forgotten-centre: cx = cy = 0
     # + float-coordinates@rel: r = int(float(r))
-    # + point-for-direction: B = (A[0] + B[0], A[1] + B[1])
     fx, fy = A[0] - cx, A[1] - cy
     # ? forgotten-centre: fx, fy = A
     # ? forgotten-centre: fx, fy = A[0] - cx, A[1]
@@ -58,6 +54,7 @@ def exact(cx, cy, r, A, B):
     # ? float-coordinates@all: dx, dy = int(float(B[0])) - int(float(A[0])), int(float(B[1])) - int(float(A[1]))
     # ? float-coordinates@rel: dx, dy = int(float(B[0] - cx)) - int(float(A[0] - cx)), int(float(B[1] - cy)) - int(float(A[1] - cy))
     # + zero-radius: if r == 0: return 0
+    # @ With r = 0
     # + zero-radius: if r == 0: return 1
     # : For a radius of 0 the answer is 1, wherever the line is. The circle is the point C then: the line
     # : may miss it.
@@ -73,6 +70,7 @@ def exact(cx, cy, r, A, B):
     if dx == 0 == dy:
         return None
         # ? no-degenerate: return 0
+        # @ If A and B are equal
         # : A == B is answered with 0: no line, no points. The contract asks for None there, which is not
         # : the same as a line that misses.
         # ? no-degenerate: return 1
@@ -181,6 +179,7 @@ def exact(cx, cy, r, A, B):
     # ? loose-epsilon: disc = (lambda d: 0 if abs(d) <= Fraction({1e-12..1e-3/3}) else d)(r * r - Fraction(k * k, a))
     # ? diameter-for-radius: disc = r * r * a - 4 * k * k
     # + segment-for-line: if not 0 <= -b <= a: return 0
+    # @ goes on for ever
     # : If the foot of the perpendicular is not between A and B, the line is said to miss. The question is
     # : about the infinite line: the foot may be anywhere on it.
     # + segment-for-line: return (lambda n: sign_of(r * r * n[1] - n[0]))((k * k, a) if 0 <= -b <= a else (min(fx * fx + fy * fy, (fx + dx) ** 2 + (fy + dy) ** 2), 1))
@@ -194,6 +193,7 @@ def exact(cx, cy, r, A, B):
         return 0
     # ? tangent-missed: return 2 if disc > 0 else 0
     # ? tangent-twice: return 2 if disc >= 0 else 0
+    # @ one point in common
     # ? sqrt-of-negative: root = isqrt(disc)
     # ? sqrt-of-negative: return 1 if disc == 0 else 2
     # : The absolute value is taken under the root, "to be safe", and a miss gets two points as well. Only

@@ -31,12 +31,6 @@ def by_decimals(a, b, delta, digits):
 
 def signs(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the argument were half of it. It is the radius: use it as it is.
-    # + forgotten-centre: cx = cy = 0
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of the points.
-    # + point-for-direction: B = (A[0] + B[0], A[1] + B[1])
     # + float-coordinates: cx, cy, r, A, B = int(float(cx)), int(float(cy)), int(float(r)), tuple(map(int, map(float, A))), tuple(map(int, map(float, B)))
     fx, fy = A[0] - cx, A[1] - cy
     # ? forgotten-centre: fx, fy = A
@@ -76,6 +70,7 @@ def signs(cx, cy, r, A, B):
     if a == 0:
         return int(start == 0)
         # ? no-degenerate: return 0
+        # @ the segment is that point
         # : A == B is answered with 0. The segment is that point then: it is on the circle or not.
         # ? no-degenerate: return 1
         # : A == B is answered with 1, whether the point is on the circle or not. Ask.
@@ -132,6 +127,7 @@ def signs(cx, cy, r, A, B):
     between = 0 <= -b <= a
     # ? clamped-foot: between = True
     # ? open-interval: between = 0 < -b < a
+    # @ an end on the circle counts
     # : The foot must be strictly between the ends, and a touch at an end is lost. The ends belong to the
     # : segment: 0 ≤ −b ≤ a.
     # ? reversed-vector: between = 0 <= b <= a
@@ -142,11 +138,13 @@ def signs(cx, cy, r, A, B):
     if delta == 0:
         return int(between)
         # ? tangent-twice: return 2 if between else 0
+        # @ A touch is one point
         # ? tangent-missed: return 0
         # ? clamped-foot: return 1
     if start < 0 or end < 0:
         return int(start >= 0) + int(end >= 0)
         # ? inside-counts: return 1
+        # @ not the disc
         # ? inside-counts: return int(start <= 0) + int(end <= 0)
         # : The ends inside are counted, not those outside. The segment leaves the circle on the side of the end
         # : that is not inside.

@@ -5,8 +5,6 @@ from math import hypot
 
 def projection(A, B, C):
     "right"
-    # + swapped-coordinates: A, B = (A[0], B[0]), (A[1], B[1])
-    # : The points are taken as (ax, bx) and (ay, by), as if they came in columns. A is (ax, ay).
     # + from-B: A, B = B, A
     # + from-B: A, B = min(A, B), max(A, B)
     # : A and B are put in order, so t counts from B where B comes first. Leave them as they are given.
@@ -25,6 +23,7 @@ def projection(A, B, C):
     if square == 0:
         return None
         # ? no-degenerate: return 0, A
+        # @ If A and B are equal
         # ? no-degenerate: return 0.0, (A[0], A[1])
         # ? no-degenerate: return None, A
         # : A == B is answered with None for t and with the point itself for F. There is no line then: the whole
@@ -48,6 +47,7 @@ def projection(A, B, C):
     # ? global-frame: t = (C[0] * dx + C[1] * dy - (A[0] * dx + A[1] * dy)) / square
     # ? floor-division: t = (fx * dx + fy * dy) // square
     # + clamped: t = min(1, max(0, t))
+    # @ goes on for ever
     # + clamped: t = max(0, t)
     # : t is not let below 0, as on a ray. The line goes on before A.
     # + clamped: t = min(1, t)
@@ -62,11 +62,13 @@ def projection(A, B, C):
     # + t-from-foot: t = (x - A[0]) / dx if abs(dx) >= abs(dy) else (y - A[1]) / dy
     # + t-from-foot: t = ((x - A[0]) * dx + (y - A[1]) * dy) / square
     # + t-in-length: t = t * hypot(dx, dy)
+    # @ t is 0 at A and 1 at B
     # + t-in-length: t = abs(t) * hypot(dx, dy)
     # : t is given as a distance from A, without its direction. It counts in lengths of B − A, and is negative
     # : before A.
     return t, (x, y)
     # ? point-only: return x, y
+    # @ Return `(t, (x, y))`
     # ? point-only: return (x, y), t
     # : The point comes first, and then t. The answer is (t, (x, y)).
     # ? point-only: return t, x, y

@@ -11,12 +11,8 @@ def shortest(p, c):
 
 def foot(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of the points.
     # + reversed-order: A, B = B, A
+    # @ in order of t
     # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
     ax, ay = A[0] - cx, A[1] - cy
     # ? shortest-decimal@s: ax, ay = shortest(A[0], cx), shortest(A[1], cy)
@@ -46,6 +42,7 @@ def foot(cx, cy, r, A, B):
     length = hypot(dx, dy)
     # ? unit-forgotten: length = 1 if dx or dy else 0
     # + zero-radius: if r == 0: return []
+    # @ With r = 0
     # + zero-radius: if r == 0: return [(cx, cy)]
     # : For a radius of 0 the centre is returned, wherever the line is. It is a common point only if it lies on
     # : the line.
@@ -54,6 +51,7 @@ def foot(cx, cy, r, A, B):
     if length == 0:
         return None
         # ? no-degenerate: return []
+        # @ If A and B are equal
         # ? no-degenerate: return [A] if abs(hypot(ax, ay) - r) <= near else []
         # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
     # ? no-degenerate: pass
@@ -82,6 +80,7 @@ def foot(cx, cy, r, A, B):
     # : lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if d > r - near else -1
     # ? tangent-twice: where = 1 if d > r + near else -1
+    # @ not two equal ones
     # ? tangent-twice: where = 1 if d > r else -1
     # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of others.
     # : Treat the touch as a case of its own, within a small part of the size.
@@ -114,6 +113,7 @@ def foot(cx, cy, r, A, B):
         # ? first-root-only: roots = [m + h]
         # ? foot-only: roots = [m]
     # + clamped: roots = [s for s in roots if -near <= s <= length + near]
+    # @ goes on for ever
     # + clamped: roots = [s for s in roots if -near <= s]
     # : Points before A are left out, as of a ray. The line has no ends.
     # + clamped: roots = sorted({min(max(s, 0.0), length) for s in roots})

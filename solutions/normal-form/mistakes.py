@@ -6,13 +6,14 @@ from math import hypot
 def turned(A, B):
     "right"
     # + right-side: A, B = B, A
+    # @ positive on its left
     # : The line is taken from B to A, whose left is the other one's right.
-    # + swapped-coordinates: A, B = (A[0], B[0]), (A[1], B[1])
-    # : The points are taken as (ax, bx) and (ay, by), as if they came in columns. A is (ax, ay).
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
+    # @ goes on for ever
     length = hypot(dx, dy)
     # ? not-normalised: length = dx * dx + dy * dy
+    # @ a² + b² = 1
     # : The normal is divided by |D|², not by |D|. Divide by the root.
     # ? not-normalised: length = abs(dx) + abs(dy)
     # : The normal is divided by |dx| + |dy|, which is not its length. Divide by the root of dx² + dy².
@@ -22,6 +23,7 @@ def turned(A, B):
     if length == 0:
         return None
         # ? no-degenerate: return 0, 0, 0
+        # @ If A and B are equal
         # ? no-degenerate: return 0.0, 1.0, -A[1]
         # : A == B is answered with the level line through that point. There is no line then: the contract asks
         # : for None.

@@ -6,9 +6,6 @@ from math import copysign, hypot, sqrt
 
 def from_the_centre(cx, cy, r, O, D):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
     # + zero-radius: if r == 0: return (0.0, 0.0)
     # + zero-radius: if r == 0: return (1.0, 0.0)
     # : For a radius of 0 some vector is returned. There is no normal: return None.
@@ -24,6 +21,7 @@ def from_the_centre(cx, cy, r, O, D):
     if length == 0:
         return None
         # ? no-degenerate: return (0.0, 0.0)
+        # @ D = (0, 0)
         # : D = (0, 0) is answered with a vector of length 0. There is no ray, and so no normal: return None.
     # ? no-degenerate: pass
     # : D = (0, 0) is not asked for, and the length of D is divided by. There is no ray then: return None first.
@@ -34,9 +32,11 @@ def from_the_centre(cx, cy, r, O, D):
     # ? short-is-null: if length * length < {1e-12..1e-4/3}: return None
     ux, uy = dx / length, dy / length
     # ? needs-unit-direction: ux, uy = dx, dy
+    # @ may have any length
     # ? needs-unit-direction@all: ux, uy = dx, dy
     fx, fy = O[0] - cx, O[1] - cy
     # ? forgotten-centre: fx, fy = O
+    # @ centre C
     # ? swapped-coordinates: fx, fy = O[0] - cy, O[1] - cx
     # : The centre is taken as (cy, cx). Its x belongs to the x of O.
     reach = max(r, abs(fx), abs(fy))
@@ -72,6 +72,7 @@ def from_the_centre(cx, cy, r, O, D):
     if gap > touch:
         return None
         # ? sentinel-miss: return (0.0, 0.0)
+        # @ meets nothing
         # : A miss is answered with a vector of length 0. Return None: the contract asks for it.
     # ? sqrt-of-negative@plain: pass
     # ? sqrt-of-negative@abs: pass
@@ -105,7 +106,9 @@ def from_the_centre(cx, cy, r, O, D):
     if first < -slack:
         way, side = last, -1
         # ? inside-is-miss: return None
+        # @ From inside
         # ? not-flipped: way, side = last, 1
+        # @ It faces the ray
         # ? entry-behind: way, side = max(first, -slack), -1
         # : From inside the entry behind O is used for the exit. Go on to the second point.
     # ? entry-behind@one: if last < -slack: return None

@@ -6,11 +6,6 @@ from math import hypot, sqrt
 
 def lengths(cx, cy, r, P):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of P.
     fx, fy = P[0] - cx, P[1] - cy
     # = fx, fy = cx - P[0], cy - P[1]
     # ? forgotten-centre: fx, fy = P
@@ -40,6 +35,7 @@ def lengths(cx, cy, r, P):
     # + rounded-distance: d = round(d, 9)
     # + rounded-distance: d = round(d, 6)
     # + zero-radius: if r == 0: return 1
+    # @ With r = 0
     # + zero-radius: if r == 0: return 0
     # : For a radius of 0 the answer is 0, wherever P is. The circle is the point C then.
     # + zero-radius: if r == 0: return None
@@ -49,6 +45,7 @@ def lengths(cx, cy, r, P):
         # ? boolean: return True
         # ? boolean@both: return True
         # ? only-on-or-off: return 1
+        # @ if P is inside
     # = if d == r: return 0
     # ? equality: if fx * fx + fy * fy == r * r: return 0
     # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
@@ -77,3 +74,4 @@ def lengths(cx, cy, r, P):
     # ? only-on-or-off: return -1
     # : A point that is not on the circle is said to be inside. Outside is 1.
     # ? swapped-sides: return -1 if d > r else 1
+    # @ if it is outside

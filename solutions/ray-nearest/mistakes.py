@@ -10,9 +10,6 @@ def wrap(x, bits):
 
 def quadratic(cx, cy, r, O, D):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
     # + zero-radius: 1 / r
     # : All lengths are divided by the radius, to make it 1: for r = 0 that is a division by zero. Divide by the
     # : size, or by nothing.
@@ -70,6 +67,7 @@ def quadratic(cx, cy, r, O, D):
         # ? sentinel-miss@s5: return nan
         # ? no-degenerate: return -1
         # ? null-on-circle: return 0 if abs(hypot(fx, fy) - r) <= near else None
+        # @ there is no ray
         # ? null-on-circle: return 0 if fx * fx + fy * fy == r * r else None
         # : For D = (0, 0) with the origin exactly on the circle 0 is returned, as if there were a ray of
         # : one point. The statement calls it no ray: the answer is None wherever the origin is.
@@ -248,6 +246,7 @@ def quadratic(cx, cy, r, O, D):
             first = 0.0
             break
         # ? origin-on-circle: if abs(t) * length <= slack: return None
+        # @ With O on the circle it is 0
         # : With the origin on the circle None is returned. t = 0 is allowed: 0 is the answer there.
         # ? origin-on-circle: if abs(t) * length <= slack: continue
         # ? origin-on-circle: if t * length <= {1e-12..1e-5/2}: continue
@@ -261,6 +260,7 @@ def quadratic(cx, cy, r, O, D):
             first = t
             break
         # ? entry-behind: return t
+        # @ What lies behind O
         # : The least of the roots is returned without asking whether it is negative. Skip a root behind the
         # : origin and look at the other one.
     # ? entry-behind: first = ts[0]
@@ -268,12 +268,14 @@ def quadratic(cx, cy, r, O, D):
     # : A negative entry is returned unless both points are behind the origin. Skip a root behind the origin
     # : and look at the other one.
     # ? far-root: first = 0.0 if abs(ts[-1]) * length <= slack else ts[-1] if ts[-1] > 0 else None
+    # @ the least t ≥ 0
     # : Only −b + √Δ is computed, which is where the ray leaves the circle. From outside the other root
     # : comes first.
     # ? far-root: first = ts[-1]
     # ? far-root: first = max(ts)
     # ? far-root: first = max([max(t, 0.0) for t in ts if t * length >= -slack], default=None)
     # ? inside-is-miss: first = 0.0 if abs(ts[0]) * length <= slack else ts[0] if ts[0] > 0 else None
+    # @ From inside
     # ? inside-is-miss: first = 0.0 if min(abs(t) for t in ts) * length <= slack else None if c < 0 else ts[0] if ts[0] > 0 else None
     # : An origin inside the circle is said to see nothing of it, although the ray meets the circle on its
     # : way out. The circle is the curve: go on to the second root.
@@ -288,7 +290,9 @@ def quadratic(cx, cy, r, O, D):
     # ? least-magnitude: first = (lambda t: 0.0 if abs(t) * length <= slack else t if t > 0 else None)(min(ts, key=abs))
     # ? both-roots: return [t for t in ts if t * length >= -slack]
     # ? disc-for-circle: first = 0.0 if hypot(fx, fy) <= r + slack else next((max(t, 0.0) for t in ts if t * length >= -slack), None)
+    # @ not the disc
     # ? segment-for-ray: first = next((max(t, 0.0) for t in ts if t * length >= -slack and t <= 1), None)
+    # @ goes on for ever
     # ? foot-for-root: first = -b / a
     # ? foot-for-root: first = max(0.0, -b / a)
     # : t of the point closest to the centre is returned, or 0 if that is behind. Step back from the foot by
@@ -308,6 +312,7 @@ def quadratic(cx, cy, r, O, D):
         # ? sentinel-miss@s5: return nan
     return first
     # ? distance-for-parameter: return first * length
+    # @ not a distance
     # : The direction is normalised, and what is returned is a distance, not t; by −m ± h moreover. Divide
     # : by |D|.
     # ? distance-for-parameter: return first * a

@@ -6,10 +6,8 @@ from math import copysign, hypot, sqrt
 
 def normal_part(cx, cy, r, O, D):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
     # + zero-radius: if r == 0: return (cx, cy), D
+    # @ r = 0
     # + zero-radius: if r == 0: return (cx, cy), (-D[0], -D[1])
     # : For a radius of 0 the ray is reflected at C. A point has no normal: return None.
     dx, dy = D
@@ -33,6 +31,7 @@ def normal_part(cx, cy, r, O, D):
     # ? short-is-null: if length * length < {1e-12..1e-4/3}: return None
     ux, uy = dx / length, dy / length
     # ? needs-unit-direction: ux, uy = dx, dy
+    # @ may have any length
     # ? needs-unit-direction@all: ux, uy = dx, dy
     fx, fy = O[0] - cx, O[1] - cy
     # ? forgotten-centre: fx, fy = O
@@ -71,6 +70,7 @@ def normal_part(cx, cy, r, O, D):
     if gap > touch:
         return None
         # ? sentinel-miss: return O, D
+        # @ where the ray meets nothing
         # : A miss is answered with O and D. Return None: the contract asks for it.
         # ? sentinel-miss: return None, D
         # : A miss is answered with None for the point alone. Return None for all of it.
@@ -104,13 +104,16 @@ def normal_part(cx, cy, r, O, D):
     if first < -slack:
         way = last
         # ? inside-missed: return None
+        # @ a mirror on both sides
         # ? entry-behind: way = max(first, -slack)
+        # @ the first point P of the ray
         # : From inside the entry behind O is used for the exit. Go on to the second point.
     # ? entry-behind@one: if last < -slack: return None
     # ? inside-missed: if hypot(fx, fy) < r - near: return None
     # : An origin inside the circle is said to hit nothing, although the ray meets the circle on its way out. The
     # : circle is the curve: go on to the second point.
     # ? origin-on-skipped: if first <= slack: way = last
+    # @ With O on the circle
     # : With O on the circle the entry there is skipped, and the answer is at the other end of the chord. A point at
     # : t = 0 counts.
     if way < -slack:
@@ -143,6 +146,7 @@ def normal_part(cx, cy, r, O, D):
     # ? turned-reflection: s = dx * ny - dy * nx
     # : The cross product of D and N is taken for D·N. The part along the normal is the scalar product, dx·nx + dy·ny.
     # ? unit-result: s = ux * nx + uy * ny
+    # @ R is as long as D
     # : The part along the normal is that of D made a unit, but it is taken from D itself. Use one of both throughout.
     rx, ry = dx - 2 * s * nx, dy - 2 * s * ny
     # ? factor-one: rx, ry = dx - s * nx, dy - s * ny
@@ -156,9 +160,11 @@ def normal_part(cx, cy, r, O, D):
     # ? unit-result: rx, ry = ux - 2 * s / length * nx, uy - 2 * s / length * ny
     # ? unit-result: rx, ry = (ux - 2 * s / length * nx, uy - 2 * s / length * ny) if half else (dx, dy)
     # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (-dx, -dy)
+    # @ goes on as it came
     # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (length * nx, length * ny)
     # : A ray that touches goes off along the normal. Its D·N is 0: it goes on as it came.
     # ? inside-goes-on: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if s <= 0 else (dx, dy)
+    # @ thrown back into the circle
     # ? inside-goes-on: rx, ry = dx - 2 * min(s, 0.0) * nx, dy - 2 * min(s, 0.0) * ny
     # : Only a ray that runs against the outward normal is reflected, and one from inside goes through the circle. The
     # : sign of N makes no difference to D − 2(D·N)N.

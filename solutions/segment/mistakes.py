@@ -14,14 +14,9 @@ def wrap(x, bits):
 
 def geometric(cx, cy, r, A, B):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of the points.
     # + reversed-order: A, B = B, A
+    # @ in order from A to B
     # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
-    # + point-for-direction: B = (A[0] + B[0], A[1] + B[1])
     ax, ay = A[0] - cx, A[1] - cy
     # ? forgotten-centre@unused: ax, ay = A
     # : cx and cy are never used: the circle is taken to stand at the origin. Subtract the centre from A and
@@ -82,6 +77,7 @@ def geometric(cx, cy, r, A, B):
     if length == 0:
         return [A] if abs(hypot(ax, ay) - r) <= point else []
         # ? no-degenerate: return []
+        # @ the segment is that point
         # : A == B is called no segment, and nothing is returned even if the point lies on the circle.
         # : Return the point if its distance from the centre is the radius.
         # ? no-degenerate: return None
@@ -96,6 +92,7 @@ def geometric(cx, cy, r, A, B):
         # : A == B is answered with that point if it is not outside the circle, as if that were a disc.
         # : Return it only if its distance from the centre is the radius.
         # ? inside-ends@disc: return [A] if hypot(ax, ay) <= r + point else []
+        # @ not the disc
         # ? inside-ends@both: return [A] if hypot(ax, ay) <= r + point else []
     # ? no-degenerate: pass
     # + short-is-a-point: if length < {1e-9..1e-4/2}: return [A] if abs(hypot(ax, ay) - r) <= point else []
@@ -137,6 +134,7 @@ def geometric(cx, cy, r, A, B):
     # : d < r makes two points, and all else is a miss: a tangent gets none, or two where it was rounded to
     # : the inside. Treat the tangency as a case of its own, within a small part of the size.
     # ? tangent-twice: where = 1 if d > r + touch else -1
+    # @ not two equal ones
     # ? tangent-twice: where = 1 if d > r else -1
     # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of
     # : others. Treat the tangency as a case of its own, within a small part of the size.
@@ -212,6 +210,7 @@ def geometric(cx, cy, r, A, B):
     # : and they may be the same point. Drop a root that is not on the segment.
     # ? clamp-to-ends: kept = [min(max(s, 0.0), length) for s in roots] if roots[-1] >= 0 and roots[0] <= length else []
     # ? open-interval: kept = [s for s in roots if slack < s < length - slack]
+    # @ includes both
     # ? open-interval: kept = [s for s in roots if 0 < s / length < 1]
     # : A root counts if 0 < t < 1, without any slack: one at an end is dropped, or kept, as rounding has it. The
     # : segment is closed: let the comparison include the ends, with a little slack outwards.

@@ -9,9 +9,6 @@ def dot(u, v):
 
 def foot(C, r, O, D):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if a half of it were given. It is the radius: use it as it is.
     # + swapped-coordinates: C = (C[1], C[0], C[2])
     # + swapped-coordinates: C = (C[0], C[2], C[1])
     # + swapped-coordinates: C = (C[2], C[1], C[0])
@@ -21,6 +18,7 @@ def foot(C, r, O, D):
     if r == 0:
         return None
         # ? zero-radius: return 0.0, (0.0, 0.0, 0.0)
+        # @ and r = 0
     # ? zero-radius: pass
     # : r = 0 goes the general way, and the normal is divided by it. There is no sphere then: return None first.
     fx, fy, fz = O[0] - C[0], O[1] - C[1], O[2] - C[2]
@@ -98,7 +96,9 @@ def foot(C, r, O, D):
     ways = ((m - half, 1), (m + half, -1))
     # ? far-root: ways = ((m + half, -1),)
     # ? entry-behind@e: ways = ((m - half, 1),)
+    # @ What lies behind O
     # ? inside-is-miss: ways = ((m - half, 1),)
+    # @ From inside
     # ? foot-for-root: ways = ((m, 1),)
     # ? reversed-order: ways = ((m + half, -1), (m - half, 1))
     # ? absolute-value: ways = ((abs(m - half), 1),) if m - half >= -near or m + half < 0 else ((m + half, -1),)
@@ -112,6 +112,7 @@ def foot(C, r, O, D):
         # ? origin-on-circle: if way <= slack: continue
         # ? entry-behind@e: pass
         # ? segment-for-ray: if way < -slack or way > length + slack: continue
+        # @ goes on for ever
         place = way if way > slack else 0.0
         # = place = max(way, 0.0)
         # ? origin-on-circle: if way <= slack: return None
@@ -121,9 +122,11 @@ def foot(C, r, O, D):
         # ? normal-at-origin: x, y, z = fx, fy, fz
         scale = side / r
         # ? not-flipped: scale = 1 / r
+        # @ N faces the ray
         # ? inward-always: scale = -1 / r
         # ? outward-for-facing: scale = -side / r
         # ? not-divided-by-r: scale = side
+        # @ the unit normal N
         # ? not-divided-by-r: scale = side / (r * r)
         # : The normal is divided by r². From the centre to the point is r long: divide by r.
         normal = (x * scale, y * scale, z * scale)
@@ -136,6 +139,7 @@ def foot(C, r, O, D):
         # : The normal has no z. It is (P − C)/r in all three axes.
         return place / length, normal
         # ? distance-for-parameter: return place, normal
+        # @ not a distance
         # ? distance-for-parameter: return place * length, normal
         # : The distance is multiplied by |D|. t is the distance divided by |D|.
         # ? floor-division: return place // length, normal

@@ -30,11 +30,13 @@ def stable(a, b, c):
         if b == 0:
             return None if c == 0 else []
             # ? no-degenerate: return None
+            # @ every t is a root
             # : b = 0 and c ≠ 0 is answered with None. No t is a root then: an empty list.
         # ? no-degenerate: pass
         # : a = b = 0 is not asked for, and leads to a division by 0.
         return [-c / (2 * b)]
         # ? linear-unhalved: return [-c / b]
+        # @ the equation is linear
         # : The linear equation is taken for b·t + c = 0. It is 2·b·t + c = 0.
         # ? division-by-zero: return []
         # : a = 0 is answered with no root. The equation is linear then: −c/(2·b).
@@ -45,6 +47,7 @@ def stable(a, b, c):
     # : A small a is taken for 0. Only 0 is 0: at 2⁻⁶⁰⁰ it is a number like any other.
     delta = Fraction(b) ** 2 - Fraction(a) * Fraction(c)
     # ? unhalved@four: delta = Fraction(b) ** 2 - 4 * Fraction(a) * Fraction(c)
+    # @ Mind the 2
     # : The discriminant is b² − 4·a·c, which belongs to a·t² + b·t + c. Here the middle coefficient is 2·b.
     # ? unhalved@all: delta = Fraction(b) ** 2 - 4 * Fraction(a) * Fraction(c)
     # ? rounded-discriminant: delta = Fraction(float(b) * float(b) - float(a) * float(c))
@@ -63,6 +66,7 @@ def stable(a, b, c):
     if delta == 0:
         return [-b / a]
         # ? double-root-twice: return [-b / a, -b / a]
+        # @ A double root is given once
         # ? double-root-missed: return []
     # ? double-root-twice: pass
     # : The general way is taken where Δ = 0, and the one root comes twice, or 0 is divided by 0.
@@ -98,6 +102,7 @@ def stable(a, b, c):
     # + rounded-output: first, second = float("%.12g" % first), float("%.12g" % second)
     return sorted([first, second])
     # ? unsorted: return [first, second]
+    # @ in ascending order
     # ? unsorted: return [second, first]
     # ? unsorted: return sorted([first, second], key=abs)
     # : The roots are sorted by magnitude. −3 comes before 1.

@@ -7,14 +7,10 @@ from math import acos, asin, atan2, hypot, pi, sqrt
 
 def polar(cx, cy, r, P):
     "right"
-    # + diameter-for-radius: r = r / 2
-    # + diameter-for-radius: r = 2 * r
-    # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
-    # + swapped-coordinates: cx, cy = cy, cx
-    # : The centre is taken as (cy, cx). Its x belongs to the x of P.
     if r == 0:
         return [(cx, cy)]
         # ? zero-radius: return []
+        # @ With r = 0
         # ? zero-radius: return None
         # : For a radius of 0 None is returned, as if there were no circle. It is the point C: the answer is [C].
         # ? zero-radius: return [P]
@@ -23,6 +19,7 @@ def polar(cx, cy, r, P):
         # : A radius of 0 goes through the general way, and C comes out twice. Answer [C], before anything else.
     fx, fy = P[0] - cx, P[1] - cy
     # ? forgotten-centre@unused: fx, fy = P
+    # @ centre C
     # : cx and cy are never used: the circle is taken to stand at the origin. Subtract the centre from P
     # : first, and add it to the points again.
     ox, oy = cx, cy
@@ -53,6 +50,7 @@ def polar(cx, cy, r, P):
         return [P]
         # ? on-is-none: return []
         # ? on-is-two: return [P, P]
+        # @ P on the circle
     # ? on-is-two: if abs(d - r) <= near: d = r
     # : The general way gives both points for P on the circle as well, and they are the same. It is one: [P].
     # = if d == r: return [P]
@@ -67,6 +65,7 @@ def polar(cx, cy, r, P):
     if d < r:
         return []
         # ? none-for-empty: return None
+        # @ P inside the circle
     # ? sqrt-of-negative: pass
     # ? sqrt-of-negative@power: pass
     # : The root of a negative number is taken by ** 0.5, which makes it a complex one. Inside there is no
@@ -89,6 +88,7 @@ def polar(cx, cy, r, P):
     right = (ox + along * fx - beside * fy, oy + along * fy + beside * fx)
     return [left, right]
     # ? right-first: return [right, left]
+    # @ on the left of P→C
     # ? unordered: return sorted([left, right])
     # ? unordered: return sorted([left, right], reverse=True)
     # ? unordered: return sorted([left, right], key=lambda point: point[1])

@@ -13,7 +13,6 @@ def sign(x):
 
 def product(A, B, P):
     "right"
-    # + swapped-coordinates: P = (P[1], P[0])
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? forgotten-start@all: dx, dy = B
     # ? sum-for-difference: dx, dy = B[0] + A[0], B[1] + A[1]
@@ -27,6 +26,7 @@ def product(A, B, P):
     # ? forgotten-start@all: fx, fy = P
     # : Neither B nor P is seen from A: the line is taken to begin at (0, 0). Subtract A from both.
     # ? sides-exchanged: fx, fy = A[0] - P[0], A[1] - P[1]
+    # @ y grows upwards
     # : The way from P to A is taken, and left and right change places. Take P - A.
     # ? sum-for-difference: fx, fy = P[0] + A[0], P[1] + A[1]
     # ? forgotten-start: fx, fy = P[0] - B[0], P[1] - A[1]
@@ -36,6 +36,7 @@ def product(A, B, P):
     # ? forgotten-start: fx, fy = P[0] - A[0], P[1]
     # : A is subtracted from P in x only. Subtract it in y as well.
     # + segment-for-line: if not min(A[0], B[0]) <= P[0] <= max(A[0], B[0]): return 0
+    # @ goes on for ever
     # : Points whose x is not between those of A and B get 0. The line goes on for ever, and so do its sides.
     # + above-for-left: return sign(fy)
     # : Only the height above A is looked at, as if the line were level. Take the cross product.
@@ -60,6 +61,7 @@ def product(A, B, P):
     # ? angles-compared: cross = atan2(fy, fx) - atan2(dy, dx)
     # ? float-arithmetic: cross = float(A[0]) * (B[1] - P[1]) + float(B[0]) * (P[1] - A[1]) + float(P[0]) * (A[1] - B[1])
     # ? overflow-32: cross = wrap(dx * fy - dy * fx)
+    # @ of whole numbers
     # ? nearly-on-is-on: cross = cross if (cross := dx * fy - dy * fx) ** 2 > 1 else 0
     # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= {1e-9..1e-3/3} * hypot(dx, dy) else k)(dx * fy - dy * fx)
     # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= {1e-12..1e-3/3} * hypot(dx, dy) * hypot(fx, fy) else k)(dx * fy - dy * fx)
@@ -76,6 +78,7 @@ def product(A, B, P):
         # ? number-for-sign@sign: return cross
         # ? boolean-answer@sign: return False
         # ? edge-missed: return 0
+        # @ if it is on the line
         # : What is on the right is answered with 0. It is -1; only a point on the line is 0.
         # ? boolean-answer: return False
         # : False is returned for the right. The answer is a number: -1.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal, localcontext
 from itertools import islice
@@ -18,7 +19,7 @@ from judge.problem.module import load_module
 from judge.values import Real
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
-CASES = 2_000  # of another seed than the pinned one's
+CASES = 20_000 if os.environ.get("NIGHTLY") else 2_000  # of other seeds than the pinned one
 SNAP = Decimal("1e-12")
 CLOSE = Decimal("1e-60")  # of a number's unit; of 160 digits differences keep 80, and a root of them more
 
@@ -89,9 +90,12 @@ def broken_promise(name: str, *case: Any) -> str | None:
 
 
 def cases_of(name: str) -> list[Any]:
-    """Cases of two seeds that are not the pinned one, as many of every group."""
+    """Cases of two seeds or more that are not the pinned one, as many of every group."""
     problem = load_problem(PROBLEMS / name)
-    groups = [group for seed in (11, 12) for group in load_data(problem, seed=seed, cache=False).groups]
+    seeds = max(2, -(-CASES // sum(group.count for group in problem.groups)))
+    groups = [
+        group for seed in range(seeds) for group in load_data(problem, seed=11 + seed, cache=False).groups
+    ]
     most = -(-CASES // len(groups))
     return [case for group in groups for case in group.cases[:most]]
 

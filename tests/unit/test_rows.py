@@ -7,10 +7,13 @@ import re
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from judge.data import load_data
 from judge.data.pins import read_pins
-from judge.errors import ProblemError
+from judge.errors import ProblemError, UsageError
+from judge.mistakes.computed import Computer, entry_of
+from judge.mistakes.makers import read_makers
 from judge.mistakes.verified import verify_choices
 from judge.problem.find import find_problem
 from judge.problem.level import KataLevel
@@ -125,14 +128,89 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
     report = verify_problem(found.problem, update_pins=True, made=found.made, kills=found.kills, data=data)
     assert report.faults == ()
     pins = read_pins(problem)
-    assert pins["large"]["kills"] == ["wrong-sign"]
+    assert pins["large"]["kills"] == ["kept-between-calls", "wrong-sign"]
     assert pins["small"]["cases"] == 7
     lines = (kata / "pins.json").read_text().splitlines()
     assert [json.loads("{" + line.rstrip(",") + "}") for line in lines[1:-1]] == [
         {name: pin} for name, pin in pins.items()
     ]
-    assert load_problem(kata).group("large").kills == ("wrong-sign",)
+    assert load_problem(kata).group("large").kills == ("kept-between-calls", "wrong-sign")
     assert {each.name: each.group for each in found.least}["wrong-sign"] == "large"
+
+
+RULES = """# Signs
+
+- Return 2 above zero.
+- Zero has
+  the sign 1.
+
+## Examples
+
+    >>> sign(3)
+    2
+
+- Small print.
+"""
+TAGGED = MISTAKES.replace("return 0\n", "return 0\n        # @ above zero\n        # @ no such words\n")
+
+
+def test_a_rule_that_no_mistake_ignores_is_told(kata):
+    (kata / "statement.md").write_text(RULES)
+    solutions = kata.parent.parent / "solutions" / "signs"
+    (solutions / "mistakes.py").write_text(TAGGED)
+    problem = load_problem(kata)
+    found = verify_choices(problem, [load_data(problem, cache=False)], Boxes())
+    assert [(each.what, each.where) for each in found.faults if "rule" in each.what] == [
+        ("no rule has the words 'no such words'", "signs/mistakes.py:8")
+    ]
+    assert [each.what for each in found.warnings] == ["no mistake ignores the rule 'Zero has the sign 1.'"]
+
+
+EDITS = """
+[wrong-sign.edits]
+"x = -x" = ""
+"answer = 2 - answer" = "The answer is turned."
+"y = -y" = "Another problem's."
+"""
+
+
+def test_an_edit_of_the_pack_is_a_mistake_of_each_problem_with_its_parameters(kata):
+    words = kata.parent.parent / "solutions" / "mistakes.toml"
+    words.write_text(words.read_text() + EDITS)
+    problem = load_problem(kata)
+    data = load_data(problem, cache=False)
+    told = {each.file: each for each in read_makers(problem).all if each.name == "wrong-sign"}
+    assert set(told) == {"signs/mistakes.py:8", "x = -x", "answer = 2 - answer"}
+    assert told["answer = 2 - answer"].text == "The answer is turned."
+    wrong = Computer(data).behaviour(told["x = -x"].program)
+    assert len(wrong["large"].wrong) == sum(x != 0 for (x,) in data.groups[2].cases)
+    words.write_text(words.read_text() + '"x = (" = ""\n')
+    (fault,) = read_makers(problem).faults
+    assert fault.what.startswith("the edit 'x = (' of [wrong-sign] is no Python")
+
+
+def test_answers_kept_under_too_few_arguments_are_a_mistake_of_every_problem(kata):
+    problem = load_problem(kata)
+    (kept,) = (each for each in read_makers(problem).all if each.name == "kept-between-calls")
+    assert kept.words.state
+    assert "whatever x is by then" in kept.text
+    first, *others = load_data(problem, cache=False).groups[2].cases
+    function = entry_of(problem, kept.program)
+    assert {function(*case) for case in (first, *others)} == {function(*first)}
+
+
+def test_a_group_can_be_verified_alone(kata):
+    problem = load_problem(kata)
+    alone = replace(problem, groups=(problem.group("large"),))
+    data = [load_data(alone, cache=False)]
+    assert data[0].groups[0].cases == load_data(problem, cache=False).groups[2].cases
+    found = verify_choices(alone, data, Boxes(), partial=True)
+    assert found.faults == ()
+    report = verify_problem(alone, data=data, partial=True, solution="accepted/plain.py")
+    assert [each.what for each in report.faults] == ["the data are not pinned"]
+    assert [each.file for each in report.solutions] == ["accepted/plain.py"]
+    with pytest.raises(UsageError, match=r"no solutions are called 'other\.py'"):
+        verify_problem(alone, data=data, partial=True, solution="other.py")
 
 
 def test_a_drift_of_the_data_or_of_what_they_reject_is_told(kata):

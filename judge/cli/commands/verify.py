@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
+from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.atomic import replace_file
 from judge.cli.options import json_option, problems_option, write_json
 from judge.data.model import ProblemData
-from judge.errors import ExitCode, ProblemError
+from judge.errors import ExitCode, ProblemError, UsageError
 from judge.judging.isolation import kept_level
 from judge.kata.check import kata_faults
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
-from judge.problem import Problem
+from judge.problem import Group, Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
+from judge.problem.tomlfile import meant
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out
@@ -48,6 +51,13 @@ SCHEMA = 1
     metavar="N",
     help="Check N sets of data, pinned ones first.",
 )
+@click.option("--group", "groups", multiple=True, metavar="NAME", help="Look at this group alone.")
+@click.option(
+    "--solution", metavar="FILE", default="", help="Judge this solution alone, as accepted/exact.py."
+)
+@click.option(
+    "-j", "jobs", type=click.IntRange(1, 64), default=1, metavar="N", help="Check N problems at once."
+)
 @json_option
 @problems_option
 def command(
@@ -56,6 +66,9 @@ def command(
     pin: bool,
     figures: bool,
     seeds: int,
+    groups: tuple[str, ...],
+    solution: str,
+    jobs: int,
     as_json: bool,
     folders: tuple[Path, ...],
 ) -> ExitCode:
@@ -71,20 +84,26 @@ def command(
     groups that are the only ones to reject no program; and how many cases reach which edge: a parameter is 0,
     two are equal, a decision is exact or nearly so.
 
+    With --group or --solution, only a part is checked, as a setter works on it: how many cases of a group
+    reject each mistake, or whether one program is right.
+
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
-    chosen = names or tuple(sorted(folder.name for folder in _chosen(folders)))
+    if pin and (groups or solution):
+        raise UsageError("--pin is for the whole problem", remedy="leave out --group and --solution")
+    chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in _chosen(folders))))
+    check = partial(_verify, _Options(folders, pin, seeds, matrix, groups, solution))
     reports = []
-    for name in dict.fromkeys(chosen):
-        report = _verify(name, folders, pin=pin, seeds=seeds, edges=matrix)
+    for report in _checked(check, chosen, jobs):
         if figures and report.ok:
-            _draw_figure(find_problem(name, folders))
+            _draw_figure(find_problem(report.problem, folders))
         reports.append(report)
         if as_json:
             write_json(as_object(report, with_matrix=matrix))
         else:
             screen = out()
-            screen.show([*report_lines(report, screen.width, with_matrix=matrix), line()])
+            lines = report_lines(report, screen.width, with_matrix=matrix, with_least=bool(groups))
+            screen.show([*lines, line()])
     if not as_json:
         screen = out()
         screen.show(summary_line(reports, screen.width))
@@ -96,36 +115,76 @@ def _chosen(folders: Sequence[Path]) -> list[Path]:
     return folders_within(folders) if folders else problem_folders()
 
 
-def _verify(name: str, folders: Sequence[Path], *, pin: bool, seeds: int, edges: bool) -> VerifyReport:
+def _checked(check: Callable[[str], VerifyReport], names: Sequence[str], jobs: int) -> Iterator[VerifyReport]:
+    """The report on each, in their order; several at once are several processes."""
+    if jobs == 1 or len(names) == 1:
+        yield from map(check, names)
+        return
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(check, names)
+
+
+class _Options(Struct, frozen=True):
+    """What to check of each problem."""
+
+    folders: Sequence[Path]
+    pin: bool
+    seeds: int
+    edges: bool
+    groups: Sequence[str]
+    solution: str
+
+
+def _verify(options: _Options, name: str) -> VerifyReport:
     """The report on one problem; one that cannot even be read has that as its only fault."""
     try:
-        problem = find_problem(name, folders)
+        problem = find_problem(name, options.folders)
     except ProblemError as error:
         fault = Fault(error.what, error.where or name, error.remedy or "")
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     boxes = Boxes(least=kept_level())
+    part = bool(options.groups or options.solution)
+    if options.groups:
+        problem = replace(problem, groups=tuple(_group(problem, each) for each in options.groups))
     with stages(name) as progress:
-        data = _data(problem, seeds, progress)
-        found = verify_choices(problem, data, boxes, progress) if data else ChoicesReport()
+        data = _data(problem, options.seeds, progress)
+        found = ChoicesReport()
+        if data and not options.solution:
+            found = verify_choices(problem, data, boxes, progress, partial=part)
         problem = found.problem or problem
         any_boxes = AnyBoxes(boxes, signature_of(problem))
         report = verify_problem(
             problem,
-            update_pins=pin,
+            update_pins=options.pin,
             progress=progress,
             box_factory=any_boxes,
             made=found.made,
             kills=found.kills,
             data=data,
+            solution=options.solution,
+            partial=part,
         )
     return replace(
         report,
-        edges=tuple(edges_of(data[0])) if edges and data and not problem.in_toml else (),
+        edges=tuple(edges_of(data[0])) if options.edges and data and not problem.in_toml else (),
         choices=found.count,
         least=found.least,
-        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
+        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, options.folders)))),
         warnings=(*report.warnings, *found.warnings),
     )
+
+
+def _group(problem: Problem, name: str) -> Group:
+    """The group of that name. Raises UsageError."""
+    names = {group.name: group for group in problem.groups}
+    if name not in names:
+        raise UsageError(
+            f"{problem.id} has no group {name!r}", remedy=meant(name, list(names), "its groups are")
+        )
+    return names[name]
 
 
 def _draw_figure(problem: Problem) -> None:
