@@ -269,7 +269,7 @@ def _of_group(
 
 
 def _shown(maker: Maker) -> str:
-    return maker.lines[0].wrong.partition("\n")[0] if maker.lines else "several lines"
+    return maker.lines[0].wrong.partition("\n")[0] if maker.lines else maker.file
 
 
 def _names(choices: Sequence[Maker], aimed: Mapping[str, Sequence[str]]) -> Iterator[Fault]:

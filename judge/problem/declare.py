@@ -102,7 +102,7 @@ def group(
     about: str,
     draw: Callable[[Any], Case],
     *,
-    cases: int = 60,
+    cases: int | None = None,
     points: int | None = None,
     skills: str | Sequence[str] = (),
     tolerance: Mapping[str, float | Fraction] | None = None,
@@ -117,7 +117,7 @@ def group(
         name: small letters, digits and hyphens.
         about: what it probes, in one sentence.
         draw: makes a case from choices; `draw.reject()` gives some up, and it is asked again.
-        cases: how many.
+        cases: how many; 60, or 120 that take turns.
         points: of 100; those that no group names are shared evenly, the first groups take the remainder.
         skills: what a run shows that passes every group with the skill; problems/skills.toml explains each.
         tolerance, limits, time_limit: its own, with the keys of problem.toml.
@@ -133,4 +133,5 @@ def group(
         if tolerance is None
         else Tolerance(**{key: Fraction(str(value)) for key, value in tolerance.items()})
     )
-    return Declared(name, about, draw, cases, points, known, exact, limits, time_limit, size, turns, line)
+    count = (120 if turns else 60) if cases is None else cases
+    return Declared(name, about, draw, count, points, known, exact, limits, time_limit, size, turns, line)
