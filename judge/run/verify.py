@@ -251,11 +251,17 @@ def _check_pins(
 def _rejected(matrix: Matrix, kills: Kills) -> Kills:
     """The mistakes that each group rejects in enough cases: those of mistakes.py, and those of wrong/."""
     found = {name: set(kills.get(name, ())) for name in matrix.groups}
+    least = _enough(matrix)
     for row in matrix.rows:
         for kill in row.kills:
-            if len(kill.rejected) >= ENOUGH:
+            if len(kill.rejected) >= least:
                 found[kill.group].add(row.mistake)
     return found
+
+
+def _enough(matrix: Matrix) -> int:
+    """In how many cases a group should reject a program: five, or all where no group has so many."""
+    return min(ENOUGH, max((kill.cases for row in matrix.rows for kill in row.kills), default=ENOUGH))
 
 
 def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]:
@@ -303,7 +309,7 @@ def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
     for row in matrix.rows:
         counts = [len(kill.rejected) for kill in row.kills]
         rejecting = sum(counts) if problem.in_toml else max(counts, default=0)
-        if 0 < rejecting < ENOUGH:
+        if 0 < rejecting < _enough(matrix):
             what = f"few cases reject it: {rejecting}"
             yield Fault(what, f"{problem.solutions.name}/{row.file}")
 

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from judge.mistakes.killing import Jury
+from judge.problem.declare import group
 from judge.problem.load import load_problem
 from judge.values import Judged, Real, vector
 
@@ -79,15 +80,26 @@ def why_not(cases, group):
     return jury().why_not(cases, group)
 
 
-def asked(_draw):
-    """Nothing is asked: the function has no parameters."""
-    return ()
-
-
 def solve():
     """Any cases that do, such as those of the statement as far as it shows them."""
     shown = [(*map(Real, case[:3]), vector(case[3]), vector(case[4])) for case in SAMPLE]
-    return Judged(why_not, shown), None
+    return Judged(why_not, shown)
 
 
-BUILDERS = {"asked": asked}
+def family(name, about):
+    """All of its programs but a tenth are found out by the twelve cases; nothing is asked."""
+    return group(name, about, lambda _draw: (), cases=1, skills="tests that find mistakes")
+
+
+INTERVIEW = [
+    family("formula", "Slips in the formula: a sign, a factor, a swapped pair."),
+    family("answer", "Answers of a wrong form or in a wrong order, and points that are rounded."),
+]
+
+PRODUCTION = [
+    family("ends", "What counts as on the segment: at its ends, beside them, beyond."),
+    family("touching", "Touches: missed, counted twice, or decided by == or by a tolerance that is too wide."),
+    family("degenerate", "A point for a segment, a point for a circle, and a segment that is nearly a point."),
+    family("scale", "Tolerances measured by the wrong length."),
+    family("precision", "Digits lost far from the origin, in 32-bit floats, in integers of 32 and 64 bits."),
+]
