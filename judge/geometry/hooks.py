@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 # What a case shows, by the name that it has among the figures.
 LINE, SEGMENT, CHORD, RAY, POINT, TANGENTS = "LINE", "SEGMENT", "CHORD", "RAY", "POINT", "TANGENTS"
 NORMAL, REFLECTION, SPHERE, PAIR, COMMON = "HIT", "BOUNCE", "SPHERE", "PAIR", "COMMON"
-FOOT, NORMAL_FORM = "FOOT", "NORMAL"
+FOOT, NORMAL_FORM, FRAMES = "FOOT", "NORMAL", "FRAMES"
 # Of the first steps, in whole numbers.
 DISTANCE, SIDE, CIRCLE, DIAMETER = "plane DISTANCE", "plane SIDE", "plane CIRCLE", "plane DIAMETER"
 CROSSING, AXIS_FOOT, SEVEN = "plane CROSSING", "plane FOOT", "SEVEN"
@@ -62,6 +62,10 @@ def _topic(view: str) -> Topic:
         from judge.topics.circles import seven
 
         return seven.SEVEN
+    if name == "FRAMES":
+        from judge.topics.circles import frames
+
+        return frames.FRAMES
     if name == "SPHERE":
         from judge.topics import spheres
 

@@ -135,7 +135,7 @@ def verify_problem(
     where there is no such solution.
     """
     check_needs(problem)
-    tell = progress or _untold
+    tell = progress or (lambda *_told: None)
     try:
         pinned, *others = data or [fresh_data(problem, progress)]
         for drawn in (pinned, *others):
@@ -168,14 +168,11 @@ def verify_problem(
             faults.append(_verdict_fault(report, result, problem))
         elif not each.language and not partial:
             faults += _on_other_seeds(problem, others, each, settings)
-    tell("judging solutions", len(solutions), len(solutions))
     matrix = _matrix(problem.groups, reports)
     few = [*_few(problem, matrix)] if not partial else []
-    if partial:
-        pass
-    elif problem.in_toml:
+    if problem.in_toml and not partial:
         faults += _kill_faults(problem, reports, made)
-    else:
+    elif not partial:
         faults += few
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
     rejected = _rejected(matrix, kills or {})
@@ -195,16 +192,12 @@ def verify_problem(
 
 def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | None = None) -> ProblemData:
     """The problem's data, or those of a seed, built without a look at the cache. Raises ProblemError."""
-    tell = progress or _untold
+    tell = progress or (lambda *_told: None)
 
     def told(done: int, total: int) -> None:
         tell("building data", done, total)
 
     return load_data(problem, seed=seed, progress=told, cache=False)
-
-
-def _untold(_what: str, _done: int, _total: int) -> None:
-    """Tell nobody."""
 
 
 def _prove_data(problem: Problem, data: ProblemData) -> None:
@@ -220,12 +213,12 @@ def _fault_of(error: ProblemError, problem: Problem) -> Fault:
 
 def _named(name: str, solutions: Sequence[Solution]) -> Solution:
     """The solution of that name, or file. Raises UsageError."""
-    found = [each for each in solutions if name in (each.file, each.path.name, str(each.path))]
-    found = found or [each for each in solutions if each.path.resolve() == Path(name).resolve()]
-    if len(found) != 1:
-        remedy = meant(name, [each.file for each in solutions], "name one of")
-        raise UsageError(f"{len(found) or 'no'} solutions are called {name!r}", remedy=remedy)
-    return found[0]
+    path = Path(name).resolve()
+    for each in solutions:
+        if name in (each.file, each.path.name) or each.path.resolve() == path:
+            return each
+    remedy = meant(name, [each.file for each in solutions], "name one of")
+    raise UsageError(f"no solution is called {name!r}", remedy=remedy)
 
 
 def _check_pins(

@@ -1,17 +1,38 @@
-"""A line held against a circle that moves: 1 or 0 for each frame, steadily, and the promise of every case."""
+"""A line held against a circle that moves: 1 or 0 for each frame, steadily."""
 
-from __future__ import annotations
+from judge.geometry.frames import steady
+from judge.geometry.hooks import FRAMES, hooks
+from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anything, either, frames
+from judge.problem.declare import group
 
-from judge.topics.circles import Bands
-from judge.topics.circles.frames import FRAMES, broken, frames_of, steady
-from judge.topics.circles.recipes.frames import BUILDERS
-
-__all__ = ["BUILDERS", "TOPIC", "solve"]
-TOPIC = FRAMES
+HOOKS = hooks(FRAMES)
+ALL = "in", "less", "more", "out", "centre"
+EXACT = "low", "high", "low", "high", "less", "more"
 
 
-def solve(circles, origin, direction, h, *, bands):
-    """What each frame shows; D may not be (0, 0)."""
-    frames, widths = frames_of(circles, origin, direction), Bands.of(bands)
-    fault = broken(frames, h, widths)
-    return ([] if frames[0].a == 0 else steady(frames, h, widths)), fault
+def solve(circles, O, D, h):
+    return steady(circles, O, D, h)
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
+    group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
+    group("flicker", "The circle trembles about a touch, between the thresholds: what is shown stays.", frames("less", "more", **PLAIN), skills="two thresholds"),
+    group("one-sided", "Beyond r, but not past the threshold that counts.", either(frames("less", "out", **PLAIN), frames("more", "in", **PLAIN)), skills="two thresholds"),
+    group("growing", "The radius changes from frame to frame, and the thresholds with it.", frames(*ALL, grows=True, **PLAIN), skills="a band as wide as the figure"),
+    group("start", "The first frame is between the thresholds: it shows whether d < r.", frames(*ALL, first=("less", "more"), count=(1, 10), **PLAIN), skills="the first frame has no past"),
+    group("again", "The same few circles come again and again.", frames(*ALL, again=True, **PLAIN), cases=40, skills="a state that is kept"),
+]
+
+PRODUCTION = [
+    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **{**HUGE, "size": 2**32}), skills="a tangent has a width"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure.", frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), skills="nearly is not touching"),
+    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", **PLAIN), skills="a band as wide as the figure"),
+    group("tiny", "Circles of about 1e-20.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
+    group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=10, skills="a state that is kept"),
+    group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
+    group("offset", "A small circle far from the origin.", frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), skills="no slopes"),
+    group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
+    group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),
+]

@@ -19,6 +19,7 @@ def machine(circles, O, D, h):
         fx, fy = O[0] - x, O[1] - y
         # ? swapped-coordinates: fx, fy = O[0] - y, O[1] - x
         # ? forgotten-centre: fx, fy = O
+        # @ a circle `(x, y, r)` for each frame
         # ? forgotten-centre: fx, fy = O[0] - circles[0][0], O[1] - circles[0][1]
         # : The centre of the first frame is used in all of them. Each frame has its own.
         # + diameter-for-radius: r = r / 2
@@ -33,34 +34,29 @@ def machine(circles, O, D, h):
         # ? forgotten-abs: d = -side
         # ? distance-to-origin: d = hypot(fx, fy)
         # ? half-line: d = abs(side) if fx * dx + fy * dy <= 0 else hypot(fx, fy)
+        # @ for every t
         # ? segment-distance: d = (lambda t: hypot(fx + t * dx, fy + t * dy))(max(0, min(1, -(fx * dx + fy * dy) / length / length)))
         # ? squared: d = side * side
-        extent = max(r, abs(fx), abs(fy))
-        # = extent = max(r, hypot(fx, fy))
-        # ? signed-extent: extent = max(r, fx, fy)
-        # ? signed-extent: extent = max(r, abs(fx), fy)
-        # ? signed-extent: extent = max(r, fx, abs(fy))
-        # ? radius-epsilon: extent = r
-        # ? coordinate-epsilon: extent = max(abs(x), abs(y), r, abs(O[0]), abs(O[1]))
-        # ? coordinate-epsilon: extent = max(1, r, abs(fx), abs(fy))
+        size = max(r, abs(fx), abs(fy))
+        # = size = max(r, hypot(fx, fy))
+        # ? coordinate-epsilon: size = max(abs(x), abs(y), r, abs(O[0]), abs(O[1]))
+        # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
         # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
-        # : extent from the centre, and add nothing to it.
-        near = 1e-10 * extent
-        # = near = 1e-9 * extent
+        # : size from the centre, and add nothing to it.
+        near = 1e-10 * size
+        # = near = 1e-9 * size
         # ? absolute-epsilon: near = {1e-12..1e-3/3}
-        # ? tight-epsilon: near = {1e-16..1e-13} * extent
         # ? tight-epsilon: near = 0
-        # : A threshold is passed by any rounding: at r·(1 ± h), where the statement wants nothing to change. Leave
-        # : 1e-10 of the extent to it.
-        # ? tight-epsilon: near = -1e-10 * extent
-        # : At a threshold it counts as passed. The statement calls that not passed: the room belongs to the other side.
-        # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+        # : A threshold is passed by any rounding where d is exactly at it. Leave 1e-9 of the size to rounding.
+        # ? tight-epsilon: near = -1e-9 * size
+        # : At a threshold it counts as passed. There nothing changes: the tolerance belongs to the other side.
+        # ? loose-epsilon: near = {1e-6..1e-2/2} * size
         width = h * r
         # ? absolute-band: width = h
         # ? absolute-band: width = h * first_radius
         # : The width of the band is that of the first frame's radius. It grows with the radius of each frame.
-        # ? absolute-band: width = h * extent
-        # : The width of the band is a part of the extent. It is a part of r.
+        # ? absolute-band: width = h * size
+        # : The width of the band is a part of the size. It is a part of r.
         # ? half-a-band: width = h * r / 2
         low, high = r - width - near, r + width + near
         # ? no-hysteresis: low, high = r, r
@@ -71,12 +67,15 @@ def machine(circles, O, D, h):
         # ? no-hysteresis: low, high = r + width + near, r + width + near
         # : One threshold, r·(1 + h), serves both ways, and there it flickers. A miss ends below r·(1 − h).
         # ? one-sided-band: low, high = r - near, r + width + near
+        # @ A frame after a 0
         # ? one-sided-band: low, high = r - width - near, r + near
+        # @ A frame after a 1
         # : A hit ends as soon as d is above r. It ends beyond r·(1 + h) only.
         # ? wide-both-ways: low, high = r + width + near, r - width - near
         if shown is None:
             shown = d < r
             # ? starts-at-zero: shown = d < low
+            # @ The first frame shows 1
             # : The first frame is a hit only below r·(1 − h). It has nothing before it: compare d with r.
             # ? starts-at-zero: shown = False
             # ? starts-at-one: shown = d <= high
@@ -95,12 +94,14 @@ def machine(circles, O, D, h):
             # : A hit is shown a frame late, as if two were needed below the threshold. The first one already is a hit.
         # + previous-d: shown = d < r if before is None or abs(d - before) > width else bool(answer[-1])
         # + band-is-a-miss: shown = d < r if before is None else d < low
+        # @ what the frame before it shows
         # : Whatever is not below r·(1 − h) is a miss, also after a hit. Between the thresholds nothing changes.
         # + band-is-a-miss: shown = d < r if before is None else d <= high
         # : Whatever is not above r·(1 + h) is a hit, also after a miss. Between the thresholds nothing changes.
         answer.append(int(shown))
         # ? inverted: answer.append(int(not shown))
         # ? boolean-answer: answer.append(bool(shown))
+        # @ 1 for a hit, 0 for a miss
         # ? float-answer: answer.append(float(shown))
         # ? changes-only: answer.append(int(bool(answer) and shown != was))
         before, was = d, shown

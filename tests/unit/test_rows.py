@@ -209,7 +209,7 @@ def test_a_group_can_be_verified_alone(kata):
     report = verify_problem(alone, data=data, partial=True, solution="accepted/plain.py")
     assert [each.what for each in report.faults] == ["the data are not pinned"]
     assert [each.file for each in report.solutions] == ["accepted/plain.py"]
-    with pytest.raises(UsageError, match=r"no solutions are called 'other\.py'"):
+    with pytest.raises(UsageError, match=r"no solution is called 'other\.py'"):
         verify_problem(alone, data=data, partial=True, solution="other.py")
 
 

@@ -9,6 +9,7 @@ The words are those of judge.geometry.level and of each scene, the poses those o
 
 from judge.geometry.level import corners, either, grid, telling, uniform, whole
 from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
+from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
 from judge.geometry.scenes.outlines import pairs
 
@@ -24,10 +25,12 @@ __all__ = [
     "SPLIT",
     "STEEP",
     "TINY",
+    "anything",
     "closed_up",
     "corners",
     "either",
     "feet",
+    "frames",
     "grid",
     "lines",
     "pairs",

@@ -1,7 +1,7 @@
 // One bit of memory.
 //
 // Whether a hit was shown in the frame before says which threshold counts now: r·(1 + h) to let go of a hit, r·(1 -
-// h) to show one. It is passed only by more than 1e-10 of the frame's extent, so that rounding never passes it.
+// h) to show one. It is passed only by more than 1e-10 of the frame's size, so that rounding never passes it.
 
 #include <algorithm>
 #include <cmath>

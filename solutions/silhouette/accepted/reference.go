@@ -2,7 +2,7 @@
 //
 // One bit is remembered from frame to frame: whether a hit was shown last. After a hit the radius r·(1 + h) counts, and
 // after a miss r·(1 - h); the first frame compares with r itself. A threshold is passed only by more than 1e-10 of the
-// frame's extent, so that rounding never passes one.
+// frame's size, so that rounding never passes one.
 
 package main
 

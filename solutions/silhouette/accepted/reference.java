@@ -1,7 +1,7 @@
 // One bit of memory.
 //
 // What the last frame showed says which of the two thresholds counts now. A threshold is passed only by
-// more than 1e-10 of the frame's extent, so that rounding never passes one.
+// more than 1e-10 of the frame's size, so that rounding never passes one.
 import java.util.ArrayList;
 import java.util.List;
 

@@ -7,7 +7,7 @@ The distance of the centre from the line is the cross product of the line's dire
 direction's length: the foot may be anywhere, for the line has no ends. After a hit only r·(1 + h) counts,
 and after a miss only r·(1 − h). The first frame remembers nothing, and compares d with r itself.
 
-A threshold is passed only by more than 1e-10 of the frame's extent, so that rounding never passes one.
+A threshold is passed only by more than 1e-10 of the frame's size, so that rounding never passes one.
 """
 
 from math import hypot

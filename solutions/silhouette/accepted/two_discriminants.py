@@ -2,7 +2,7 @@
 
 No root and no division: the line meets a circle of radius s where s²·a − k² is above 0, k being the cross product of D
 and O − C, and a = D·D. Each frame asks that of the radius which counts, a little shrunk or grown. A hit goes on where it
-is 0 as well: the grown circle may be the point O, whose extent is 0.
+is 0 as well: the grown circle may be the point O, whose size is 0.
 """
 
 
