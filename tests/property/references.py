@@ -92,11 +92,12 @@ def broken_promise(name: str, *case: Any) -> str | None:
 def cases_of(name: str) -> list[Any]:
     """Cases of two seeds or more that are not the pinned one, as many of every group."""
     problem = load_problem(PROBLEMS / name)
-    seeds = max(2, -(-CASES // sum(group.count for group in problem.groups)))
+    wanted = 2_000 if problem.in_toml else CASES
+    seeds = max(2, -(-wanted // sum(group.count for group in problem.groups)))
     groups = [
         group for seed in range(seeds) for group in load_data(problem, seed=11 + seed, cache=False).groups
     ]
-    most = -(-CASES // len(groups))
+    most = -(-wanted // len(groups))
     return [case for group in groups for case in group.cases[:most]]
 
 
