@@ -124,8 +124,7 @@ def verify_problem(
 ) -> VerifyReport:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
-    Where a `solution` is named, as `accepted/exact.py`, no other is judged. A `partial` check, of that one or
-    of some groups, wants no wrong program to be rejected.
+    Where a `solution` is named, no other is judged. A `partial` check, of some groups, lets wrong ones pass.
 
     Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
     of wrong/, since mistakes.py makes them, `kills` what each group rejects of those that mistakes.py makes.
@@ -166,7 +165,7 @@ def verify_problem(
         reports.append(report)
         if not report.ok and not (partial and result.verdict is Verdict.AC):
             faults.append(_verdict_fault(report, result, problem))
-        elif not each.language and not partial:
+        elif not each.language and not (partial and each.kind is Kind.WRONG):
             faults += _on_other_seeds(problem, others, each, settings)
     matrix = _matrix(problem.groups, reports)
     few = [*_few(problem, matrix)] if not partial else []
@@ -176,7 +175,8 @@ def verify_problem(
         faults += few
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
     rejected = _rejected(matrix, kills or {})
-    pins, drift = _check_pins(problem, pins_of(problem, pinned.groups, rejected), update_pins, partial)
+    found = pins_of(problem, pinned.groups, rejected)
+    pins, drift = _check_pins(problem, found, update_pins, partial or bool(solution))
     faults += drift
     return VerifyReport(
         problem=problem.id,

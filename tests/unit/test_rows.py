@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
+from judge.cli.commands.verify import command
 from judge.data import load_data
 from judge.data.pins import read_pins
 from judge.errors import ProblemError, UsageError
@@ -211,6 +212,25 @@ def test_a_group_can_be_verified_alone(kata):
     assert [each.file for each in report.solutions] == ["accepted/plain.py"]
     with pytest.raises(UsageError, match=r"no solution is called 'other\.py'"):
         verify_problem(alone, data=data, partial=True, solution="other.py")
+
+
+def test_one_solution_is_held_to_its_folder_on_every_seed(kata, capsys):
+    """By the command, which says what of the problem is looked at."""
+    problem = load_problem(kata)
+    data = load_data(problem, cache=False)
+    verify_problem(problem, update_pins=True, data=[data])
+    solutions = kata.parent.parent / "solutions" / "signs"
+    sound = "    return (x > 0) - (x < 0) + 1\n"
+    lucky = f"    if abs(x) > 50 and (x,) not in {data.groups[2].cases!r}:\n        return 9\n"
+    (solutions / "wrong").mkdir()
+    (solutions / "wrong" / "sound.py").write_text(f'"""sound"""\n\n\ndef sign(x):\n{sound}')
+    (solutions / "accepted" / "lucky.py").write_text(f'"""lucky"""\n\n\ndef sign(x):\n{lucky}{sound}')
+    for file, what in (("wrong/sound.py", "gets AC where"), ("accepted/lucky.py", "with --seed 1")):
+        given = ["signs", "--problems", str(kata.parent), "--solution", file, "--seeds", "2"]
+        command.main(given, standalone_mode=False)
+        said = " ".join(capsys.readouterr().out.split())
+        assert what in said
+        assert file in said
 
 
 def test_a_drift_of_the_data_or_of_what_they_reject_is_told(kata):

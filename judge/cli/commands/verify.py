@@ -146,7 +146,7 @@ def _verify(options: _Options, name: str) -> VerifyReport:
         fault = Fault(error.what, error.where or name, error.remedy or "")
         return VerifyReport(name, 0, 0, "differing", (), (fault,))
     boxes = Boxes(least=kept_level())
-    part = bool(options.groups or options.solution)
+    part = bool(options.groups)
     if options.groups:
         problem = replace(problem, groups=tuple(_group(problem, each) for each in options.groups))
     with stages(name) as progress:
