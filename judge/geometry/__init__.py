@@ -3,6 +3,7 @@
 Line         a circle with a line, a segment, a ray or a point
 Sphere       a sphere and a ray
 Pair, Lie    two circles, and how they lie
+Crowd        many circles and one ray
 Quadratic    a line or a motion past a circle or sphere, which the others are made of
 Sure         decisions that are exact or clear, else InvalidCase
 whole        signs, counts and roots of numbers just as they are, without any promise
@@ -13,9 +14,10 @@ whole        signs, counts and roots of numbers just as they are, without any pr
 """
 
 from judge.geometry import whole
+from judge.geometry.crowd import Crowd
 from judge.geometry.line import Line
 from judge.geometry.pair import Lie, Pair
 from judge.geometry.quadratic import Quadratic, Sphere
 from judge.geometry.sure import Root, Sure, Words
 
-__all__ = ["Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "Words", "whole"]
+__all__ = ["Crowd", "Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "Words", "whole"]

@@ -7,8 +7,10 @@ differ. Nothing here decides an answer. A tolerance is a part of e, the figure's
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import copysign, hypot, sqrt
 
+from judge.geometry.crowd import inside
 from judge.geometry.quadratic import Number
 
 Point = tuple[Number, Number]
@@ -75,3 +77,53 @@ def sphere_hit(
         if way >= -edge:
             return AT_ORIGIN if way <= _NEAR * size else AHEAD
     return MISS
+
+
+def hits(
+    circles: Sequence[tuple[Number, Number, Number]], O: Point, D: Point, *, tolerance: float = 0.0
+) -> list[tuple[int, str, bool]]:
+    """What a plain program sees along a ray, one circle after the other: (index, tag, whether at the origin).
+
+    e is the largest of all r and all |C − O|∞.
+    """
+    edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
+    length, found = hypot(*D), []
+    for index, (x, y, r) in enumerate(circles):
+        fx, fy = O[0] - x, O[1] - y
+        across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length
+        if across - r > edge:
+            continue
+        half = sqrt(max(0.0, (r - across) * (r + across)))
+        ways = [(foot, "touch")] if across - r >= -edge else [(foot - half, "enter"), (foot + half, "exit")]
+        found += [(index, tag, way <= edge) for way, tag in ways if way >= -edge]
+    return found
+
+
+def spans(
+    circles: Sequence[tuple[Number, Number, Number]],
+    O: Point,
+    D: Point,
+    program: Sequence[int],
+    *,
+    tolerance: float = 0.0,
+) -> int:
+    """How many intervals a plain program finds inside a solid of discs: see judge.geometry.crowd.
+
+    It compares values of t, which round more than ways along the ray.
+    """
+    edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
+    length, ends = hypot(*D), []
+    for x, y, r in circles:
+        fx, fy = O[0] - x, O[1] - y
+        across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length / length
+        half = sqrt((r - across) * (r + across)) / length if r - across > edge else 0.0
+        ends.append((max(0.0, foot - half), max(0.0, foot + half)) if half else (0.0, 0.0))
+    cuts: list[float] = []
+    for end in sorted({0.0, *(end for disc in ends for end in disc)}):
+        if not cuts or (end - cuts[-1]) * length > edge:
+            cuts.append(end)
+    held = [
+        inside(program, [start < (cut + after) / 2 < end for start, end in ends])
+        for cut, after in pairwise(cuts)
+    ]
+    return sum(now and not before for before, now in pairwise([False, *held]))

@@ -133,10 +133,14 @@ class Quadratic:
         """The largest of d's parts, without sign."""
         return max(map(abs, self.d))
 
+    def time_unit(self) -> Fraction:
+        """e divided by the largest part of d: the unit of a parameter."""
+        return Fraction(self.sure.size, self.step())
+
     def time(self, which: int) -> Real:
         """The parameter of a common point; its unit is e divided by the largest part of d."""
         p, q = self._root(which)
-        return Real(make(p - self.b, q, self.delta, self.a), Fraction(self.sure.size, self.step()))
+        return Real(make(p - self.b, q, self.delta, self.a), self.time_unit())
 
     def real_point(self, which: int) -> Vector:
         """A common point; its unit is e."""

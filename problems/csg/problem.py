@@ -1,38 +1,50 @@
-"""What of a ray is inside a solid made of discs: exact intervals, and the promise of every case."""
+"""What of a ray is inside a solid made of discs: exact intervals."""
 
-from __future__ import annotations
+from functools import partial
 
-from collections.abc import Sequence
-from typing import Any
+from judge.geometry import Crowd, plain
+from judge.geometry.hooks import SPANS, hooks
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, solids, telling
+from judge.problem.declare import group
 
-from judge.data.draw import Draw
-from judge.problem import Case
-from judge.topics.circles import SPANS, Bands, Crowd
-from judge.topics.circles.recipes import crowds
-from judge.topics.circles.recipes.solids import solid_builders
-from judge.topics.circles.signature import circles_and_ray
-from judge.topics.circles.solids import DIFFERENCE, UNION, inside_spans, program_fault
-from judge.values import Real
-
-
-def stacked(draw: Draw, *, count: Sequence[int], **scene: Any) -> Case:
-    """All discs are put on the stack, and only then taken together: so many as `count` bounds."""
-    figure = crowds.scene(draw, kinds=("overlap", "ahead", "ahead"), must=("ahead",), count=count, **scene)
-    circles, origin, direction = circles_and_ray(figure)
-    steps = [draw.choice((UNION, UNION, UNION, DIFFERENCE)) for _ in circles[1:]]
-    return circles, origin, direction, (*range(len(circles)), *steps)
+HOOKS = hooks(SPANS)
+FULL = {**HUGE, "size": 2**36}
+OVERLAP = "cut cut", "enter1 exit3 enter2", "cut1 enter2 cut3", "around cut exit2"
+ABUT = "exit2 enter2", "exit3 exit3 enter1", "enter2 enter2", "exit2 enter2 enter2", "enter1 copy exit2"
+TELLING = plain.spans, partial(plain.spans, tolerance=1e-10)
 
 
-BUILDERS = {**solid_builders(crowds.RECIPES), "stacked": stacked}
-TOPIC = SPANS
+def solve(circles, O, D, program):
+    return Crowd(circles, O, D).spans(program)
 
 
-def solve(circles, origin, direction, program, *, bands):
-    """The intervals of t >= 0 inside; the program is one, and no two ends are nearly at one place."""
-    crowd, widths = Crowd.of(circles, origin, direction), Bands.of(bands)
-    every, unit = crowd.every_hit(widths), crowd.unit()
-    broken = program_fault(program, len(circles)) or crowd.broken(every, widths)
-    if broken:
-        return [], broken
-    spans = inside_spans(crowd, every, program, widths)
-    return [(Real(start, unit), Real(end, unit)) for start, end in spans], None
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", solids(anywhere(3, (2, 3))), cases=120, skills="the small grid"),
+    group("union", "Discs that overlap, or do not: their union has no seams.", solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union"), skills="a solid is intervals"),
+    group("intersection", "What all of the discs hold, which may be nothing.", solids(crowds(*OVERLAP, "enter1 exit3", "cut1 cut9", "around around", **PLAIN), "intersection"), skills="a solid is intervals"),
+    group("difference", "A disc less others: an end is cut off, or a hole is in the middle.", solids(crowds(*OVERLAP, "around around", "cut room", "around cut within", **PLAIN), "difference"), skills="a solid is intervals"),
+    group("deep", "All three operations, nested, with up to twelve discs, some of them used twice.", solids(crowd_of("cut", "enter", "exit", "around", "beside", count=(2, 11), first="cut1", **PLAIN), form="tree"), skills="operations in any nesting"),
+    group("inside", "The ray begins inside discs, and leaves others behind it: a span begins at t = 0.", solids(crowds("around behind cut", "around around behind", "around cut", "around exit1 behind", **PLAIN)), skills="origin inside"),
+    group("touch", "Discs that the ray only touches: they hold nothing of it and take nothing away.", solids(crowds("cut touch", "touch around", "enter1 exit3 touch2", "touch0 cut", "touch touch", **PLAIN)), skills="collapse the tangent"),
+    group("holes", "A large disc less the union of several small ones: several holes in one interval.", solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes"), skills="a solid is intervals"),
+    group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
+    group("repeated", "Neighbouring calls differ in one argument.", solids(anywhere(4, (2, 3))), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(solids(crowds("touch cut", "touch touch", "cut touch touch", **DECIMALS)), *TELLING), skills="collapse the tangent"),
+    group("abut", "Discs that begin where others end: no seam and no sliver is left.", telling(solids(crowds(*ABUT, **BIG)), *TELLING), skills="no slivers"),
+    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, **FULL)), *TELLING), skills="no slivers"),
+    group("origin-full", "The ray begins where a disc ends or begins.", telling(solids(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", **FULL)), *TELLING), skills="no slivers"),
+    group("touch-full", "Touches that floats take for short chords.", solids(crowds("touch cut", "touch touch", "around touch", **FULL)), skills="a tangent has a width"),
+    group("near-ties", "Ends nearly at one place: what is between them counts.", solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), skills="nearly is not touching"),
+    group("near-touch", "Nearly a touch: a short chord, or nothing.", solids(crowds("touch~ cut", "touch~ touch~", "around touch~", **NEAR)), skills="nearly is not touching"),
+    group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"})), skills=("a tangent has a width", "the whole extent")),
+    group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", solids(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))})), skills="t is no distance"),
+    group("tiny", "All of it around 1e-20.", solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", **OFFSET)), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", solids(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP)), skills="no slopes"),
+    group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
+    group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+]

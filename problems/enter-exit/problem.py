@@ -1,22 +1,58 @@
 """Every hit of a ray with a list of circles: exactly, in order, those at one place in any order."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import HITS, Bands, Crowd, builders, circles_and_ray
-from judge.topics.circles.recipes import crowds
-from judge.values import Real, Run
+from judge.geometry import Crowd, plain
+from judge.geometry.hooks import HITS, hooks
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, telling
+from judge.problem.declare import group
+from judge.values import Run
 
-BUILDERS = builders(crowds.RECIPES, adapter=circles_and_ray)
-TOPIC = HITS
+HOOKS = hooks(HITS)
 TAGS = {-1: "enter", 0: "touch", 1: "exit"}
+FULL = {**HUGE, "size": 2**36}
+MANY = "cut", "cut", "around", "behind", "beside"
+TIES = "exit2 enter2", "cut1 mirror copy", "enter3 touch3 exit3", "exit1 enter1 touch2 enter2"
+ORIGIN = "exit0 enter", "touch0 enter", "enter0 touch", "enter0 exit0"
+TELLING = plain.hits, partial(plain.hits, tolerance=1e-10)
 
 
-def solve(circles, origin, direction, *, bands):
-    """The hits with t >= 0; no two of them, and none and the origin, are nearly at one place."""
-    crowd, widths = Crowd.of(circles, origin, direction), Bands.of(bands)
-    every, unit = crowd.every_hit(widths), crowd.unit()
-    answer = []
-    for run in crowd.runs(crowd.ahead(every, widths), widths):
-        found = [(Real(crowd.parameter(hit, widths), unit), hit.index, TAGS[hit.side]) for hit in run]
-        answer.append(Run(found) if len(found) > 1 else found[0])
-    return answer, crowd.broken(every, widths)
+def solve(circles, O, D):
+    crowd, found = Crowd(circles, O, D), []
+    for place in crowd.places():
+        hits = [(crowd.time(hit), hit.circle, TAGS[hit.which]) for hit in place]
+        found.append(Run(hits) if len(hits) > 1 else hits[0])
+    return found
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", anywhere(3, (1, 4)), cases=120, skills="the small grid"),
+    group("two", "Two circles ahead of the origin, and one behind it or beside the ray.", either(crowds("cut cut behind", "cut enter beside", "enter cut", **PLAIN), crowds("cut cut beside", **AXIS)), skills=("hits in order", "enter, touch, exit")),
+    group("many", "Up to forty circles that overlap, in any order of the list.", crowd_of(*MANY, count=(2, 40), first="cut", **PLAIN), skills="hits in order"),
+    group("inside", "The origin inside circles, and others behind it: only hits with t >= 0 count.", crowds("around behind cut", "around around behind", "around beside", **PLAIN), skills=("origin inside", "enter, touch, exit")),
+    group("ties", "Circles that are met at one place: all of their hits count, in any order.", crowds(*TIES, **PLAIN), skills="hits at one place"),
+    group("touch", "Circles that the ray touches: one hit each, be it ahead, at the origin or behind.", crowds("touch cut", "touch touch0", "touch-behind touch", "around touch", **PLAIN), skills=("collapse the tangent", "enter, touch, exit")),
+    group("on-circle", "The origin on circles, entering or leaving them: a hit at t = 0.", crowds(*ORIGIN, "exit0", "enter0 cut", **PLAIN), skills="origin on the circle"),
+    group("copies", "The same circle several times, and circles about one centre.", crowds("cut copy", "cut copy copy cut", "cut room copy", "enter within cut", "around copy", **PLAIN), skills="hits at one place"),
+    group("radius-zero", "Circles of radius 0: points on the ray, beside it, behind it or at its origin.", crowds("dot cut", "dot0 enter", "dot dot", "enter2 dot2", "around dot", **PLAIN), skills="r = 0"),
+    group("repeated", "Neighbouring calls differ in one argument.", anywhere(4, (1, 3)), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(crowds("touch touch", "touch0 touch", "touch around", **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("turned", "Touches and ties that squares cannot see.", crowds("touch touch", "touch exit2 enter2", "touch cut", "around touch", **BIG), skills="a tangent has a width"),
+    group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", **FULL), skills=("hits at one place", "a tangent has a width")),
+    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", **FULL), *TELLING), skills="origin on the circle"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **NEAR), skills="nearly is not touching"),
+    group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
+    group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
+    group("lopsided", "A circle hundreds of times as large as the others: its size is the figure's.", crowds("touch cut", "touch touch cut", "exit0 enter", "around touch exit2 enter2", **{**BIG, "size": 2**12, "uneven": 9}), skills="the whole extent"),
+    group("far", "Circles a hundred to a hundred thousand times smaller than their distance.", either(crowds("speck cut", "speck speck", **FAR), crowds("speck cut", "speck speck", **{**FAR, "size": 2**16, "turn": "any"})), skills="a tangent has a width"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", crowds("cut behind", "around behind", "exit2 enter2 behind", "exit0 touch", "exit0~ behind", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), cases=90, skills="t is no distance"),
+    group("tiny", "All of it around 1e-20.", crowds("touch cut", "touch~ cut", "exit0 enter", "exit0~ enter", "exit2~ enter2", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", **OFFSET), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), skills="no slopes"),
+    group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
+    group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
+    group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),
+]

@@ -1,73 +1,43 @@
-"""Whether a light reaches the first hit of a ray: exactly, and the promise that nothing is nearly a tie."""
+"""Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
-from __future__ import annotations
+from judge.geometry.hooks import SHADOW, hooks
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, TINY, anywhere, either, lights, shaded
+from judge.geometry.shadow import Shade, shade
+from judge.problem.declare import group
 
-from collections.abc import Sequence
-from fractions import Fraction
-from math import isqrt
-from typing import Any
-
-from judge.data.draw import Draw
-from judge.topics.circles import SHADOW, Bands, Crowd, builders, circles_ray_and_light
-from judge.topics.circles.figures.figure import Figure
-from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import lights
-from judge.topics.circles.recipes.crowds import level_figure
-from judge.topics.circles.shadow import Shade, shade_of
-
-
-def at_the_light(draw: Draw, *, size: int, poses: Sequence[str], thin: int = 0, **pose: Any) -> Figure:
-    """A tiny circle around the light, just before it or just beyond it, or a large one that begins there.
-
-    With `thin` a large one begins so many parts of `size` before the light, or as many beyond it.
-    """
-    radius, at = draw.integer(size // 4, size), draw.integer(size // 4, size)
-    light = at - draw.integer(0, size), draw.sign() * draw.integer(size // 2, 2 * size)
-    way = light[0] - at, light[1]
-    length = isqrt(way[0] ** 2 + way[1] ** 2)
-    tiny = draw.integer(size // 2000, size // 1500)
-    kind = draw.choice(("around", "before", "beyond", "large"))
-    if thin:
-        kind = draw.choice(("large", "after"))
-    if kind in ("large", "after"):
-        tiny = draw.integer(size // 100, size // 10)
-    past = {
-        "around": 0,
-        "before": -tiny - tiny // 4,
-        "beyond": tiny + tiny // 4,
-        "large": tiny - size // (thin or 3000),
-        "after": tiny + size // (thin or 3000),
-    }[kind]
-    wall = light[0] + way[0] * past // length, light[1] + way[1] * past // length, tiny
-    circles = [(at + radius, 0, radius), wall]
-    figure = level_figure(draw, circles if draw.boolean() else circles[::-1], 1, light, shuffled=False)
-    return posed(draw, figure, poses=poses, **pose)
-
-
-def first_close(draw: Draw, *, size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """The ray cuts or misses a circle by little more than the promise; another one stands behind."""
-    height, at = draw.integer(size // 4, size), draw.integer(size // 4, size)
-    gap = draw.integer(5, 9) * size // 10**7 * draw.sign()
-    nearly = at, height * draw.sign(), height + gap
-    radius = draw.integer(size // 8, size // 4)
-    behind = at + draw.integer(height, 2 * size) + radius, draw.integer(-radius // 2, radius // 2), radius
-    # It shines on the one that is nearly hit, and on the back of the other one.
-    light = behind[0] + draw.integer(radius, size // 2), -draw.integer(size // 2, size)
-    light = light if nearly[1] > 0 else (light[0], -light[1])
-    circles = [nearly, behind]
-    figure = level_figure(draw, circles if draw.boolean() else circles[::-1], 1, light, shuffled=False)
-    return posed(draw, figure, poses=poses, **pose)
-
-
-OWN = {"at-the-light": at_the_light, "first-close": first_close}
-BUILDERS = builders(lights.RECIPES, OWN, adapter=circles_ray_and_light)
-TOPIC = SHADOW
+HOOKS = hooks(SHADOW)
 ANSWERS = {Shade.NOTHING: None, Shade.LIT: "lit"}
+ABOUT = {"others": (0, 2)}
+FINE = {**BIG, "size": 2**26, "move": 0, "shift": (0, -20, -40)}
+SMALL = {"turn": "any", "shift": (-40, -60, -75)}
 
 
-def solve(circles, origin, direction, light, *, bands):
-    """lit or dark, None where the ray hits nothing."""
-    crowd = Crowd.of(circles, origin, direction, light)
-    widths = Bands.of({"snap": Fraction(0), **bands})
-    shade, broken = shade_of(crowd, widths, bands["graze"], bands["least_radius"])
-    return ANSWERS.get(shade, "dark"), broken
+def solve(circles, O, D, L):
+    return ANSWERS.get(shade(circles, O, D, L), "dark")
+
+
+INTERVIEW = [
+    group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
+    group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", lights("open", "open", "open", "miss", **ABOUT, **PLAIN), skills=("a second ray", "off the surface, a little")),
+    group("far-side", "The light is on the side of the circle that the ray does not see.", lights("back", "back", "open", **ABOUT, **PLAIN), skills="which side is seen"),
+    group("blocked", "A circle is between the point and the light.", lights("blocked", "around-light", "around-point", **PLAIN), skills="a second ray"),
+    group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),
+    group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), skills=("origin inside", "which side is seen")),
+    group("many", "Up to thirty-two circles anywhere.", shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back"), cases=40, skills="full precision"),
+    group("repeated", "Neighbouring calls differ in one argument.", anywhere(12, (1, 3), (1, 8), light=True), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("gap", "A tiny circle is between, close to the point.", lights("gap", **{**PLAIN, "size": 3000}), skills=("a ray that ends", "off the surface, a little")),
+    group("close", "The way to the light nearly touches a circle.", lights("close", "close-large", **FINE), skills="nearly is not touching"),
+    group("first-close", "The ray itself nearly touches a circle.", lights("first-close", **FINE), skills="nearly is not touching"),
+    group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
+    group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
+    group("at-the-light", "A wall a thousandth or a millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=90, skills="a ray that ends"),
+    group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
+    group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", **{**BIG, "size": 20_000}), skills="which side is seen"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), cases=90, skills="t is no distance"),
+    group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", lights("open", "blocked", "room", **ABOUT, **OFFSET), skills="far from the origin"),
+    group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
+]

@@ -22,6 +22,7 @@ def flat(program, inside):
 def pieces(circles, O, D, program):
     "right"
     # + diameter-for-radius: circles = [(x, y, r / 2) for x, y, r in circles]
+    # @ `circles` is a list of 1 to 32 discs `(x, y, r)`
     # + diameter-for-radius: circles = [(x, y, 2 * r) for x, y, r in circles]
     # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
@@ -31,23 +32,18 @@ def pieces(circles, O, D, program):
     # + single-precision: circles = [tuple(map(single, circle)) for circle in circles]
     (ox, oy), (dx, dy) = O, D
     # ? target-for-direction: (ox, oy), (dx, dy) = O, (D[0] - O[0], D[1] - O[1])
-    extent = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
-    # = extent = max(max(r, hypot(x - ox, y - oy)) for x, y, r in circles)
-    # ? signed-extent: extent = max(max(r, x - ox, y - oy) for x, y, r in circles)
-    # ? signed-extent: extent = max(max(r, abs(x - ox), y - oy) for x, y, r in circles)
-    # ? signed-extent: extent = max(max(r, x - ox, abs(y - oy)) for x, y, r in circles)
-    # ? radius-epsilon: extent = max(r for x, y, r in circles)
-    # ? coordinate-epsilon: extent = 1 + max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    size = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    # = size = max(max(r, hypot(x - ox, y - oy)) for x, y, r in circles)
+    # ? coordinate-epsilon: size = 1 + max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
     # : The threshold is a fraction of 1 at least, "to be safe": small figures are all epsilon. Measure the
-    # : extent by the radii and the centres as seen from O, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size by the radii and the centres as seen from O, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-14..1e-3/3}
     # ? slivers: near = 0
     # : Nothing is compared with a width. Ends at one place come out a little apart, and a touch is a short chord: make
-    # : one of all ends within about 1e-10 of the extent, and leave out discs with |d − r| within it.
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # : one of all ends within about 1e-10 of the size, and leave out discs with |d − r| within it.
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     length = hypot(dx, dy) or 1e-300
     ux, uy = dx / length, dy / length
     # ? direction-not-normalised: ux, uy = dx, dy
@@ -55,7 +51,6 @@ def pieces(circles, O, D, program):
     for x, y, r in circles:
         fx, fy = ox - x, oy - y
         # ? forgotten-centre: fx, fy = ox, oy
-        # + own-extent: near = 1e-10 * max(r, abs(fx), abs(fy))
         # + zero-radius: 1 / r
         # : All lengths are divided by the radius: for r = 0 that is a division by zero. Divide by nothing.
         # + zero-radius: if r == 0: return []
@@ -67,7 +62,6 @@ def pieces(circles, O, D, program):
             discs.append((0.0, 0.0))
             continue
         # ? sqrt-of-negative: pass
-        # ? touch-is-span: r = max(r, d)
         half = sqrt((r - d) * (r + d))
         # = half = sqrt(r * r - d * d)
         discs.append((max(0.0, foot - half), max(0.0, foot + half)))
@@ -93,24 +87,32 @@ def pieces(circles, O, D, program):
                 continue
             upper, lower = stack.pop(), stack.pop()
             # ? difference-swapped: lower, upper = stack.pop(), stack.pop()
+            # @ the lower one less the upper one
             stack.append(lower or upper if step == -1 else lower and upper if step == -2 else lower and not upper)
             # ? operations-swapped: stack.append(lower and upper if step == -1 else lower or upper if step == -2 else lower and not upper)
+            # @ pushes their union
             # ? even-odd: stack.append(lower != upper if step == -1 else lower and upper if step == -2 else lower and not upper)
+            # @ pushes their union
             # ? either-for-difference: stack.append(lower or upper if step == -1 else lower and upper if step == -2 else lower != upper)
         # + counter-only: stack = [any(inside[step] for step in program if step >= 0)]
         # + left-to-right: stack = [flat(program, inside)]
+        # @ in postfix notation
         # + first-disc-only: stack = [inside[program[0]]]
+        # @ pushes the disc n
         if stack[0]:
             if spans and spans[-1][1] == start:
                 spans[-1][1] = end
             else:
                 spans.append([start, end])
             # ? not-merged: spans.append([start, end])
+            # @ as long as possible
             # : Every piece between two ends is a span of its own. Join those that follow one another.
     # + hull: spans = [[spans[0][0], spans[-1][1]]] if spans else []
     # + first-span-only: spans = spans[:1]
+    # @ Return a list
     return [(start / length, end / length) for start, end in spans]
     # ? distance-for-parameter: return [(start, end) for start, end in spans]
+    # @ t is the parameter
     # ? direction-not-normalised: return [(start / length / length, end / length / length) for start, end in spans]
     # ? rounded-output: return [(round(start / length, 6), round(end / length, 6)) for start, end in spans]
 
@@ -131,6 +133,7 @@ def lists(circles, O, D, program):
             middle = -(fx * D[0] + fy * D[1]) / size
             stack.append([(max(0.0, middle - half), middle + half)] if half and middle + half > near else [])
             # ? touch-is-point: stack.append([(max(0.0, middle - half), middle + half)] if d <= r + near and middle + half > near else [])
+            # @ holds nothing of it
             # ? start-behind: stack.append([(middle - half, middle + half)] if half else [])
             # : What is behind the origin is not cut off: the spans begin at a negative t. The ray begins at t = 0.
             continue
@@ -149,6 +152,7 @@ def lists(circles, O, D, program):
             found = [(max(p[0], q[0]), min(p[1], q[1])) for p in lower for q in upper]
             found = sorted((start, end) for start, end in found if end - start > near)
             # ? empty-interval: found = sorted(found)
+            # @ pushes their intersection
             # ? slivers: found = sorted((start, end) for start, end in found if end > start)
         else:
             found = lower
@@ -172,7 +176,7 @@ def textbook(circles, O, D, program):
     """absolute-epsilon
 
     Lengths and parameters are compared with a fixed number, whatever the size of the figure. Measure all of them by
-    the extent, as lengths.
+    the size, as lengths.
     """
     eps = 1e-9
     # = eps = 1e-12

@@ -11,6 +11,7 @@ def single(x):
 def feet(circles, O, D):
     "right"
     # + diameter-for-radius: circles = [(x, y, r / 2) for x, y, r in circles]
+    # @ `circles` is a list of 1 to 64 circles `(x, y, r)`
     # + diameter-for-radius: circles = [(x, y, 2 * r) for x, y, r in circles]
     # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
@@ -20,21 +21,20 @@ def feet(circles, O, D):
     # + single-precision: circles = [tuple(map(single, circle)) for circle in circles]
     (ox, oy), (dx, dy) = O, D
     # ? target-for-direction: (ox, oy), (dx, dy) = O, (D[0] - O[0], D[1] - O[1])
-    extent = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
-    # = extent = max(max(r, hypot(x - ox, y - oy)) for x, y, r in circles)
-    # ? coordinate-epsilon: extent = max(max(r, abs(x), abs(y), abs(ox), abs(oy)) for x, y, r in circles)
-    # ? coordinate-epsilon: extent = 1 + max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    size = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    # = size = max(max(r, hypot(x - ox, y - oy)) for x, y, r in circles)
+    # ? coordinate-epsilon: size = max(max(r, abs(x), abs(y), abs(ox), abs(oy)) for x, y, r in circles)
+    # ? coordinate-epsilon: size = 1 + max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
     # : The threshold is a fraction of 1 at least, "to be safe": small circles are all epsilon. Measure the
-    # : extent by the radii and the centres as seen from O, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    # : size by the radii and the centres as seen from O, and add nothing to it.
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-14..1e-3/3}
     # ? equality: near = 0
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     slack = near
     # ? no-snap: slack = 0
-    # ? loose-origin: slack = {1e-6..1e-3} * extent
+    # ? loose-origin: slack = {1e-6..1e-3} * size
     length = hypot(dx, dy) or 1e-300
     # = length = sqrt(dx * dx + dy * dy) or 1e-300
     ux, uy = dx / length, dy / length
@@ -47,11 +47,9 @@ def feet(circles, O, D):
         fx, fy = ox - x, oy - y
         # ? forgotten-centre: fx, fy = ox, oy
         # ? reversed-vector: fx, fy = x - ox, y - oy
-        # + own-extent: near = slack = 1e-10 * max(r, abs(fx), abs(fy))
-        # + own-extent: near = 1e-10 * max(r, abs(fx), abs(fy))
-        # + own-extent@c: near = 1e-10 * max(r, abs(fx), abs(fy))
         # + radius-epsilon: near = {1e-11..1e-8} * r
         # + zero-radius: if r == 0: continue
+        # @ is a point
         # + zero-radius: 1 / r
         # : All lengths are divided by the radius: for r = 0 that is a division by zero. Divide by nothing.
         d = abs(ux * fy - uy * fx)
@@ -78,14 +76,11 @@ def feet(circles, O, D):
             # ? radius-not-squared: half = sqrt(abs(r - d * d))
             found = [(foot - half, "enter"), (foot + half, "exit")]
             # ? tags-swapped: found = [(foot - half, "exit"), (foot + half, "enter")]
+            # @ where the ray comes into the circle
             # ? far-root: found = [(foot + half, "exit")]
             # ? entry-only: found = [(foot - half, "enter")]
             # ? inside-is-miss: found = [(foot - half, "enter"), (foot + half, "exit")] if foot - half >= -near else []
-        # ? own-extent@c: if d > r - near:
-        # |     found = [(foot, "touch")]
-        # | else:
-        # |     half = sqrt((r - d) * (r + d))
-        # |     found = [(foot - half, "enter"), (foot + half, "exit")]
+            # @ from inside, the ray hits it on its way out
         found = [(max(s, 0.0), tag) for s, tag in found if s >= -slack]
         # ? behind-included: found = [(s if abs(s) > near else 0.0, tag) for s, tag in found]
         # ? behind-included: found = [(max(s, 0.0), tag) for s, tag in found]
@@ -102,10 +97,12 @@ def feet(circles, O, D):
         # : Of each circle only the first hit ahead is kept. All of them are asked for: where it is left as well.
         hits += [(s / length, index, tag) for s, tag in found]
         # ? distance-for-parameter: hits += [(s, index, tag) for s, tag in found]
+        # @ t is the parameter
         # ? direction-not-normalised@a: hits += [(s, index, tag) for s, tag in found]
         # ? direction-not-normalised: hits += [(s / length / length, index, tag) for s, tag in found]
         # ? index-of-first: hits += [(s / length, circles.index((x, y, r)), tag) for s, tag in found]
         # ? index-from-one: hits += [(s / length, index + 1, tag) for s, tag in found]
+        # @ from 0
         # ? rounded-output: hits += [(round(s / length, 6), index, tag) for s, tag in found]
         # ? sorted-by-distance-of-centre@a: hits += [(s / length, places[index], tag) for s, tag in found]
         # ? sorted-by-distance-of-centre@b: hits += [(s / length, places[index], tag) for s, tag in found]
@@ -115,11 +112,13 @@ def feet(circles, O, D):
     # ? sorted-by-distance-of-centre@a: pass
     # ? sorted-by-distance-of-centre@b: pass
     # ? unsorted: hits.sort(key=lambda hit: (hit[2], hit[0]))
+    # @ in the order of t
     # ? unsorted: hits.sort(reverse=True)
     # : The hits are sorted backwards. The order is that of t along the ray.
     # ? unsorted: hits.sort(key=lambda hit: (ox + hit[0] * dx, oy + hit[0] * dy))
     # : The hits are sorted by the x of their points. Which way x goes along the ray depends on D: sort by t.
     # ? ties-dropped: hits = sorted({t: (t, index, tag) for t, index, tag in hits}.values())
+    # @ Hits at one place
     # : The hits are kept in a dictionary by t, and of those at one place only one is left. All of them count.
     # ? ties-dropped: hits = [hit for n, hit in enumerate(sorted(hits)) if n == 0 or (hit[0] - sorted(hits)[n - 1][0]) * length > near]
     # ? tags-alternate: hits = [(t, index, tag if tag == "touch" else ("enter", "exit")[n % 2]) for n, (t, index, tag) in enumerate(sorted(hits))]
@@ -148,7 +147,7 @@ def quadratic(circles, O, D):
         roots = [(-b - root) / n, (-b + root) / n] if root else [-b / n]
         # ? tangent-twice: roots = [(-b - root) / n, (-b + root) / n]
         # : The touch is not told apart: two roots that are the same are an enter and an exit. Compare |d − r| with a
-        # : part of the extent first, and answer one "touch".
+        # : part of the size first, and answer one "touch".
         for t in roots:
             if t >= -1e-10 * e:
                 slope = fx * D[0] + t * D[0] / step * D[0] + fy * D[1] + t * D[1] / step * D[1]
@@ -166,7 +165,7 @@ def textbook(circles, O, D):
     """absolute-epsilon
 
     The discriminant, which is an area times |D|², and t are compared with a fixed number. Measure both by the
-    extent, as lengths.
+    size, as lengths.
     """
     eps = 1e-9
     # = eps = 1e-12

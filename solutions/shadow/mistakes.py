@@ -11,6 +11,7 @@ def single(x):
 def hair(circles, O, D, L):
     "right"
     # + diameter-for-radius: circles = [(x, y, r / 2) for x, y, r in circles]
+    # @ `circles` is a list of 1 to 32 circles `(x, y, r)`
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
     # : The circles' x and y are exchanged, those of O, D and L are not.
     # + swapped-coordinates: D = D[1], D[0]
@@ -19,19 +20,19 @@ def hair(circles, O, D, L):
     (ox, oy), (dx, dy), (lx, ly) = O, D, L
     # ? target-for-direction: (ox, oy), (dx, dy), (lx, ly) = O, (D[0] - O[0], D[1] - O[1]), L
     # ? direction-for-light: (ox, oy), (dx, dy), (lx, ly) = O, D, (O[0] + L[0], O[1] + L[1])
-    extent = max(abs(lx - ox), abs(ly - oy), *(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles))
-    least = 1e-9 * extent
-    # = least = 1e-10 * extent
-    # = least = 3e-8 * extent
+    size = max(abs(lx - ox), abs(ly - oy), *(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles))
+    least = 1e-9 * size
+    # = least = 1e-10 * size
+    # = least = 3e-8 * size
     # ? acne: least = 0
     # ? absolute-t-min: least = {1e-9..1e-3/2}
-    # ? fat-t-min: least = {1e-2..1e-1} * extent
-    # ? fat-t-min: least = 0.02 * extent
-    # ? wide-t-min: least = {1e-5..1e-3} * extent
-    # ? direction-epsilon: least = {1e-8..1e-6} * max(extent, abs(D[0]), abs(D[1]))
+    # ? fat-t-min: least = {1e-2..1e-1} * size
+    # ? fat-t-min: least = 0.02 * size
+    # ? wide-t-min: least = {1e-5..1e-3} * size
+    # ? direction-epsilon: least = {1e-8..1e-6} * max(size, abs(D[0]), abs(D[1]))
     slack = 0
-    # ? loose-epsilon: slack = {1e-6..1e-3} * extent
-    # ? loose-epsilon: slack = -{1e-6..1e-3} * extent
+    # ? loose-epsilon: slack = {1e-6..1e-3} * size
+    # ? loose-epsilon: slack = -{1e-6..1e-3} * size
     length = hypot(dx, dy) or 1e-300
     ux, uy = dx / length, dy / length
     best = None
@@ -50,9 +51,11 @@ def hair(circles, O, D, L):
         # ? far-root: best = (foot + half, index) if foot + half > 0 and (best is None or foot + half < best[0]) else best
         # ? first-in-the-list: best = (foot - half if foot > half else foot + half, index) if foot + half > 0 and best is None else best
         # ? inside-is-miss: best = (foot - half, index) if foot - half > 0 and (best is None or foot - half < best[0]) else best
+        # @ from inside, the ray hits it too
     if best is None:
         return None
         # ? sentinel-miss: return "dark"
+        # @ Return `None`
         # ? sentinel-miss: return "lit"
     s, own = best
     cx, cy, _ = circles[own]
@@ -63,6 +66,7 @@ def hair(circles, O, D, L):
     if (ux * nx + uy * ny < 0) != (vx * nx + vy * ny > 0):
         return "dark"
     # ? back-lit@skip: pass
+    # @ on the side that the ray sees
     # ? absolute-epsilon: if (ux * nx + uy * ny) * (vx * nx + vy * ny) > {1e-12..1e-6}: return "dark"
     # ? inside-always-dark: if vx * nx + vy * ny < 0: return "dark"
     # ? side-swapped: if (ux * nx + uy * ny < 0) == (vx * nx + vy * ny > 0): return "dark"
@@ -71,9 +75,12 @@ def hair(circles, O, D, L):
     for index, (x, y, r) in enumerate(circles):
         fx, fy = nx + (cx - x), ny + (cy - y)
         # + own-wall-ignored: if index == own: continue
+        # @ also the one that is hit
         # + back-lit@skip: if index == own: continue
         # + first-circle-only: if index: continue
+        # @ Every circle counts
         # + ray-for-segment@all: reach = float("inf")
+        # @ beyond L, behind P
         # + blocked-by-behind@own: if index == own: continue
         d = abs(wx * fy - wy * fx)
         if d >= r + slack:
@@ -86,8 +93,10 @@ def hair(circles, O, D, L):
         # ? near-root-only: if least < foot - half < reach: return "dark"
         # ? blocked-by-behind@own: if foot - half < reach: return "dark"
         # ? inside-is-blocked: if foot + half > least and foot - half < reach: return "dark"
+        # @ around both P and L
     return "lit"
     # ? always-dark: return "dark"
+    # @ Otherwise return `"lit"`
 
 
 def moved_off(circles, O, D, L):

@@ -306,18 +306,21 @@ def test_a_program_that_is_none_is_against_the_promise(program, fault):
     ("case", "broken"),
     [
         (([(5, 0, 1)], (0, 0), (0, 0), (0, 8)), "D is"),
-        (([(5, 0, 0)], (0, 0), (1, 0), (0, 8)), "radius"),
-        (([(5, 0, 1), (9, 9, 1e-5)], (0, 0), (1, 0), (0, 8)), "radius"),
-        (([(5, 1, 1)], (0, 0), (1, 0), (0, 8)), "ray nearly touches"),
-        (([(5, 0, 5)], (0, 0), (1, 0), (0, 8)), "origin"),
-        (([(5, 0, 1), (0, 8, 2)], (0, 0), (1, 0), (0, 6)), "light is nearly on"),
-        (([(5, 0, 1)], (0, 0), (1, 0), (4, 8)), "level"),
+        (([(5, 0, 0)], (0, 0), (1, 0), (0, 8)), "A radius is"),
+        (([(5, 0, 1), (9, 9, 1e-5)], (0, 0), (1, 0), (0, 8)), "A radius is"),
+        (([(5, 1, 1)], (0, 0), (1, 0), (0, 8)), "ray's line is almost a tangent"),
+        (([(5, 1.0000001, 1)], (0, 0), (1, 0), (0, 8)), "ray's line is almost a tangent"),
+        (([(5, 0, 5)], (0, 0), (1, 0), (0, 8)), "O is almost on"),
+        (([(5, 0, 1), (0, 8, 2)], (0, 0), (1, 0), (0, 6)), "L is almost on a"),
+        (([(5, 0, 1)], (0, 0), (1, 0), (4, 8)), "tangent at P"),
+        (([(5, 0, 1)], (0, 0), (1, 0), (4 - 5e-6, 8)), "tangent at P"),
+        (([(5, 0, 1)], (0, 0), (1, 0), (4 - 9e-6, 8)), None),
         (([(5, 0, 1), (3, 0, 1)], (0, 0), (1, 0), (0, 8)), None),
-        (([(5, 0, 1), (4.5, 0, 0.5)], (0, 0), (1, 0), (0, 8)), "another circle"),
+        (([(5, 0, 1), (4.5, 0, 0.5)], (0, 0), (1, 0), (0, 8)), "P is almost on another"),
         (([(5, 0, 1), (2, 5, 1)], (0, 0), (1, 0), (-4, 8)), None),
         (([(5, 0, 5), (15, 7, 5)], (2, 0), (1, 0), (3, 4)), None),
         (([(5, 0, 1), (0, 4, 2)], (0, 0), (1, 0), (-4, 6)), None),
-        (([(5, 0, 1), (1.2, 4.6, 2.0000001)], (0, 0), (1, 0), (-4, 6)), "way to the light nearly touches"),
+        (([(5, 0, 1), (1.2, 4.6, 2.0000001)], (0, 0), (1, 0), (-4, 6)), "line from P to L is almost"),
     ],
 )
 def test_what_is_nearly_a_tie_is_against_the_promise(case, broken):
@@ -330,15 +333,17 @@ def test_what_is_nearly_a_tie_is_against_the_promise(case, broken):
 
 def test_the_promise_is_held_for_every_pair_of_hits():
     """Three hits of which two are not at one place are refused, wherever the circles are in the list."""
-    near = 0.9e-12 * 16
-    circles = [(8.0 + shift, 0.0, 4.0) for shift in (0.0, near, 2 * near)] + [(16.0, 0.0, 2.0)]
+    circles = [(8.0 + shift, 0.0, 4.0) for shift in (0.0, 4e-7, 8e-7)] + [(16.0, 0.0, 2.0)]
 
     def broken(circles, way=(1.0, 0.0)):
         return broken_promise("enter-exit", circles, (0.0, 0.0), way)
 
     for order in ((0, 1, 2, 3), (2, 1, 0, 3), (1, 3, 0, 2)):
-        assert broken([circles[each] for each in order])
-    assert broken([circles[each] for each in (0, 1, 3)]) is None
-    assert broken(circles[:1], (0, 0)) == "D is (0, 0)"
-    assert "origin" in broken([(4.0 + 1e-9, 0.0, 4.0)])
-    assert broken([(8.0, 4.0 + 1e-9, 4.0)])
+        assert "almost the same" in broken([circles[each] for each in order])
+    assert broken([circles[each] for each in (0, 0, 3)]) is None
+    assert (
+        broken([(-8.0, 0.0, 4.0), (-8.0 - 4e-7, 0.0, 4.0), (16.0, 0.0, 2.0)]) is None
+    )  # t < 0 binds nothing
+    assert "D is (0, 0)" in broken(circles[:1], (0, 0))
+    assert "O is almost on" in broken([(4.0 + 1e-9, 0.0, 4.0)])
+    assert "almost a tangent" in broken([(8.0, 4.0 + 1e-9, 4.0)])

@@ -9,7 +9,9 @@ The words are those of judge.geometry.level and of each scene, the poses those o
 
 from judge.geometry.level import corners, either, grid, telling, uniform, whole
 from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
+from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
+from judge.geometry.scenes.lights import lights, shaded
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
 from judge.geometry.scenes.outlines import pairs
 
@@ -26,16 +28,22 @@ __all__ = [
     "STEEP",
     "TINY",
     "anything",
+    "anywhere",
     "closed_up",
     "corners",
+    "crowd_of",
+    "crowds",
     "either",
     "feet",
     "frames",
     "grid",
+    "lights",
     "lines",
     "pairs",
     "points",
     "rays",
+    "shaded",
+    "solids",
     "spheres",
     "telling",
     "uniform",

@@ -4,8 +4,6 @@ SPHERE        the topic of problems with the arguments (C, r, O, D), the points 
 SphereRay     a sphere and a ray in scaled integers: where they meet first, and the normal there
 
 hit.py        the same
-figures.py    spheres and rays before they are cases: turned, moved, scaled; a radius at the edge of a band
-recipes.py    test cases that have one property each
 simpler.py    simpler cases like a failing one
 picture.py    a failing case, seen from two sides
 """
@@ -16,13 +14,12 @@ from typing import TYPE_CHECKING
 
 from judge.problem.topic import Shown, Topic
 from judge.topics.spheres.hit import SphereRay
-from judge.topics.spheres.recipes import BUILDERS
 from judge.topics.spheres.simpler import simpler, special
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
 
-__all__ = ["BUILDERS", "SPHERE", "SphereRay"]
+__all__ = ["SPHERE", "SphereRay"]
 
 
 def _picture(shown: Shown) -> Picture | None:

@@ -1,37 +1,32 @@
-"""exact
+"""fractions
 
-Rational numbers throughout, roots to 60 digits; a solid is a set of whole numbers, those of its pieces.
+Rational numbers throughout, roots 400 bits below the point: ends at one place are equal there but for that. A solid is
+a set of whole numbers, those of its pieces.
 """
 
 from fractions import Fraction
 from math import isqrt
 
-SNAP = Fraction(1, 10**12)
+SAME = Fraction(1, 1 << 350)
 
 
-def square_root(value):
-    """The root of a rational number from below, to about 60 digits."""
-    shift = 400
-    return Fraction(isqrt((value.numerator << 2 * shift) // value.denominator), 1 << shift)
+def root(x):
+    return Fraction(isqrt((x.numerator << 800) // x.denominator), 1 << 400)
 
 
 def inside_spans(circles, O, D, program):
     ox, oy, dx, dy = map(Fraction, (*O, *D))
-    scene = [tuple(map(Fraction, circle)) for circle in circles]
-    slack = SNAP * max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in scene)
-    a, step = dx * dx + dy * dy, max(abs(dx), abs(dy))
+    a = dx * dx + dy * dy
     discs = []
-    for x, y, r in scene:
+    for circle in circles:
+        x, y, r = map(Fraction, circle)
         fx, fy = ox - x, oy - y
-        square = (dx * fy - dy * fx) ** 2 / a
-        if r <= slack or square >= (r - slack) ** 2:
-            discs.append(None)
-            continue
-        middle, half = -(fx * dx + fy * dy) / a, square_root((r * r - square) / a)
-        discs.append((max(Fraction(0), middle - half), max(Fraction(0), middle + half)))
+        b, k = fx * dx + fy * dy, dx * fy - dy * fx
+        half = root(max(Fraction(0), r * r * a - k * k))
+        discs.append([max(Fraction(0), (-b - half) / a), max(Fraction(0), (-b + half) / a)])
     cuts = []
-    for end in sorted(end for disc in discs if disc for end in disc):
-        if not cuts or (end - cuts[-1]) * step > slack:
+    for end in sorted(end for disc in discs for end in disc):
+        if not cuts or end - cuts[-1] > SAME * end:
             cuts.append(end)
 
     def place(end):
@@ -40,8 +35,7 @@ def inside_spans(circles, O, D, program):
     solids = []
     for number in program:
         if number >= 0:
-            disc = discs[number]
-            solids.append(set(range(place(disc[0]), place(disc[1]))) if disc else set())
+            solids.append(set(range(*map(place, discs[number]))))
             continue
         upper, lower = solids.pop(), solids.pop()
         solids.append(lower | upper if number == -1 else lower & upper if number == -2 else lower - upper)

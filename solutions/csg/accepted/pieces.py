@@ -12,8 +12,8 @@ from math import hypot, sqrt
 
 def inside_spans(circles, O, D, program):
     (ox, oy), (dx, dy) = O, D
-    extent = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
-    near = 1e-10 * extent
+    size = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    near = 1e-10 * size
     length = hypot(dx, dy)
     ux, uy = dx / length, dy / length
 

@@ -13,12 +13,12 @@ def answer(tokens):
     length = abs(way)
     turn = way.conjugate() / length
     discs = []
-    extent = 0.0
+    size = 0.0
     for i in range(n):
         x, y, r = map(float, tokens[1 + 3 * i : 4 + 3 * i])
-        extent = max(extent, r, abs(x - ox), abs(y - oy))
+        size = max(size, r, abs(x - ox), abs(y - oy))
         discs.append((complex(x - ox, y - oy) * turn, r))
-    eps = 1e-10 * extent
+    eps = 1e-10 * size
     spans = []
     for centre, r in discs:
         gap = r - abs(centre.imag)

@@ -27,9 +27,9 @@ static bool is_inside(const std::vector<PairRealReal>& discs, const std::vector<
 }
 
 std::vector<PairRealReal> inside_spans(std::vector<Circle> circles, Pt O, Pt D, std::vector<long long> program) {
-    double extent = 0;
-    for (const Circle& c : circles) extent = std::max({extent, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
-    double near = 1e-10 * extent;
+    double size = 0;
+    for (const Circle& c : circles) size = std::max({size, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
+    double near = 1e-10 * size;
     double length = std::hypot(D.x, D.y), ux = D.x / length, uy = D.y / length;
 
     std::vector<PairRealReal> discs;

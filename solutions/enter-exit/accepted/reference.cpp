@@ -13,9 +13,9 @@ struct Pt { double x, y; };
 struct TripleRealIntWord { double first; long long second; std::string third; };
 
 std::vector<TripleRealIntWord> all_hits(std::vector<Circle> circles, Pt O, Pt D) {
-    double extent = 0;
-    for (const Circle& c : circles) extent = std::max({extent, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
-    double near = 1e-10 * extent;
+    double size = 0;
+    for (const Circle& c : circles) size = std::max({size, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
+    double near = 1e-10 * size;
     double length = std::hypot(D.x, D.y), ux = D.x / length, uy = D.y / length;
     std::vector<TripleRealIntWord> hits;
     for (size_t i = 0; i < circles.size(); ++i) {

@@ -11,11 +11,11 @@ import (
 )
 
 func allHits(circles []Circle, O, D Pt) []TripleRealIntWord {
-	extent := 0.0
+	size := 0.0
 	for _, c := range circles {
-		extent = math.Max(math.Max(extent, c.R), math.Max(math.Abs(c.X-O.X), math.Abs(c.Y-O.Y)))
+		size = math.Max(math.Max(size, c.R), math.Max(math.Abs(c.X-O.X), math.Abs(c.Y-O.Y)))
 	}
-	near := 1e-10 * extent
+	near := 1e-10 * size
 	length := math.Hypot(D.X, D.Y)
 	ux, uy := D.X/length, D.Y/length
 

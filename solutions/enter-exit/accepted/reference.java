@@ -13,12 +13,12 @@ class Solution {
     record TripleRealIntWord(double first, long second, String third) {}
 
     static List<TripleRealIntWord> allHits(List<Circle> circles, Pt O, Pt D) {
-        double extent = 0;
+        double size = 0;
         for (Circle c : circles) {
             double far = Math.max(Math.abs(c.x() - O.x()), Math.abs(c.y() - O.y()));
-            extent = Math.max(extent, Math.max(c.r(), far));
+            size = Math.max(size, Math.max(c.r(), far));
         }
-        double near = 1e-10 * extent;
+        double near = 1e-10 * size;
         double length = Math.hypot(D.x(), D.y()), ux = D.x() / length, uy = D.y() / length;
 
         var hits = new ArrayList<TripleRealIntWord>();

@@ -3,7 +3,7 @@
 Each circle gives two hits, one touch or none; all of them in one list, sorted by t.
 
 From C the ray's line passes at the distance d = |D × f|/|D|, f = O − C, and the foot of the perpendicular is −(f·D)/|D|
-along it. |d − r| within 1e-10 of the extent is a touch; otherwise half of the chord, √((r − d)(r + d)), is the way back
+along it. |d − r| within 1e-10 of the size is a touch; otherwise half of the chord, √((r − d)(r + d)), is the way back
 to where the ray comes in and forth to where it leaves. The tag goes with the hit before anything is sorted.
 """
 
@@ -12,8 +12,8 @@ from math import hypot, sqrt
 
 def all_hits(circles, O, D):
     (ox, oy), (dx, dy) = O, D
-    extent = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
-    near = 1e-10 * extent
+    size = max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
+    near = 1e-10 * size
     length = hypot(dx, dy)
     ux, uy = dx / length, dy / length
     hits = []

@@ -3,7 +3,7 @@
 The second ray is like the first, but starts a hair off the surface and ends at the light.
 
 Both rays ask each circle for its roots: with d the distance of the line from C, the foot minus and plus √((r − d)(r + d)).
-The first one takes the least root ahead. The second one takes any root between 1e-9 of the extent, so that the point is
+The first one takes the least root ahead. The second one takes any root between 1e-9 of the size, so that the point is
 not in its own shadow, and the light. Which side the ray sees is the sign of D·N, N = P − C.
 """
 
@@ -22,8 +22,8 @@ def distances(circle, start, way):
 
 
 def light(circles, O, D, L):
-    extent = max(abs(L[0] - O[0]), abs(L[1] - O[1]), *(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles))
-    near = 1e-9 * extent
+    size = max(abs(L[0] - O[0]), abs(L[1] - O[1]), *(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles))
+    near = 1e-9 * size
     length = hypot(*D)
     way = D[0] / length, D[1] / length
     first = min(((s, circle) for circle in circles for s in distances(circle, O, way) if s > 0), default=None)

@@ -1,7 +1,7 @@
 // Two rays and a least way.
 //
 // The first ray takes the least way ahead to a circle, and the sign of D·N says which side of it is seen. From there
-// a second ray goes to the light: any circle between 1e-9 of the extent, so that the point does not shade itself, and
+// a second ray goes to the light: any circle between 1e-9 of the size, so that the point does not shade itself, and
 // the light makes it dark.
 
 #include <algorithm>
@@ -22,9 +22,9 @@ static std::vector<double> ways(const Circle& c, Pt start, Pt u) {
 }
 
 std::optional<std::string> light(std::vector<Circle> circles, Pt O, Pt D, Pt L) {
-    double extent = std::max(std::abs(L.x - O.x), std::abs(L.y - O.y));
-    for (const Circle& c : circles) extent = std::max({extent, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
-    double near = 1e-9 * extent;
+    double size = std::max(std::abs(L.x - O.x), std::abs(L.y - O.y));
+    for (const Circle& c : circles) size = std::max({size, c.r, std::abs(c.x - O.x), std::abs(c.y - O.y)});
+    double near = 1e-9 * size;
 
     double length = std::hypot(D.x, D.y), first = INFINITY;
     Pt u = {D.x / length, D.y / length};

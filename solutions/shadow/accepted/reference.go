@@ -1,7 +1,7 @@
 // A least way.
 //
 // The ray takes the least crossing ahead of it. The second ray goes from that point to the light: any crossing on its
-// way casts a shadow, but for those within 1e-9 of the extent, which are the point itself. If the ray and the light are
+// way casts a shadow, but for those within 1e-9 of the size, which are the point itself. If the ray and the light are
 // on different sides of the surface, the point is dark as well.
 
 package main
@@ -11,10 +11,10 @@ import "math"
 func light(circles []Circle, O, D, L Pt) (string, bool) {
 	length := math.Hypot(D.X, D.Y)
 	u := Pt{D.X / length, D.Y / length}
-	extent := math.Max(math.Abs(L.X-O.X), math.Abs(L.Y-O.Y))
+	size := math.Max(math.Abs(L.X-O.X), math.Abs(L.Y-O.Y))
 	first, own := math.Inf(1), Circle{}
 	for _, c := range circles {
-		extent = math.Max(math.Max(extent, c.R), math.Max(math.Abs(c.X-O.X), math.Abs(c.Y-O.Y)))
+		size = math.Max(math.Max(size, c.R), math.Max(math.Abs(c.X-O.X), math.Abs(c.Y-O.Y)))
 		for _, way := range ways(c, O, u) {
 			if 0 < way && way < first {
 				first, own = way, c
@@ -34,7 +34,7 @@ func light(circles []Circle, O, D, L Pt) (string, bool) {
 	v = Pt{v.X / reach, v.Y / reach}
 	for _, c := range circles {
 		for _, way := range ways(Circle{c.X - own.X, c.Y - own.Y, c.R}, n, v) {
-			if 1e-9*extent < way && way < reach {
+			if 1e-9*size < way && way < reach {
 				return "dark", true
 			}
 		}

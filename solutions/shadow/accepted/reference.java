@@ -1,7 +1,7 @@
 // Two rays.
 //
 // The first ray takes the least root ahead of it. The second one goes from the point to the light, and is
-// stopped by any root between 1e-9 of the extent, so that the point is not in its own shadow, and the
+// stopped by any root between 1e-9 of the size, so that the point is not in its own shadow, and the
 // light.
 import java.util.List;
 
@@ -10,10 +10,10 @@ class Solution {
     record Circle(double x, double y, double r) {}
 
     static String light(List<Circle> circles, Pt O, Pt D, Pt L) {
-        double extent = Math.max(Math.abs(L.x() - O.x()), Math.abs(L.y() - O.y()));
+        double size = Math.max(Math.abs(L.x() - O.x()), Math.abs(L.y() - O.y()));
         for (Circle c : circles) {
             double far = Math.max(Math.abs(c.x() - O.x()), Math.abs(c.y() - O.y()));
-            extent = Math.max(extent, Math.max(c.r(), far));
+            size = Math.max(size, Math.max(c.r(), far));
         }
         double length = Math.hypot(D.x(), D.y()), ux = D.x() / length, uy = D.y() / length;
         double way = Double.POSITIVE_INFINITY;
@@ -34,7 +34,7 @@ class Solution {
         if (fromOutside != lightOutside) return "dark";
         for (Circle c : circles) {
             double fx = px + (hit.x() - c.x()), fy = py + (hit.y() - c.y());
-            if (firstBeyond(1e-9 * extent, fx, fy, c.r(), vx / reach, vy / reach) < reach) return "dark";
+            if (firstBeyond(1e-9 * size, fx, fy, c.r(), vx / reach, vy / reach) < reach) return "dark";
         }
         return "lit";
     }

@@ -1,0 +1,215 @@
+"""Scenes of many circles along a ray, and of solids made of discs.
+
+    crowds("enter2 exit2 touch3~", **BIG)            (circles, O, D)
+    solids("exit2 enter2", steps="difference", **BIG)   (circles, O, D, program)
+
+A word says what happens at which slot along the ray. Slot 0 is its origin, slots 1 to 9 come after one
+another; a word without a number takes the next one.
+
+    enter, exit, touch, dot    that, at the slot; a dot is a circle of radius 0
+    cut                        an enter at an irrational place after the slot
+    speck, tiny                a touch far away, of 100 to 20,000 radii; a cut there
+    around                     a circle around the origin
+    beside, behind             a circle beside the ray, or behind its origin
+    copy, mirror               the last circle again, or put across the ray
+    room                       a circle about the last one's centre, and two to nine times as large
+    within                     a circle about the last one's centre, and smaller
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import chain
+from typing import Any
+
+from judge.data.draw import Draw
+from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
+from judge.geometry.level import Nudge, Scene, checked, height, scene
+from judge.geometry.pose import Atom, Length, Point, Vector
+
+_WORDS = (
+    *(
+        "enter",
+        "exit",
+        "touch",
+        "dot",
+        "cut",
+        "speck",
+        "tiny",
+        "around",
+        "beside",
+        "behind",
+        "touch-behind",
+        "exit-behind",
+    ),
+    *("copy", "mirror", "room", "within"),
+)
+_STEPS = {
+    "union": (UNION,),
+    "intersection": (INTERSECTION,),
+    "difference": (DIFFERENCE,),
+    "any": (UNION, INTERSECTION, DIFFERENCE),
+}
+_SLOTS = 9
+
+Row = tuple[int, int, int]  # a level circle
+
+
+def _level(
+    draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0
+) -> tuple[list[Atom], list[Nudge]]:
+    """The ray along the x axis from (0, 0), and the circles; one of them is `uneven` powers of two larger."""
+    slots = [0]
+    for _ in range(_SLOTS):
+        slots.append(slots[-1] + draw.integer(size // 4 + 1, size))
+    fresh = iter(range(1, _SLOTS + 1))
+    large = draw.integer(0, len(words) - 1) if uneven else -1
+    circles: list[Row] = []
+    nudges = []
+    for word in words:
+        name = word.rstrip("~")
+        kind = name.rstrip("0123456789")
+        slot = name[len(kind) :]
+        placed = kind not in ("copy", "mirror", "room", "within", "around")
+        at = slots[int(slot or next(fresh))] if placed else 0
+        circles.append(_circle(draw, kind, at, size << (uneven if len(circles) == large else 0), circles))
+        if word[-1] == "~":
+            nudges.append(Nudge(2 * len(circles), 1 if kind in ("touch", "dot") else 0))
+    atoms: list[Atom] = [Point([0, 0]), Vector([draw.integer(1, 9), 0])]
+    for x, y, r in circles:
+        atoms += [Point([x, y]), Length([r])]
+    return atoms, nudges
+
+
+def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) -> Row:
+    side = draw.sign()
+    if kind in ("copy", "mirror", "room", "within"):
+        x, y, r = before[-1]
+        if kind == "room":
+            return x, y, r * draw.integer(2, 9)
+        if kind == "within":
+            return x, y, draw.integer(1, max(1, r - 1))
+        return (x, -y, r) if kind == "mirror" else (x, y, r)
+    if kind in ("enter", "exit", "exit-behind"):
+        r, y, half = height(draw, "chord", size)
+        assert half is not None
+        return at + half if kind == "enter" else -at - half if kind == "exit-behind" else at - half, y, r
+    r = draw.integer(size // 4 + 1, size)
+    across = draw.integer(1 - r, r - 1)
+    rows: dict[str, Callable[[], Row]] = {
+        "touch": lambda: (at, r * side, r),
+        "touch-behind": lambda: (-at, r * side, r),
+        "speck": lambda: (at + r * draw.integer(100, 20_000), r * side, r),
+        "tiny": lambda: (at + r * draw.integer(100, 20_000), across // 2, r),
+        "dot": lambda: (at, 0, 0),
+        "cut": lambda: (at + r, across, r),
+        "around": lambda: (across // 3, draw.integer(1 - r, r - 1) // 3, r * draw.integer(2, 9)),
+        "beside": lambda: (at, (r + draw.integer(1, r)) * side, r),
+        "behind": lambda: (-at - r - draw.integer(1, r), across, r),
+    }
+    return rows[kind]()
+
+
+def _check(words: list[str]) -> None:
+    for word in words:
+        checked(word.rstrip("~").rstrip("0123456789"), _WORDS, "what happens along a ray")
+
+
+def circles_of(rest: Sequence[Any]) -> tuple[tuple[Any, ...], ...]:
+    """The circles of posed centres and radii."""
+    return tuple((*centre, r) for centre, r in zip(rest[::2], rest[1::2], strict=True))
+
+
+_shuffled = scene(_level, lambda O, D, *rest: (circles_of(rest), O, D), _check)
+
+
+def crowds(*plans: str, **how: Any) -> Scene:
+    """Circles and a ray; the circles are in any order."""
+    drawn = _shuffled(*plans, **how)
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        circles, O, D = drawn(draw)
+        return mixed(draw, circles), O, D
+
+    return draw_case
+
+
+def crowd_of(*words: str, count: tuple[int, int], first: str = "", **how: Any) -> Scene:
+    """As many circles as `count` bounds, each of one of the words; those of `first` come besides."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        plan = [first] * bool(first) + [
+            f"{word}{draw.integer(1, _SLOTS)}"
+            if word in ("cut", "beside", "behind", "enter", "exit")
+            else word
+            for word in (draw.choice(words) for _ in range(draw.integer(*count)))
+        ]
+        return crowds(" ".join(plan), **how)(draw)
+
+    return draw_case
+
+
+def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
+    """A solid of the discs that `drawn` draws: (circles, O, D, program).
+
+    Args:
+        steps: "union", "intersection", "difference" or "any" of them.
+        form: "row" takes each disc together with all before it, "tree" in any nesting and some discs twice,
+            "stack" puts all discs on the stack first, "holes" takes the union of all others from the first.
+    """
+    kinds = _STEPS[steps]
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        circles, O, D = drawn(draw)
+        discs = list(range(len(circles)))
+        if form == "row":
+            program = [0, *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
+        elif form == "stack":
+            program = [*discs, *(draw.choice(kinds) for _ in discs[1:])]
+        elif form == "holes":
+            # the largest disc is the one with holes
+            first = max(discs, key=lambda disc: circles[disc][2])
+            others = [disc for disc in discs if disc != first]
+            program = [first, *others, *[UNION] * (len(others) - 1), DIFFERENCE]
+        else:
+            program = _tree(draw, [*discs, *(draw.choice(discs) for _ in discs[::3])], kinds)
+        return circles, O, D, tuple(program)
+
+    return draw_case
+
+
+def _tree(draw: Draw, discs: Sequence[int], kinds: Sequence[int]) -> list[int]:
+    if len(discs) == 1:
+        return list(discs)
+    at = draw.integer(1, len(discs) - 1)
+    return [*_tree(draw, discs[:at], kinds), *_tree(draw, discs[at:], kinds), draw.choice(kinds)]
+
+
+def mixed(draw: Draw, rows: Sequence[Any]) -> tuple[Any, ...]:
+    """The rows in any order."""
+    left, found = list(rows), []
+    while left:
+        found.append(left.pop(draw.integer(0, len(left) - 1)))
+    return tuple(found)
+
+
+def anywhere(
+    reach: int, count: tuple[int, int], radii: tuple[int, int] = (0, 0), light: bool = False
+) -> Scene:
+    """Circles and a ray in whole numbers up to `reach`; with `light` a fourth argument, a point.
+
+    `radii` bounds the radii, else they go up to `reach` too.
+    """
+    low, high = radii[0], radii[1] or reach
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        def pair() -> tuple[int, int]:
+            return draw.integer(-reach, reach), draw.integer(-reach, reach)
+
+        circles = tuple((*pair(), draw.integer(low, high)) for _ in range(draw.integer(*count)))
+        way = pair()
+        if not any(way):
+            draw.reject()
+        return circles, pair(), way, *([pair()] if light else [])
+
+    return draw_case

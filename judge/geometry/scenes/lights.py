@@ -1,0 +1,190 @@
+"""Scenes of a ray, circles and a light: lights("open", "back", **PLAIN) draws (circles, O, D, L).
+
+A word says what the light L is to the point P that the ray hits first.
+
+    miss                          the ray hits nothing
+    open, back                    nothing is between; on the side that the ray does not see
+    level-open, level-back        the same, nearly on the tangent at P
+    room, wall, level-wall        the ray begins inside: L is in the same room, or outside of it
+    outdoors                      the same, and L is on the other side of the tangent
+    blocked, gap                  a circle is between, or a tiny one near P
+    beyond, behind                a circle is on the line, but not between
+    around-light, around-point    a circle around L, or around the way to P
+    skin                          P is just inside another circle
+    pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
+                                  a larger one that blocks, one that does not
+    lamp                          a tiny circle around L, just before or just beyond it, or a large one there
+    lamp-thin                     a large one that begins just before L, or just beyond it
+    close, close-large            a circle beside the way to L, which nearly touches it
+    first-close                   the ray nearly touches a circle; another one stands behind
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isqrt
+from typing import Any
+
+from judge.data.draw import Draw, Rejected
+from judge.geometry.level import Scene, checked, height
+from judge.geometry.pose import Atom, Length, Point, Vector, posed
+from judge.geometry.scenes.crowds import Row, circles_of, mixed
+from judge.geometry.shadow import Shade, shade
+from judge.problem.declare import InvalidCase
+
+_BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "pillar", "moat")
+_SHADES: dict[str, tuple[Shade, ...]] = {
+    "miss": (Shade.NOTHING,),
+    **dict.fromkeys(("open", "room", "court", "beyond", "behind", "level-open"), (Shade.LIT,)),
+    **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
+    **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
+    **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
+    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-large"), (Shade.LIT, Shade.BLOCKED)),
+    "first-close": (Shade.LIT, Shade.BACK, Shade.BLOCKED),
+}
+_NEAR = 10**7
+_TRIES = 40
+
+Spot = tuple[int, int]
+
+
+def lights(*words: str, others: tuple[int, int] = (0, 0), size: int = 60, **how: Any) -> Scene:
+    """A light of one of these words; `others` bounds how many circles stand about."""
+    for word in words:
+        checked(word, _SHADES, "a way for a light to shine")
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        word = draw.choice(words)
+        rows, light = _laid(draw, word, size)
+        rows = list(mixed(draw, [*rows, *(_about(draw, size) for _ in range(draw.integer(*others)))]))
+        atoms: list[Atom] = [Point([0, 0]), Vector([draw.integer(1, 9), 0]), Point(light)]
+        for x, y, r in rows:
+            atoms += [Point([x, y]), Length([r])]
+        O, D, L, *rest = posed(draw, atoms, **how)
+        return _wanted(draw, (circles_of(rest), O, D, L), _SHADES[word])
+
+    return draw_case
+
+
+def shaded(drawn: Scene, *shades: str) -> Scene:
+    """Only cases in which the light is one of these: "nothing", "lit", "back", "own" or "blocked"."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        wanted = Shade(draw.choice(shades))
+        for _ in range(_TRIES):
+            try:
+                return _wanted(draw, drawn(draw), (wanted,))
+            except Rejected:
+                continue
+        return draw.reject()
+
+    return draw_case
+
+
+def _wanted(draw: Draw, case: tuple[Any, ...], shades: Sequence[Shade]) -> tuple[Any, ...]:
+    try:
+        found = shade(*case)
+    except InvalidCase:
+        return draw.reject()
+    return case if found in shades else draw.reject()
+
+
+def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
+    """The circle that is hit first and what is in the way, for a ray from (0, 0) along the x axis; and L."""
+
+    def spot(reach: int) -> Spot:
+        return draw.integer(-reach, reach), draw.integer(-reach, reach)
+
+    if word == "miss":
+        r = draw.integer(size // 4, size)
+        high = (r + draw.integer(1, size)) * draw.sign()
+        return [(draw.integer(-size, 2 * size), high, r)], spot(2 * size)
+    if word == "first-close":
+        return _first_close(draw, size)
+    r, y, whole = height(draw, "chord", size)
+    half = whole or 0
+    if word not in ("close", "close-large") and draw.boolean():  # P is irrational
+        r = draw.integer(2, size)
+        y = draw.integer(1 - r, r - 1)
+        half = isqrt(r * r - y * y)
+    if word in ("room", "wall", "outdoors", "level-wall", "pillar"):
+        back = draw.integer(1, max(1, 2 * half - 1))  # O is so far behind the wall that is hit
+        x = back - half
+        if word == "pillar":
+            share = draw.integer(20, 90)
+            within = draw.integer(1, max(1, abs(y) - 1))
+            return [(x, y, r), (x, y, within)], (x - half * share // 100, y + y * share // 100)
+        if word == "level-wall":
+            along = draw.integer(2, 4) * draw.sign()
+            return [(x, y, r)], (back + along * y - draw.integer(1, 9), along * half)
+        dx, dy = spot(r if word == "room" else 3 * size)
+        return [(x, y, r)], (x + dx, y + dy)
+    at = draw.integer(1, 2 * size)
+    circle = at + half, y, r
+    wx, wy = draw.integer(-2 * size, size), draw.integer(-2 * size, 2 * size)
+    if (wx * half + wy * y > 0) != (word == "back"):  # it would be on the other side of the tangent
+        wx, wy = -wx, -wy
+    light = at + wx, wy
+    if word in ("open", "back"):
+        return [circle], light
+    if word == "court":
+        x, y = draw.choice((circle[:2], spot(size)))
+        return [circle, (x, y, draw.integer(7 * size, 9 * size))], light
+    if word == "moat":
+        wall = isqrt(circle[0] ** 2 + y * y) + draw.integer(2, size)
+        return [circle, (circle[0], y, wall)], (-draw.integer(0, 9 * size), draw.integer(-9 * size, 9 * size))
+    if word in ("level-open", "level-back"):
+        along, inward = draw.integer(2, 4) * draw.sign(), 1 if word == "level-back" else -1
+        up = (y > 0) - (y < 0)
+        return [circle], (at + along * y + inward, -along * half + inward * up)
+    if word == "skin":
+        return [circle, (draw.integer(5, 12) * size // _NEAR + 1, 0, at)], (at + 3 * wx, 3 * wy)
+    if word == "around-point":
+        return [
+            circle,
+            (at // 2, draw.integer(-at // 8, at // 8), max(2, at * draw.integer(60, 90) // 100)),
+        ], light
+    if word.startswith("lamp"):
+        return [circle, _lamp(draw, word, light, (light[0] - at, light[1]), size)], light
+    return [circle, _between(draw, word, at, light, size)], light
+
+
+def _between(draw: Draw, word: str, at: int, light: Spot, size: int) -> Row:
+    """A circle on or beside the line from P = (at, 0) to the light."""
+    wx, wy = light[0] - at, light[1]
+    length = max(1, isqrt(wx * wx + wy * wy))
+    r = max(2, size // 300) if word == "gap" else max(2, length // draw.integer(5, 12))
+    shares = {"beyond": (130, 250), "behind": (-150, -30), "around-light": (100, 100)}
+    along = 4 * r if word == "gap" else length * draw.integer(*shares.get(word, (25, 75))) // 100
+    aside = draw.integer(-r // 2, r // 2)
+    if word.startswith("close"):
+        aside = draw.sign() * (size * draw.integer(3, 9) if word == "close-large" else draw.integer(r, 2 * r))
+    x, y = at + (wx * along - wy * aside) // length, (wy * along + wx * aside) // length
+    if word.startswith("close"):
+        gap = draw.integer(3, 8) * max(abs(x), abs(y), size) // _NEAR + 1
+        r = isqrt((wx * y - wy * (x - at)) ** 2 // (wx * wx + wy * wy)) + gap * draw.sign()
+    return x, y, max(1, r)
+
+
+def _lamp(draw: Draw, word: str, light: Spot, way: Spot, size: int) -> Row:
+    length = max(1, isqrt(way[0] ** 2 + way[1] ** 2))
+    kind = "large" if word == "lamp-thin" else draw.choice(("around", "before", "beyond", "large"))
+    r = draw.integer(size // 100, size // 10) if kind == "large" else draw.integer(size // 2000, size // 1500)
+    off = size // (1_000_000 if word == "lamp-thin" else 3000) * draw.sign()
+    past = {"around": 0, "before": -r - r // 4, "beyond": r + r // 4, "large": r + off}[kind]
+    return light[0] + way[0] * past // length, light[1] + way[1] * past // length, r
+
+
+def _first_close(draw: Draw, size: int) -> tuple[list[Row], Spot]:
+    high, at, side = draw.integer(size // 4, size), draw.integer(size // 4, size), draw.sign()
+    near = at, high * side, high + draw.integer(5, 9) * size // _NEAR * draw.sign()
+    r = draw.integer(size // 8, size // 4)
+    behind = at + draw.integer(high, 2 * size) + r, draw.integer(-r // 2, r // 2), r
+    # L shines on the one that is nearly hit, and on the back of the other one.
+    return [near, behind], (behind[0] + draw.integer(r, size // 2), -draw.integer(size // 2, size) * side)
+
+
+def _about(draw: Draw, size: int) -> Row:
+    """A circle somewhere about, seldom in the way."""
+    x, y = draw.integer(-3 * size, 3 * size), draw.sign() * draw.integer(0, 3 * size)
+    return x, y, draw.integer(max(1, size // 20), max(2, size // 3))
