@@ -127,3 +127,20 @@ def spans(
         for cut, after in pairwise(cuts)
     ]
     return sum(now and not before for before, now in pairwise([False, *held]))
+
+
+def crossings(cx: Number, cy: Number, r: Number, V: Sequence[Point], *, tolerance: float = 0.0) -> list[int]:
+    """The edges at whose line's points a plain program sees a polygon's boundary cross a circle."""
+    edge, found = tolerance * max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in V)), []
+    for number, ((ax, ay), (bx, by)) in enumerate(zip(V, (*V[1:], V[0]), strict=True)):
+        fx, fy, dx, dy = ax - cx, ay - cy, bx - ax, by - ay
+        length = hypot(dx, dy)
+        if length == 0:
+            return []
+        across, foot = abs(dx * fy - dy * fx) / length, -(fx * dx + fy * dy) / length
+        if across - r > edge:
+            continue
+        half = sqrt(max(0.0, (r - across) * (r + across)))
+        ways = (foot,) if across - r >= -edge else (foot - half, foot + half)
+        found += [number for way in ways if -edge <= way < length - edge]
+    return found

@@ -1,35 +1,51 @@
-"""Where the boundary of a polygon crosses a circle: exact, edge by edge, and the promise of every case."""
+"""Where the boundary of a polygon crosses a circle: exactly, edge by edge."""
 
-from __future__ import annotations
+from functools import partial
 
-from collections.abc import Sequence
-from typing import Any
+from judge.geometry import plain
+from judge.geometry.hooks import OUTLINE, hooks
+from judge.geometry.polygon import crossings
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
+from judge.problem.declare import group
 
-from judge.data.draw import Draw
-from judge.topics.circles import OUTLINE, Bands, CircleOutline, builders, circle_and_polygon
-from judge.topics.circles.figures.figure import Figure
-from judge.topics.circles.figures.posing import posed
-from judge.topics.circles.recipes import polygons
-from judge.values import vector
-
-
-def zigzag(draw: Draw, *, corners: Sequence[int], size: int, poses: Sequence[str], **pose: Any) -> Figure:
-    """The boundary goes to and fro across the circle: nearly every edge crosses it twice."""
-    radius = draw.integer(size // 2, size)
-    places = [
-        ((1 - number % 2 * 2) * draw.integer(radius + 1, 2 * radius), draw.integer(-radius // 3, radius // 3))
-        for number in range(draw.integer(*corners))
-    ]
-    return posed(draw, Figure((0, 0), radius, tuple(places)), poses=poses, **pose)
+HOOKS = hooks(OUTLINE)
+FULL = {**HUGE, "size": 2**35, "move": 49}
+STARS = "in out in out", "in out out", "in in out out in", "out in out across"
+ON = "on out on in", "on in on out out", "on on on", "on out out in"
+TOUCHES = "tangent out", "tangent tangent", "in tangent", "brush out"
+TELLING = plain.crossings, partial(plain.crossings, tolerance=1e-10)
 
 
-BUILDERS = builders(polygons.RECIPES, {"zigzag": zigzag}, adapter=circle_and_polygon)
-TOPIC = OUTLINE
+def solve(cx, cy, r, V):
+    return crossings(cx, cy, r, V)
 
 
-def solve(cx, cy, r, V, *, bands):
-    """The crossings as (edge, point) along the boundary; a crossing at a corner is its own edge's, once."""
-    outline, widths = CircleOutline.of(cx, cy, r, V), Bands.of(bands)
-    unit = outline.edges[0].extent_length()
-    crossings, broken = outline.solved(widths, bands["least_edge"])
-    return [(each.edge, vector(outline.point(each), unit)) for each in crossings], broken
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
+    group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
+    group("twice-an-edge", "Corners outside, and edges that cut the circle: two crossings an edge, in the order of the way.", polygons("across out", "across across", "out across out", **PLAIN), skills="edge by edge"),
+    group("corner-on", "Corners on the circle: the boundary passes through, or comes back on the same side.", polygons(*ON, **PLAIN), skills="a corner is met once"),
+    group("closing-edge", "The edge from the last corner to the first one crosses.", polygons("in in out", "in in in out", "out out in", **PLAIN), skills="close the loop"),
+    group("touch", "An edge touches: one crossing.", polygons(*TOUCHES, **PLAIN), skills="collapse the tangent"),
+    group("inside-around", "The whole polygon inside the circle, or around it: no crossing.", polygons("in in in", "in in in in", "box", **PLAIN), skills="no root of a negative number"),
+    group("order", "Polygons that cross themselves, begin anywhere and run either way round: the crossings come along the boundary.", polygons_of("in", "out", "on", count=(4, 9), **PLAIN), skills="order along the boundary"),
+    group("radius-zero", "r = 0: the circle is the point C, on an edge, at a corner, or beside the boundary.", polygons("dot out by out", "dot at out out", "dot box", "dot out out by", **PLAIN), skills="r = 0"),
+    group("repeated", "Neighbouring calls differ in one argument.", cornered(grid, (3, 4), 4), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
+    group("touch-full", "A touch that no formula in floats can see.", telling(polygons(*TOUCHES, **FULL), *TELLING), skills="a tangent has a width"),
+    group("corner-full", "Corners on the circle, and rounding puts them beside.", telling(polygons(*ON, **FULL), *TELLING), skills="a corner is met once"),
+    group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **NEAR), skills="nearly is not touching"),
+    group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **NEAR), skills="nearly is not on it"),
+    group("tiny", "All of it around 1e-20.", polygons("tangent out", "tangent~ out", "on out in", "on~ out in", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", polygons("in out in out", "tangent out", "on out in", "tangent in", **OFFSET), skills="far from the origin"),
+    group("far-corner", "A corner thousands of radii away: its size is the figure's.", polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), skills="the whole extent"),
+    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", polygons("dot out by out", "dot out by in", "dot out out by", **BIG), skills="r = 0"),
+    group("steep", "Edges almost along an axis.", polygons("tangent out", "across out", "on out in", "in out out", **STEEP), skills="no slopes"),
+    group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=40, skills="edge by edge"),
+    group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
+    group("random", "Any numbers, small and large.", cornered(uniform, (3, 12), 20, 1e4, 1e9), skills="full precision"),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(cornered(whole, (3, 12), 30), polygons(*TOUCHES, *ON, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+]

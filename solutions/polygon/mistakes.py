@@ -10,6 +10,7 @@ def half_open(cx, cy, r, V):
     # + diameter-for-radius: r = 2 * r
     # : The radius is doubled, as if the third argument were half of it. It is the radius: use it as it is.
     # + zero-radius: if r == 0: return []
+    # @ With r = 0
     # + zero-radius: if r == 0: return [(0, (cx, cy))]
     # : For a radius of 0 the answer is C on edge 0, wherever C is. It counts only on the boundary, on its own edge.
     # + zero-radius: if r == 0: raise ValueError
@@ -18,32 +19,25 @@ def half_open(cx, cy, r, V):
     # : The centre is taken as (cy, cx). Its x belongs to the x of the corners.
     n = len(V)
     # ? open-polyline: n = len(V) - 1
-    extent = max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in V))
-    # = extent = max(r, *(hypot(x - cx, y - cy) for x, y in V))
-    # ? signed-extent: extent = max(r, *(max(x - cx, y - cy) for x, y in V))
-    # ? signed-extent: extent = max(r, *(max(abs(x - cx), y - cy) for x, y in V))
-    # ? signed-extent: extent = max(r, *(max(x - cx, abs(y - cy)) for x, y in V))
-    # ? radius-epsilon: extent = r
-    # ? first-corner-extent: extent = max(r, abs(V[0][0] - cx), abs(V[0][1] - cy))
-    # ? coordinate-epsilon: extent = max(r, abs(cx), abs(cy), *(max(abs(x), abs(y)) for x, y in V))
-    # ? coordinate-epsilon: extent = max(1, r, *(max(abs(x - cx), abs(y - cy)) for x, y in V))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small figure is all epsilon. Measure the extent from
+    # @ the last edge back to V[0]
+    size = max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in V))
+    # = size = max(r, *(hypot(x - cx, y - cy) for x, y in V))
+    # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), *(max(abs(x), abs(y)) for x, y in V))
+    # ? coordinate-epsilon: size = max(1, r, *(max(abs(x - cx), abs(y - cy)) for x, y in V))
+    # : The threshold is a fraction of 1 at least, "to be safe": a small figure is all epsilon. Measure the size from
     # : the centre, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and a tiny figure is all epsilon. Measure it by the extent alone.
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and a tiny figure is all epsilon. Measure it by the size alone.
+    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
     touch = slack = near
-    # ? tight-epsilon: touch, slack = {1e-16..1e-13} * extent, near
-    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * extent, near
-    # ? no-snap: touch, slack = near, {1e-16..1e-13} * extent
+    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * size, near
     # ? no-snap: touch, slack = near, 0.0
     # : The ends are taken to the letter, 0 ≤ way < L: rounding decides which edge has a corner, or that both have it, or
-    # : none. Let what is nearly at a corner be there: 1e-10 of the extent.
-    # ? loose-ends: touch, slack = near, {1e-6..1e-2/2} * extent
+    # : none. Let what is nearly at a corner be there: 1e-10 of the size.
+    # ? loose-ends: touch, slack = near, {1e-6..1e-2/2} * size
     found = []
     order = range(n)
     # ? closing-first: order = [n - 1, *range(n - 1)]
@@ -62,9 +56,6 @@ def half_open(cx, cy, r, V):
         # : Far from the origin both are huge and nothing is left of the figure. Subtract C first.
         gap = d - r
         # ? equality: gap = 0 if d == r else copysign(2 * touch, gap)
-        # ? equality: gap = (lambda k, a: 0 if k * k == Fraction(r) ** 2 * a else copysign(2 * touch, k * k - Fraction(r) ** 2 * a))(Fraction(dx) * Fraction(fy) - Fraction(dy) * Fraction(fx), Fraction(dx) ** 2 + Fraction(dy) ** 2)
-        # : Everything is exact, so that a touch whose numbers were rounded is a hit or a miss by 1e-17. Apply the
-        # : statement's band, which says what the truth is.
         if gap > touch:
             continue
             # ? none-for-empty: return None
@@ -82,9 +73,10 @@ def half_open(cx, cy, r, V):
         # ? foot-for-hit: half = 0.0
         # ? touch-cut: half = sqrt(max(0.0, (r - d) * (r + d)))
         # : There is no case for a touch: half the chord is the root of some rounding, and one point becomes two.
-        # : Within the band take 0 for it.
+        # : Compare d with r, and take 0 for it.
         ways = (foot - half, foot + half) if half else (foot,)
         # ? tangent-twice: ways = (foot - half, foot + half)
+        # @ that point counts once
         # ? first-root-only: ways = (foot - half,)
         # ? first-root-only: ways = [way for way in (foot - half, foot + half) if -slack <= way < length - slack][:1]
         # ? second-root-only: ways = (foot + half,)
@@ -103,12 +95,14 @@ def half_open(cx, cy, r, V):
                 # ? points-only: found.append((i, ax + way * ux, ay + way * uy))
                 # : Edge and coordinates are in one flat tuple. Each crossing is (edge, (x, y)).
                 # ? edge-from-one: found.append((i + 1, (ax + way * ux, ay + way * uy)))
+                # @ Edge i goes from V[i] to the next corner
                 # ? point-from-centre: found.append((i, (fx + way * ux, fy + way * uy)))
                 # ? mirrored-components: found.append((i, (ay + way * uy, ax + way * ux)))
                 # ? parameter-for-point: found.append((i, way / length))
                 # ? wrong-edge: found.append(((i if abs(way) > slack else (i - 1) % n), (ax + way * ux, ay + way * uy)))
                 # : A corner is given as that of the edge that ends there. It belongs to the edge that starts there.
             # ? vertex-twice: if -slack <= way <= length + slack: found.append((i, (ax + way * ux, ay + way * uy)))
+            # @ A crossing at a corner counts once
             # : Both edges of a corner on the circle give it. Let each edge have its first corner only.
             # ? vertex-twice: if -slack <= way < length - slack or (i == n - 1 and abs(way - length) <= slack): found.append((i, (ax + way * ux, ay + way * uy)))
             # : V[0] is given by the first edge, and once more by the one that closes the polygon. Leave it to the first.
@@ -120,9 +114,11 @@ def half_open(cx, cy, r, V):
             # ? edge-past-the-end: if -slack <= way: found.append((i, (ax + way * ux, ay + way * uy)))
             # ? edge-past-the-end: if way < length - slack: found.append((i, (ax + way * ux, ay + way * uy)))
         # ? disc-for-circle: if hypot(fx, fy) < r - near and not any(-slack <= way < length - slack for way in ways): found.append((i, V[i]))
+        # @ The circle is the curve
     return found
     # ? none-for-empty: return found or None
     # ? sorted-by-x: return sorted(found, key=lambda hit: hit[1])
+    # @ in order along the boundary
     # ? sorted-by-x: return sorted(found, key=lambda hit: (hit[0], hit[1]))
     # : The crossings of an edge are sorted by x. Which one comes first depends on the way that the edge runs.
     # ? sorted-by-angle: return sorted(found, key=lambda hit: atan2(hit[1][1] - cy, hit[1][0] - cx))
@@ -152,7 +148,7 @@ def quadratic(cx, cy, r, V):
         where = 1 if gap > near else 0 if gap >= -near else -1
         # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
         # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
-        # : within 1e-10 of the extent.
+        # : within 1e-10 of the size.
         # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
         # ? unhalved: where = 1 if b * b - 4 * a * c < -near * near else where
         if where > 0:

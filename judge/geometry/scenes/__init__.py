@@ -13,7 +13,7 @@ from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import lights, shaded
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
-from judge.geometry.scenes.outlines import pairs
+from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
 
 __all__ = [
     "AXIS",
@@ -30,6 +30,7 @@ __all__ = [
     "anything",
     "anywhere",
     "closed_up",
+    "cornered",
     "corners",
     "crowd_of",
     "crowds",
@@ -41,6 +42,8 @@ __all__ = [
     "lines",
     "pairs",
     "points",
+    "polygons",
+    "polygons_of",
     "rays",
     "shaded",
     "solids",

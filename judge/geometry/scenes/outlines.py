@@ -1,11 +1,28 @@
-"""Scenes of two circles: pairs("outer", "inner~", **BIG) draws (cx1, cy1, r1, cx2, cy2, r2)."""
+"""Scenes of two circles, and of a circle and a polygon.
+
+    pairs("outer", "inner~", **BIG)          (cx1, cy1, r1, cx2, cy2, r2)
+    polygons("on out tangent~", **NEAR)      (cx, cy, r, V)
+
+The words of a polygon add corners, each beside a point P of the circle in whole numbers.
+
+    on, in, out, far     at P, inside, outside, or 1,000 to 10,000 radii away
+    tangent, brush       two corners on the tangent at P, near it or one of them very near
+    across               two corners outside whose edge cuts the circle
+    box                  four corners around the circle
+    left, right          beside the circle, so that a level edge between them cuts it
+    again                the first corner once more
+    dot                  the first word of all: r is 0; at, by: at C, or on the other side of C
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
+from math import isqrt
+from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Nudge, checked, scene
+from judge.geometry.level import Nudge, Scene, checked, scene
 from judge.geometry.pose import Atom, Length, Point
 
 _PAIRS = (
@@ -61,3 +78,123 @@ def _check(words: list[str]) -> None:
 
 
 pairs = scene(_level_pair, lambda C1, r1, C2, r2: (*C1, r1, *C2, r2), _check)
+
+_CORNERS = (
+    "on",
+    "in",
+    "out",
+    "far",
+    "tangent",
+    "brush",
+    "across",
+    "box",
+    "again",
+    "left",
+    "right",
+    "at",
+    "by",
+)
+_BRUSH = 2048  # parts of the radius: a corner is so few of them away from where its edge touches
+
+
+@cache
+def _spots(radius: int) -> list[tuple[int, int]]:
+    """The points in whole numbers of a circle about (0, 0)."""
+    roots = ((x, isqrt(radius * radius - x * x)) for x in range(-radius, radius + 1))
+    return [
+        (x, side * y)
+        for x, y in roots
+        if x * x + y * y == radius * radius
+        for side in ((1, -1) if y else (1,))
+    ]
+
+
+def _level_polygon(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+    """A circle about (0, 0) and the corners of a polygon; a word adds one corner, or as many as it says."""
+    radius = 5 * 13 * 17 if size > 5 * 13 * 17 else 5 * 5  # with 36 points in whole numbers, or 20
+    k = draw.integer(max(1, size // radius // 2), max(1, size // radius))
+    k *= _BRUSH if "brush" in words else 1
+    dot = words[0] == "dot"
+    points: list[Point] = []
+    nudges: list[Nudge] = []
+    for word in words[dot:]:
+        name, first = word.rstrip("~"), len(points)
+        x, y = (k * each for each in draw.choice(_spots(radius)))
+        points += _corners(draw, name, x, y, points)
+        if word[-1] == "~":
+            away = draw.sign()
+            for at in range(first, len(points)):
+                nudges += [Nudge(at + 2, i, away * (1 if n > 0 else -1)) for i, n in ((0, x), (1, y)) if n]
+    return [Point([0, 0]), Length([0 if dot else radius * k]), *points], nudges
+
+
+def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> list[Point]:
+    """Corners that go with the point (x, y) of the circle."""
+
+    def grown(low: int, high: int) -> Point:
+        return Point([draw.integer(low, high) * x // 100, draw.integer(low, high) * y // 100])
+
+    def beside(along: int, height: int = 100, per: int = 1) -> Point:
+        """So many radii along the tangent at that height, in parts."""
+        return Point([height * x // 100 - along * y // per, height * y // 100 + along * x // per])
+
+    if name in ("tangent", "brush"):
+        ends = sorted((draw.integer(-3, 3), draw.integer(-3, 3)))
+        if ends[0] == ends[1]:
+            draw.reject()
+        if name == "tangent":
+            return [beside(end) for end in ends]
+        near, far = draw.integer(1, 20) * draw.sign(), draw.integer(1, 3) * draw.sign()
+        pair = [beside(near, per=_BRUSH), beside(far)]
+        return pair if draw.boolean() else pair[::-1]
+    if name == "across":
+        high, side = draw.integer(0, 90), draw.sign()
+        return [beside(end * side * draw.integer(2, 4), high) for end in (-1, 1)]
+    if name == "box":
+        out = draw.integer(160, 400)
+        return [Point([out * px // 100, out * py // 100]) for px, py in ((x, y), (-y, x), (-x, -y), (y, -x))]
+    if name in ("left", "right"):  # of the circle, and nearly level
+        side = 1 if name == "right" else -1
+        return [
+            Point([side * (abs(x) + abs(y)) * draw.integer(105, 200) // 100, y * draw.integer(0, 30) // 100])
+        ]
+    found = {
+        "on": lambda: Point([x, y]),
+        "in": lambda: grown(5, 60),
+        "out": lambda: grown(150, 400),
+        "far": lambda: grown(10**5, 10**6),
+        "at": lambda: Point([0, 0]),
+        "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),
+        "again": lambda: Point(before[0]),
+    }
+    return [found[name]()]
+
+
+def _check_corners(words: list[str]) -> None:
+    for word in words[words[0] == "dot" :]:
+        checked(word, _CORNERS, "a corner of a polygon")
+
+
+polygons = scene(_level_polygon, lambda C, r, *V: (*C, r, V), _check_corners)
+
+
+def polygons_of(*words: str, count: tuple[int, int], turns: bool = False, **how: Any) -> Scene:
+    """Polygons of as many of these words as `count` bounds; with `turns` they take turns."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        number = draw.integer(*count)
+        plan = [words[at % len(words)] if turns else draw.choice(words) for at in range(number)]
+        drawn: Scene = polygons(" ".join(plan), **how)
+        return drawn(draw)
+
+    return draw_case
+
+
+def cornered(make: Callable[..., Scene], count: tuple[int, int], *how: Any) -> Scene:
+    """A circle and a polygon of any numbers that `make` draws for a shape, such as `grid`."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        case = make("nnr" + "p" * draw.integer(*count), *how)(draw)
+        return *case[:3], case[3:]
+
+    return draw_case

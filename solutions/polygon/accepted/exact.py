@@ -1,37 +1,30 @@
-"""exact
+"""fractions
 
-Rational numbers throughout; the one square root is taken to 120 digits by the integer root.
+A float is a fraction, so Δ = r²·|D|² − k² says without any rounding whether an edge's line cuts, touches or misses. Its
+root is taken 400 bits below the point: where a corner is on the circle it is a fraction, and then this is exact, too.
 """
 
 from fractions import Fraction
 from math import isqrt
 
-SNAP = Fraction(1, 10**12)
 
-
-def root(value):
-    return Fraction(isqrt((value.numerator << 800) // value.denominator), 1 << 400)
+def root(x):
+    return Fraction(isqrt((x.numerator << 800) // x.denominator), 1 << 400)
 
 
 def boundary_hits(cx, cy, r, V):
-    r, cx, cy = Fraction(r), Fraction(cx), Fraction(cy)
-    corners = [(Fraction(x), Fraction(y)) for x, y in V]
-    slack = SNAP * max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in corners))
+    cx, cy, r = map(Fraction, (cx, cy, r))
+    corners = [(Fraction(x) - cx, Fraction(y) - cy) for x, y in V]
     found = []
-    for i, (ax, ay) in enumerate(corners):
-        bx, by = corners[(i + 1) % len(V)]
-        dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+    for i, (fx, fy) in enumerate(corners):
+        gx, gy = corners[(i + 1) % len(V)]
+        dx, dy = gx - fx, gy - fy
         a, b, k = dx * dx + dy * dy, fx * dx + fy * dy, dx * fy - dy * fx
-        if k * k > (r + slack) ** 2 * a:
+        delta = r * r * a - k * k
+        if delta < 0:
             continue
-        inner = max(r - slack, 0)
-        if k * k >= inner * inner * a:
-            ts = [-b / a]
-        else:
-            half = root(r * r * a - k * k)
-            ts = [(-b - half) / a, (-b + half) / a]
-        for t in ts:
-            starts, ends = t * t * a <= slack * slack, (t - 1) ** 2 * a <= slack * slack
-            if starts or (0 < t < 1 and not ends):
-                found.append((i, (float(ax + t * dx), float(ay + t * dy))))
+        half = root(delta)
+        for t in sorted({(-b - half) / a, (-b + half) / a}):
+            if 0 <= t < 1:
+                found.append((i, (float(cx + fx + t * dx), float(cy + fy + t * dy))))
     return found

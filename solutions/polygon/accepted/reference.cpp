@@ -12,9 +12,9 @@ struct Pt { double x, y; };
 struct PairIntPt { long long first; Pt second; };
 
 std::vector<PairIntPt> boundary_hits(double cx, double cy, double r, std::vector<Pt> V) {
-    double extent = r;
-    for (Pt p : V) extent = std::max({extent, std::abs(p.x - cx), std::abs(p.y - cy)});
-    double near = 1e-10 * extent;
+    double size = r;
+    for (Pt p : V) size = std::max({size, std::abs(p.x - cx), std::abs(p.y - cy)});
+    double near = 1e-10 * size;
     std::vector<PairIntPt> found;
     for (size_t i = 0; i < V.size(); ++i) {
         Pt A = V[i], B = V[(i + 1) % V.size()];

@@ -9,11 +9,11 @@ package main
 import "math"
 
 func boundaryHits(cx, cy, r float64, V []Pt) []PairIntPt {
-	extent := r
+	size := r
 	for _, p := range V {
-		extent = math.Max(extent, math.Max(math.Abs(p.X-cx), math.Abs(p.Y-cy)))
+		size = math.Max(size, math.Max(math.Abs(p.X-cx), math.Abs(p.Y-cy)))
 	}
-	near := 1e-10 * extent
+	near := 1e-10 * size
 	var hits []PairIntPt
 	for i, p := range V {
 		q := V[(i+1)%len(V)]

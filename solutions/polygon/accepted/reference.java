@@ -11,12 +11,12 @@ class Solution {
     record PairIntPt(long first, Pt second) {}
 
     static List<PairIntPt> boundaryHits(double cx, double cy, double r, List<Pt> V) {
-        double extent = r;
+        double size = r;
         for (Pt corner : V) {
             double far = Math.max(Math.abs(corner.x() - cx), Math.abs(corner.y() - cy));
-            extent = Math.max(extent, far);
+            size = Math.max(size, far);
         }
-        double near = 1e-10 * extent;
+        double near = 1e-10 * size;
 
         var found = new ArrayList<PairIntPt>();
         for (int i = 0; i < V.size(); i++) {

@@ -1,0 +1,53 @@
+"""Where the boundary of a polygon crosses a circle, edge by edge."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from judge.exact.dyadic import integers
+from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle
+from judge.geometry.sure import Sure, Words
+from judge.problem.declare import InvalidCase
+
+Point = tuple[Number, Number]
+
+_EDGE = Words("An edge is almost a tangent", "Its line must touch exactly, or stay at least 1e-7·e away.")
+_CORNER = on_circle("A corner")
+
+
+class Edge(Quadratic):
+    """A circle and the line of an edge, which runs from t = 0 to t = 1."""
+
+    touch = _EDGE
+    ends = _CORNER, _CORNER
+
+
+def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[Edge]:
+    """Edge i runs from V[i] to the next corner, the last one to V[0].
+
+    e is the largest of r and all |V[i] − C|∞. Raises InvalidCase where two neighbouring corners are the same;
+    ValueError for nan, infinities and r < 0.
+    """
+    (x, y, radius, *flat), shift = integers(cx, cy, r, *(number for corner in V for number in corner))
+    seen = [(px - x, py - y) for px, py in zip(flat[::2], flat[1::2], strict=True)]
+    sure = Sure(max(radius, *(abs(number) for corner in seen for number in corner)))
+    found = []
+    for start, end in zip(seen, [*seen[1:], seen[0]], strict=True):
+        if start == end:
+            raise InvalidCase("Two neighbouring corners are the same. Each edge must have a length.")
+        way = end[0] - start[0], end[1] - start[1]
+        found.append(Edge(start, way, radius, sure, centre=(x, y), shift=shift))
+    return found
+
+
+def crossings(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[tuple[int, Vector]]:
+    """(edge, point) along the boundary from V[0]; a point at a corner once, with the edge that starts there.
+
+    Raises InvalidCase where an edge's line nearly touches, or a corner is nearly on the circle.
+    """
+    return [
+        (number, edge.real_point(which))
+        for number, edge in enumerate(edges(cx, cy, r, V))
+        for which in edge.meets()
+        if edge.beside(which, 0) >= 0 > edge.beside(which, 1)
+    ]
