@@ -60,21 +60,26 @@ class Crowd:
         for circle in self.circles:
             circle.ends = ends
 
-    def every(self) -> list[Hit]:
-        """All hits of the whole line, in order of t; those at one place in any order."""
+    def hits(self) -> list[Hit]:
+        """The hits with t >= 0 in order of t, those at one place in any order.
+
+        Of a circle that the ray leaves behind only O is decided: outside of it, and getting no nearer to its
+        centre, the ray cannot meet it.
+        """
         found = []
         for index, circle in enumerate(self.circles):
+            if circle.side() > 0 and circle.b >= 0:
+                continue
             for which in circle.meets():
                 root = which * isqrt(circle.delta << 2 * BITS) if which else 0
-                found.append(Hit(index, which, (-circle.b << BITS) + root))
+                if circle.beside(which, 0) >= 0:
+                    found.append(Hit(index, which, (-circle.b << BITS) + root))
         return sorted(found, key=lambda hit: hit.near)
 
     def places(self) -> list[list[Hit]]:
-        """The hits with t >= 0 in order of t, those at one place together."""
+        """The same, those at one place together."""
         found: list[list[Hit]] = []
-        for hit in self.every():
-            if self._beside_origin(hit) < 0:
-                continue
+        for hit in self.hits():
             if found and not self._apart(found[-1][0], hit):
                 found[-1].append(hit)
             else:
@@ -95,7 +100,9 @@ class Crowd:
         leaves = {hit.circle for hit in chain(*places) if hit.which > 0}
         held = [index in leaves - enters for index in range(len(self.circles))]
         cuts = [(self.time(hits[0]), hits) for hits in places]
-        if not places or self._beside_origin(places[0][0]):  # the ray begins in the middle of a piece
+        if not places or self.circles[places[0][0].circle].beside(
+            places[0][0].which, 0
+        ):  # the ray begins in the middle of a piece
             cuts.insert(0, (Real(make(0, 0, 0, 1), self.circles[0].time_unit()), []))
         found, start = [], None
         for time, hits in cuts:
@@ -109,10 +116,6 @@ class Crowd:
                 found.append((start, time))
                 start = None
         return found
-
-    def _beside_origin(self, hit: Hit) -> int:
-        """The sign of the hit's t."""
-        return self.circles[hit.circle].beside(hit.which, 0)
 
     def _apart(self, one: Hit, other: Hit) -> int:
         """Whether two hits are at different places."""

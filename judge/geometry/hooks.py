@@ -20,6 +20,7 @@ LINE, SEGMENT, CHORD, RAY, POINT, TANGENTS = "LINE", "SEGMENT", "CHORD", "RAY", 
 NORMAL, REFLECTION, SPHERE, PAIR, COMMON = "HIT", "BOUNCE", "SPHERE", "PAIR", "COMMON"
 FOOT, NORMAL_FORM, FRAMES = "FOOT", "NORMAL", "FRAMES"
 HITS, SPANS, SHADOW, OUTLINE = "HITS", "SPANS", "SHADOW", "OUTLINE"
+BALLS, WALL = "motion BALLS", "motion WALL"
 # Of the first steps, in whole numbers.
 DISTANCE, SIDE, CIRCLE, DIAMETER = "plane DISTANCE", "plane SIDE", "plane CIRCLE", "plane DIAMETER"
 CROSSING, AXIS_FOOT, SEVEN = "plane CROSSING", "plane FOOT", "SEVEN"
@@ -57,6 +58,11 @@ def _topic(view: str) -> Topic:
     from judge.topics import circles
 
     name, _, kind = view.partition(" ")
+    if name == "motion":
+        from judge.topics.circles import motion
+
+        moving: Topic = getattr(motion, kind)
+        return moving
     if kind:
         return circles.plane(circles.Kind[kind])
     if name == "SEVEN":

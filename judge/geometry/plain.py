@@ -144,3 +144,49 @@ def crossings(cx: Number, cy: Number, r: Number, V: Sequence[Point], *, toleranc
         ways = (foot,) if across - r >= -edge else (foot - half, foot + half)
         found += [number for way in ways if -edge <= way < length - edge]
     return found
+
+
+def balls_meet(
+    P0: Point, P1: Point, r: Number, Q0: Point, Q1: Point, s: Number, *, tolerance: float = 0.0
+) -> str | None:
+    """Whether a plain program sees two discs touch at the start, later, or not at all."""
+    f, reach = (P0[0] - Q0[0], P0[1] - Q0[1]), r + s
+    p, q = (P1[0] - P0[0], P1[1] - P0[1]), (Q1[0] - Q0[0], Q1[1] - Q0[1])
+    d = p[0] - q[0], p[1] - q[1]
+    edge = tolerance * max(reach, *map(abs, (*f, *p, Q1[0] - P0[0], Q1[1] - P0[1])))
+    if hypot(*f) - reach <= edge:
+        return "start"
+    return _within(_first(f, d, reach, edge), d, edge)
+
+
+def wall_meet(P0: Point, P1: Point, r: Number, A: Point, B: Point, *, tolerance: float = 0.0) -> str | None:
+    """The same of a disc and a wall."""
+    f, g, w = (P0[0] - A[0], P0[1] - A[1]), (P0[0] - B[0], P0[1] - B[1]), (B[0] - A[0], B[1] - A[1])
+    d, wall = (P1[0] - P0[0], P1[1] - P0[1]), hypot(*w)
+    edge = tolerance * max(r, *map(abs, (*f, *g, P1[0] - A[0], P1[1] - A[1], P1[0] - B[0], P1[1] - B[1])))
+    k, foot = (w[0] * f[1] - w[1] * f[0], f[0] * w[0] + f[1] * w[1]) if wall else (0.0, 0.0)
+    apart = abs(k) / wall if 0 < foot < wall * wall else min(hypot(*f), hypot(*g))
+    if apart - r <= edge:
+        return "start"
+    times = [time for time in (_first(each, d, r, edge) for each in (f, g)) if time is not None]
+    turn = w[0] * d[1] - w[1] * d[0]
+    if turn and wall:
+        time = ((r if k > 0 else -r) * wall - k) / turn
+        if 0 <= foot + time * (d[0] * w[0] + d[1] * w[1]) <= wall * wall:
+            times.append(time)
+    return _within(min(times, default=None), d, edge)
+
+
+def _first(f: Point, d: Point, r: Number, edge: float) -> float | None:
+    """The time at which f + t·d first is r away from the origin."""
+    way = hypot(*d)
+    if not way:
+        return None
+    across, foot = abs(d[0] * f[1] - d[1] * f[0]) / way, -(f[0] * d[0] + f[1] * d[1]) / way
+    if across - r > edge:
+        return None
+    return (foot - (sqrt((r - across) * (r + across)) if r - across > edge else 0.0)) / way
+
+
+def _within(time: float | None, d: Point, edge: float) -> str | None:
+    return None if time is None or time < 0 or (time - 1) * hypot(*d) > edge else "later"

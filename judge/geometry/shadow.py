@@ -59,7 +59,7 @@ def shade(circles: Sequence[Circle], O: Point, D: Point, L: Point) -> Shade:
         square = sum((x + f) ** 2 for x, f in zip(light, circle.f, strict=True))
         outside.append(sure.distance(square, circle.r, zero=False, what=_LIGHT))
     # No two hits are at one place: P would be on another circle, which is refused below.
-    first = next((hit for hit in crowd.every() if crowd.circles[hit.circle].beside(hit.which, 0) > 0), None)
+    first = next(iter(crowd.hits()), None)
     return Shade.NOTHING if first is None else _Scene(crowd, first, light).shade(outside)
 
 

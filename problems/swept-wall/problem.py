@@ -1,20 +1,55 @@
-"""A moving disc and a wall: the exact moment of their first touch, and the promise of every case."""
+"""A moving disc and a wall: the exact moment of their first touch."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import Bands, builders
-from judge.topics.circles.motion import WALL
-from judge.topics.circles.motion import wall_recipes as recipes
-from judge.topics.circles.motion.wall import Wall, Widths
-from judge.values import Real
+from judge.geometry import plain
+from judge.geometry.hooks import WALL, hooks
+from judge.geometry.motion import wall_meeting
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, either, grid, telling, uniform, walls, whole
+from judge.problem.declare import group
 
-BUILDERS = builders(recipes.WALLS, adapter=recipes.wall_case)
-TOPIC = WALL
+HOOKS = hooks(WALL)
+BIGGER = {**BIG, "size": 2**14}
+FULL = {**HUGE, "size": 2**34}
+GRAZES = "graze cap", "graze post"
+TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
 
 
-def solve(p0, p1, r, a, b, *, bands):
-    """The first t from 0 to 1 or None; the unit is the extent in terms of t."""
-    wall, widths = Wall.of(p0, p1, r, a, b), Bands.of(bands)
-    t = wall.meeting(widths)
-    least = Widths(*(bands[f"least_{name}"] for name in ("radius", "motion", "wall", "sine")))
-    return None if t is None else Real(t, wall.pace.unit()), wall.broken(widths, least)
+def solve(P0, P1, r, A, B):
+    return wall_meeting(P0, P1, r, A, B)
+
+
+INTERVIEW = [
+    group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=180, skills="the small grid"),
+    group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is no distance")),
+    group("past", "Past the wall, where its line would be hit.", walls("past side", "past side", "hit side", **PLAIN), skills="fatten the wall"),
+    group("ends", "Onto an end, which is round.", walls("hit cap", **PLAIN), skills=("fatten the wall", "a wall has round ends")),
+    group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), skills="touching from the start"),
+    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", walls("away side", "away cap", "rest side", "rest cap", **PLAIN), skills="first in time"),
+    group("short", "The disc stops before the wall.", walls("short side", "short cap", "short post", **PLAIN), skills="first in time"),
+    group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
+    group("slide", "The disc slides along the wall, and touches it from its first end on.", walls("slide side", **PLAIN), skills=("a graze is a touch", "a wall has round ends")),
+    group("post", "A wall that is a point.", walls("hit post", "hit post", "graze post", "short post", **PLAIN), skills="a wall has round ends"),
+    group("still", "The disc rests, on the wall or beside it.", walls("rest side", "rest cap", "rest post", **PLAIN), skills="touching from the start"),
+    group("fast", "A way of many radii: no coarse clock sees the touch.", walls("fast side", "fast cap", "fast post", **{**PLAIN, "shift": -20}), skills="never step through"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("pprpp", 4), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(walls("slide side", "slide side", "end side", **DECIMALS), *TELLING), skills="a graze is a touch"),
+    group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "slide side", **BIGGER), skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see.", telling(walls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
+    group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(walls("start side", "start side", "start cap", **FULL), *TELLING), skills="touching from the start"),
+    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(walls("end side", "end cap", **FULL), *TELLING), skills="first in time"),
+    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ post", "slide~ side", **NEAR), skills="nearly is not touching"),
+    group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **NEAR), skills="touching from the start"),
+    group("near-end", "The disc touches just before the end, or does not quite.", walls("end~ side", "end~ cap", **NEAR), skills="first in time"),
+    group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", **{**PLAIN, "shift": -20}), skills="fatten the wall"),
+    group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
+    group("tiny", "All of it around 1e-20.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", **OFFSET), skills="far from the origin"),
+    group("steep", "Ways almost along an axis.", walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), skills="no slopes"),
+    group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), skills="full precision"),
+    group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+]

@@ -19,8 +19,10 @@ def relative(P0, P1, r, Q0, Q1, s):
     # : The second disc's places are taken as (y, x). Their x belongs to the x of the first disc's.
     # + single-precision: P0, P1, Q0, Q1, (r, s) = single(*P0), single(*P1), single(*Q0), single(*Q1), single(r, s)
     # + zero-radius: if r == 0 or s == 0: return None
+    # @ A radius may be 0
     reach = r + s
     # ? one-radius: reach = r
+    # @ is r + s or less
     # ? one-radius: reach = s
     # ? one-radius: reach = max(r, s)
     # : The larger radius stands for both. The discs touch where the centres are r + s apart.
@@ -42,36 +44,31 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? absolute-motion: dx, dy = wx - vx, wy - vy
     # : The second way less the first is how the second disc moves as seen from the first, but f is the first as seen
     # : from the second. Take both differences the same way round.
-    extent = max(reach, abs(vx), abs(vy), abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
-    # = extent = max(reach, hypot(vx, vy), hypot(fx, fy), hypot(wx, wy))
-    # ? one-sided-extent: extent = max(reach, abs(vx), abs(vy), abs(fx), abs(fy))
-    # ? one-sided-extent: extent = max(reach, abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
-    # ? one-sided-extent: extent = max(reach, abs(vx), abs(vy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
-    # ? one-sided-extent: extent = reach
-    # : The extent is the sum of the radii alone. The ways count as well: they may be much longer.
-    # ? signed-extent: extent = max(reach, vx, vy, fx, fy, Q1[0] - P0[0], Q1[1] - P0[1])
-    # ? coordinate-epsilon: extent = max(reach, *map(abs, (*P0, *P1, *Q0, *Q1)))
-    # ? coordinate-epsilon: extent = max(1, reach, abs(vx), abs(vy), abs(fx), abs(fy))
-    # : The threshold is a fraction of 1 at least, "to be safe": small discs are all epsilon. Measure the extent by the
+    size = max(reach, abs(vx), abs(vy), abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
+    # = size = max(reach, hypot(vx, vy), hypot(fx, fy), hypot(wx, wy))
+    # ? coordinate-epsilon: size = max(reach, *map(abs, (*P0, *P1, *Q0, *Q1)))
+    # ? coordinate-epsilon: size = max(1, reach, abs(vx), abs(vy), abs(fx), abs(fy))
+    # : The threshold is a fraction of 1 at least, "to be safe": small discs are all epsilon. Measure the size by the
     # : radii and the ways, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and tiny discs are all epsilon. Measure it by the extent alone.
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and tiny discs are all epsilon. Measure it by the size alone.
     # ? equality: near = 0
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * reach
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold in the gap of the
-    # : promise: 1e-10 of the extent.
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold that is between rounding
+    # : and what the statement promises: 1e-9 of the size.
     away = hypot(fx, fy)
     # = away = sqrt(fx * fx + fy * fy)
     # ? global-frame: away = sqrt(abs(P0[0] * P0[0] + P0[1] * P0[1] - 2 * (P0[0] * Q0[0] + P0[1] * Q0[1]) + Q0[0] * Q0[0] + Q0[1] * Q0[1]))
     if away <= reach + near:
         return 0.0
         # ? overlap-is-none: return None
+    # ? loose-start: if away <= reach + {1e-6..1e-3} * size: return 0.0
     # ? overlap-is-none: if away < reach - near: return None
+    # @ If they touch or overlap at the start
     # : Discs that overlap from the start get None, and only those that just touch get 0. The answer is 0 for both.
     # ? overlap-is-none: pass
     # : Nothing is said of discs that overlap from the start: the first root is before t = 0, and the answer None.
@@ -89,6 +86,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     if length == 0:
         return None
         # ? no-degenerate: return 0.0
+        # @ A disc may rest
     # ? no-degenerate: pass
     # : Discs that move alike have no motion as seen from each other, and the division by its length fails.
     # ? no-degenerate: if (vx, vy) == (0, 0): return None
@@ -109,6 +107,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     if gap >= -near:
         first = foot
         # ? graze-missed: return None
+        # @ Discs that only graze
     else:
         half = sqrt((reach - d) * (reach + d))
         # = half = sqrt(reach * reach - d * d)
@@ -122,6 +121,7 @@ def relative(P0, P1, r, Q0, Q1, s):
         # ? behind-counts: return 0.0
         # : A touch before the start is moved to t = 0. It does not count: the answer is None.
     # ? behind-counts: first = abs(first)
+    # @ What was before
     # ? behind-counts: pass
     # : A touch before the start is returned, with its negative t.
     if first > length + near:
@@ -131,8 +131,8 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? t-beyond-one: pass
     # ? tight-end: if first > length: return None
     # ? tight-end: if first >= length: return None
-    # : A touch at the very end is left out. The end, t = 1, is in time, and so is what is within the band after it.
-    # ? loose-end: if first > length + {1e-6..1e-3} * extent: return None
+    # : A touch at the very end is left out. The end, t = 1, is in time.
+    # ? loose-end: if first > length + {1e-6..1e-3} * size: return None
     # ? loose-end: if first > 1.0001 * length: return None
     # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
     return first / length
@@ -151,15 +151,15 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     # ? absolute-motion: dx, dy = P1[0] - P0[0] + Q1[0] - Q0[0], P1[1] - P0[1] + Q1[1] - Q0[1]
     reach = r + s
     # ? one-radius: reach = r
-    extent = max(reach, *map(abs, (fx, fy, P1[0] - P0[0], P1[1] - P0[1], Q1[0] - P0[0], Q1[1] - P0[1])))
+    size = max(reach, *map(abs, (fx, fy, P1[0] - P0[0], P1[1] - P0[1], Q1[0] - P0[0], Q1[1] - P0[1])))
     a, b = dx * dx + dy * dy, dx * fx + dy * fy
     c = fx * fx + fy * fy - reach * reach
     # ? one-radius: c = fx * fx + fy * fy - r * r - s * s
     # : The squares of the radii are added, r² + s². The centres are r + s apart where the discs touch: (r + s)².
-    touch = 2e-10 * extent * reach
+    touch = 2e-10 * size * reach
     # ? absolute-epsilon: touch = {1e-15..1e-3/3}
-    # ? area-units: touch = 1e-10 * extent
-    # : An area is compared with a length, 1e-10 of the extent. Multiply the threshold by r + s.
+    # ? area-units: touch = 1e-10 * size
+    # : An area is compared with a length, 1e-10 of the size. Multiply the threshold by r + s.
     if c <= touch:
         return 0.0
         # ? overlap-is-none: return None
@@ -182,9 +182,9 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     # ? exit-for-entry@inside: t = (-b - root) / a if c > 0 else (-b + root) / a
     # ? unhalved: t = (-2 * b - root) / (2 * a)
     # ? not-divided: t = -b - root
-    return t if (t - 1) * sqrt(a) <= 1e-10 * extent else None
+    return t if (t - 1) * sqrt(a) <= 1e-10 * size else None
     # ? t-beyond-one: return t
     # ? t-beyond-one: return min(t, 1.0)
     # : A touch after the end is moved to t = 1. It does not count: the answer is None.
-    # ? rounded-output: return round(t, 6) if (t - 1) * sqrt(a) <= 1e-10 * extent else None
-    # ? rounded-output: return round(t, 3) if (t - 1) * sqrt(a) <= 1e-10 * extent else None
+    # ? rounded-output: return round(t, 6) if (t - 1) * sqrt(a) <= 1e-10 * size else None
+    # ? rounded-output: return round(t, 3) if (t - 1) * sqrt(a) <= 1e-10 * size else None

@@ -19,6 +19,7 @@ def fat(P0, P1, r, A, B):
     # : P1 is taken as (y, x). Its x belongs to the x of the others.
     # + single-precision: P0, P1, A, B, (r,) = single(*P0), single(*P1), single(*A), single(*B), single(r)
     # + centre-only: return time_of_centre(P0, P1, A, B)
+    # @ is r or less
     dx, dy = P1[0] - P0[0], P1[1] - P0[1]
     # ? end-for-way: dx, dy = P1
     wx, wy = B[0] - A[0], B[1] - A[1]
@@ -26,33 +27,27 @@ def fat(P0, P1, r, A, B):
     # : B is taken for the way from A to B.
     fx, fy = P0[0] - A[0], P0[1] - A[1]
     gx, gy = P0[0] - B[0], P0[1] - B[1]
-    extent = max(r, *map(abs, (fx, fy, gx, gy, fx + dx, fy + dy, gx + dx, gy + dy)))
-    # = extent = max(r, hypot(fx, fy), hypot(gx, gy), hypot(dx, dy))
-    # ? one-sided-extent: extent = max(r, *map(abs, (fx, fy, gx, gy)))
-    # ? one-sided-extent: extent = max(r, *map(abs, (fx + dx, fy + dy, gx + dx, gy + dy)))
-    # ? one-sided-extent: extent = max(r, *map(abs, (fx, fy, fx + dx, fy + dy)))
-    # ? one-sided-extent: extent = r
-    # : The extent is the radius alone. The way and the wall count as well: they may be much longer.
-    # ? signed-extent: extent = max(r, fx, fy, gx, gy, fx + dx, fy + dy, gx + dx, gy + dy)
-    # ? coordinate-epsilon: extent = max(r, *map(abs, (*P0, *P1, *A, *B)))
-    # ? coordinate-epsilon: extent = max(1, r, *map(abs, (fx, fy, gx, gy, dx, dy)))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small disc is all epsilon. Measure the extent from
+    size = max(r, *map(abs, (fx, fy, gx, gy, fx + dx, fy + dy, gx + dx, gy + dy)))
+    # = size = max(r, hypot(fx, fy), hypot(gx, gy), hypot(dx, dy))
+    # ? coordinate-epsilon: size = max(r, *map(abs, (*P0, *P1, *A, *B)))
+    # ? coordinate-epsilon: size = max(1, r, *map(abs, (fx, fy, gx, gy, dx, dy)))
+    # : The threshold is a fraction of 1 at least, "to be safe": a small disc is all epsilon. Measure the size from
     # : the disc to the wall, and add nothing to it.
-    near = 1e-10 * extent
-    # = near = 1e-9 * extent
+    near = 1e-10 * size
+    # = near = 1e-9 * size
     # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * extent)
-    # : A fixed 1e-9 is the least threshold, and a tiny disc is all epsilon. Measure it by the extent alone.
+    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
+    # : A fixed 1e-9 is the least threshold, and a tiny disc is all epsilon. Measure it by the size alone.
     # ? equality: near = 0
-    # ? tight-epsilon: near = {1e-16..1e-13} * extent
-    # ? loose-epsilon: near = {1e-6..1e-3} * extent
+    # ? loose-epsilon: near = {1e-6..1e-3} * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * r
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold in the gap of the
-    # : promise: 1e-10 of the extent.
+    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold between
+    # : rounding and what the statement promises: 1e-9 of the size.
     wall = hypot(wx, wy)
     if wall == 0:
         height = foot = 0.0
         # ? no-degenerate: return None
+        # @ With A == B
     else:
         height, foot = (wx * fy - wy * fx) / wall, (fx * wx + fy * wy) / wall
     # ? no-degenerate: height, foot = (wx * fy - wy * fx) / wall, (fx * wx + fy * wy) / wall
@@ -62,7 +57,9 @@ def fat(P0, P1, r, A, B):
     if start <= r + near:
         return 0.0
         # ? overlap-is-none: return None
+    # ? loose-start: if start <= r + {1e-6..1e-3} * size: return 0.0
     # ? overlap-is-none: if start < r - near: return None
+    # @ If they touch or overlap at the start
     # : What overlaps at the start gets None, and only what just touches gets 0. The answer is 0 for both.
     # ? overlap-is-none: pass
     # : Nothing is said of what overlaps at the start: the first moment is before t = 0, and the answer None.
@@ -79,6 +76,7 @@ def fat(P0, P1, r, A, B):
     if way == 0:
         return None
         # ? no-motion: return 0.0
+        # @ The disc may rest
         # : A disc that rests beside the wall gets 0, as if it touched it.
     # ? no-motion: pass
     times = []
@@ -100,7 +98,9 @@ def fat(P0, P1, r, A, B):
         elif d <= r + near:
             times.append(foot_at / way)
             # ? graze-missed: pass
+            # @ only grazes an end
     # ? no-round-ends: pass
+    # @ The wall has ends
     # ? square-ends@box: pass
     turn = wx * dy - wy * dx
     # ? flat-is-along: turn = wx * dy - wy * dx if abs(wx * dy - wy * dx) > {1e-3..1e-1} * way * wall else 0
@@ -121,6 +121,7 @@ def fat(P0, P1, r, A, B):
         # : Fatten it evenly: the ends are circles.
     t = min(times, default=None)
     # ? slide-late: t = max(times, default=None)
+    # @ from the first end on
     if t is None:
         return None
         # ? miss-is-one: return 1.0
@@ -129,6 +130,7 @@ def fat(P0, P1, r, A, B):
         # ? behind-counts: return 0.0
         # : A touch before the start is moved to t = 0. It does not count: the answer is None.
     # ? behind-counts: t = abs(t)
+    # @ What was before
     # ? behind-counts: pass
     # : A touch before the start is returned, with its negative t.
     if (t - 1) * way > near:
@@ -138,8 +140,8 @@ def fat(P0, P1, r, A, B):
     # ? t-beyond-one: pass
     # ? tight-end: if t > 1: return None
     # ? tight-end: if t >= 1: return None
-    # : A touch at the very end is left out. The end, t = 1, is in time, and so is what is within the band after it.
-    # ? loose-end: if (t - 1) * way > {1e-6..1e-3} * extent: return None
+    # : A touch at the very end is left out. The end, t = 1, is in time.
+    # ? loose-end: if (t - 1) * way > {1e-6..1e-3} * size: return None
     # ? loose-end: if t > 1.0001: return None
     # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
     return t

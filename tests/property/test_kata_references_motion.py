@@ -100,7 +100,7 @@ def time_of_impact(p0, p1, r, a, b):
             for each in (a, b)
             if abs(abs(cross(way, minus(p0, each))) / norm(way) - r) <= slack
         ]
-        return in_time(min(grazed), way, slack)
+        return in_time(min(grazed, default=end), way, slack)  # none: a point that crosses the wall
     if least > r or end < 0:
         return None
     start = Decimal(0)
@@ -126,6 +126,50 @@ def test_the_exact_moment_is_that_of_another_formula(name, formula):
         kinds["none" if answer is None else "moment" if number(answer) else "start"] += 1
     assert len(kinds) == 3
     assert min(kinds.values()) > 10
+
+
+def test_a_touch_that_is_none_by_a_hair_is_no_case():
+    """An end of the wall is r and 8e-13 of the size away from the way: t may be 1/3 or 0.334."""
+    way = (-1303.308078273959, 223328.06271951832), (-45029.38585047667, 151104.2007024586)
+    wall = (-15925.562970396388, 199189.48268941295), (-15884.655795283492, 199257.06673356748)
+    assert "almost grazes an end" in broken_promise("swept-wall", *way, 7, *wall)
+    for r in (6.9, 7.1):
+        with localcontext(prec=160):
+            assert same_moment(solver("swept-wall")(*way, r, *wall), time_of_impact(*way, r, *wall))
+
+
+@pytest.mark.parametrize(
+    ("case", "broken"),
+    [
+        (((0, 0), (10, 0), 1, (5, 2), (5, 2), 1), None),
+        (((0, 0), (10, 0), 1, (5, 2.0000001), (5, 2.0000001), 1), "almost graze"),
+        (((0, 0), (-10, 0), 1, (5, 2.0000001), (5, 2.0000001), 1), None),  # they leave each other
+        (((0, 0), (3.0000001, 0), 1, (5, 0), (5, 0), 1), "almost touch at t = 1"),
+        (((0, 0), (3, 0), 1, (2.0000001, 0), (7, 0), 1), "almost touch at t = 0"),
+        (((0, 0), (3, 0), 1, (1, 0), (4.0001, 0), 1), "The way of one disc"),
+    ],
+)
+def test_what_two_discs_promise(case, broken):
+    said = broken_promise("swept-balls", *case)
+    assert said is None if broken is None else broken in said
+
+
+@pytest.mark.parametrize(
+    ("case", "broken"),
+    [
+        (((0, 5), (0, -5), 1, (-3, 0), (3, 0)), None),
+        (((0, 5), (0, 1), 1, (-3, 0), (3, 0)), None),
+        (((0, 5), (0, 1.0000001), 1, (-3, 0), (3, 0)), "at t = 1"),
+        (((0, 1.0000001), (0, 5), 1, (-3, 0), (3, 0)), "at t = 0"),
+        (((-5, 1.0000001), (5, 1.0000001), 1, (-3, 0), (3, 0)), "almost grazes an end"),
+        (((-5, 3), (5, 3.0001), 1, (-3, 0), (3, 0)), "almost parallel"),
+        (((0, 5), (0, 5.001), 1, (-3, 0), (3, 0)), "The way is"),
+        (((0, 5), (0, -5), 1, (0, 0), (1e-4, 0)), "The wall is"),
+    ],
+)
+def test_what_a_wall_promises(case, broken):
+    said = broken_promise("swept-wall", *case)
+    assert said is None if broken is None else broken in said
 
 
 # -- a ray and many circles ---------------------------------------------------------------------------------

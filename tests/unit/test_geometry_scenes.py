@@ -9,6 +9,9 @@ import pytest
 from judge.data.draw import Rejected, SeededDraw
 from judge.errors import ProblemError
 from judge.geometry import Line, Pair, Sphere
+from judge.geometry.crowd import Crowd
+from judge.geometry.motion import balls_meeting, wall_meeting
+from judge.geometry.polygon import crossings, edges
 from judge.geometry.scenes import (
     AXIS,
     BIG,
@@ -21,17 +24,22 @@ from judge.geometry.scenes import (
     SPLIT,
     STEEP,
     TINY,
+    balls,
     closed_up,
+    crowds,
     either,
     feet,
     grid,
+    lights,
     lines,
     pairs,
     points,
+    polygons,
     rays,
     spheres,
     telling,
     uniform,
+    walls,
     whole,
 )
 from judge.problem.declare import InvalidCase
@@ -176,3 +184,56 @@ def test_a_word_that_is_none_is_told_when_it_is_written():
 def test_a_figure_that_is_nearly_a_touch_is_no_case():
     with pytest.raises(InvalidCase, match="1e-7"):
         Line.through(0, 0, 1, (-2, 1 + 1e-9), (2, 1 + 1e-9)).count()
+
+
+def numbers(value):
+    return [each for part in value for each in numbers(part)] if isinstance(value, tuple) else [value]
+
+
+@pytest.mark.parametrize("pose", [PLAIN, BIG, {**HUGE, "size": 2**34, "move": 49}, TINY, OFFSET])
+@pytest.mark.parametrize(
+    ("scene", "plans", "wanted"),
+    [
+        (
+            crowds,
+            ["exit2 enter2", "enter2 touch2"],
+            lambda *case: max(len(each) for each in Crowd(*case).places()) == 2,
+        ),
+        (crowds, ["touch0 behind", "exit0"], lambda *case: len(Crowd(*case).places()) == 1),
+        (polygons, ["on out out", "on in out in"], lambda *case: 0 in [edge for edge, _ in crossings(*case)]),
+        (
+            polygons,
+            ["tangent out", "brush out"],
+            lambda *case: any(edge.meets() == (0,) for edge in edges(*case)),
+        ),
+        (
+            balls,
+            ["chord last after", "chord first in", "cut in ="],
+            lambda *case: not float(balls_meeting(*case).x),
+        ),
+        (
+            balls,
+            ["chord before first", "touch before foot rest"],
+            lambda *case: float(balls_meeting(*case).x) == 1,
+        ),
+        (walls, ["start side", "start cap", "overlap side"], lambda *case: not float(wall_meeting(*case).x)),
+        (walls, ["end side", "end cap", "end post"], lambda *case: float(wall_meeting(*case).x) == 1),
+        (walls, ["short cap", "away side", "away post"], lambda *case: wall_meeting(*case) is None),
+    ],
+)
+def test_what_happens_where_is_exact_in_every_pose(pose, scene, plans, wanted):
+    decided = 0
+    for case in drawn(scene(*plans, **pose)):
+        assert all(x == 0 or 1e-30 <= abs(x) <= 2**30 for x in numbers(case)), case
+        try:
+            assert wanted(*case), case
+        except InvalidCase:
+            continue
+        decided += 1
+    assert decided >= 20
+
+
+@pytest.mark.parametrize("make", [crowds, polygons, balls, walls, lights])
+def test_a_word_that_is_none_names_the_nearest(make):
+    with pytest.raises(ProblemError, match="is not"):
+        make("entr side in")

@@ -13,6 +13,7 @@ from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import lights, shaded
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
+from judge.geometry.scenes.motion import balls, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "TINY",
     "anything",
     "anywhere",
+    "balls",
     "closed_up",
     "cornered",
     "corners",
@@ -50,5 +52,6 @@ __all__ = [
     "spheres",
     "telling",
     "uniform",
+    "walls",
     "whole",
 ]

@@ -17,8 +17,6 @@ outline.py     a circle and a closed polygon, edge by edge
 bands.py       what counts as a touch, as an end, as an origin; what the promise forbids
 part.py        what a problem is about
 signature.py   from figures to cases and back
-recipes/       test cases: figures that have one property each
-figures/       what recipes are made of
 plane.py       first steps, each of a kind
 frames.py      a circle that moves from frame to frame, and whether a line meets it
 simpler.py     simpler cases like a failing one
@@ -47,17 +45,6 @@ from judge.topics.circles.outline import OUTLINE, CircleOutline
 from judge.topics.circles.pair import CirclePair, Lie
 from judge.topics.circles.part import Part
 from judge.topics.circles.plane import Kind, plane
-from judge.topics.circles.signature import (
-    builders,
-    circle_and_point,
-    circle_and_polygon,
-    circles_and_ray,
-    circles_ray_and_light,
-    line_alone,
-    line_and_point,
-    points_only,
-    two_circles,
-)
 from judge.topics.circles.simpler import simpler, special
 from judge.topics.circles.simpler_crowd import simpler_crowds, special_crowd
 from judge.topics.circles.simpler_pair import simpler_pairs, special_pair
@@ -92,17 +79,8 @@ __all__ = [
     "Kind",
     "Lie",
     "Part",
-    "builders",
-    "circle_and_point",
-    "circle_and_polygon",
-    "circles_and_ray",
-    "circles_ray_and_light",
-    "line_alone",
-    "line_and_point",
     "plane",
-    "points_only",
     "topic_of",
-    "two_circles",
 ]
 
 

@@ -1,7 +1,6 @@
 """Problems with the arguments (cx, cy, r, ax, ay, bx, by): a circle and a line, number by number.
 
 SEVEN             their topic: that of a line, its points put together first
-seven(figure)     a figure as such a case
 discriminant(…)   Δ = r²·a − k² of such a case, exactly, with the terms that it is made of
 """
 
@@ -19,7 +18,6 @@ from judge.problem import Case, Problem
 from judge.problem.model import Number
 from judge.problem.topic import Shown, Topic
 from judge.topics.circles import LINE
-from judge.topics.circles.figures.figure import Figure
 from judge.values import Enclosure
 
 if TYPE_CHECKING:
@@ -51,12 +49,6 @@ def discriminant(*case: Number) -> Discriminant:
     return Discriminant(
         ir * ir * (dx * dx + dy * dy), right - left, abs(right) + abs(left), Fraction(1, 1 << 4 * shift)
     )
-
-
-def seven(figure: Figure) -> Case:
-    """The figure's numbers one by one."""
-    (a, b) = figure.points
-    return (*figure.centre, figure.radius, *a, *b)
 
 
 def _paired(case: Case) -> Case:

@@ -1,88 +1,16 @@
-"""Between a figure and the arguments of a call: which of them are places in the plane, and in what order.
+"""Between the arguments of a call and the circle and the line that they stand for.
 
 The flat signature is (cx, cy, r, points …, vectors …): a circle's numbers one by one, points and vectors as
-pairs. An adapter makes a case of a figure, so that one recipe serves problems of different signatures;
-`read` and `line_of` go the other way.
+pairs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import wraps
-from typing import Any
-
-from msgspec.structs import replace
-
-from judge.data.draw import Draw
 from judge.problem import Case
 from judge.problem.model import Number, Point
-from judge.topics.circles.figures.figure import Figure, Recipe
 from judge.topics.circles.line import CircleLine
 from judge.topics.circles.pair import CirclePair
 from judge.topics.circles.part import Part
-
-Adapter = Callable[[Figure], Case]
-
-
-def flat(figure: Figure) -> Case:
-    """The arguments cx, cy, r, the points, the vectors."""
-    return (*figure.centre, figure.radius, *figure.points, *figure.vectors)
-
-
-def circle_and_point(figure: Figure) -> Case:
-    """The arguments cx, cy, r, P; P is the figure's first point."""
-    return (*figure.centre, figure.radius, figure.points[0])
-
-
-def circle_and_polygon(figure: Figure) -> Case:
-    """The arguments cx, cy, r, V; V is all of the figure's points."""
-    return (*figure.centre, figure.radius, figure.points)
-
-
-def two_circles(figure: Figure) -> Case:
-    """The arguments cx1, cy1, r1, cx2, cy2, r2; C2 is the figure's first point, and r2 its first length."""
-    return (*figure.centre, figure.radius, *figure.points[0], figure.lengths[0])
-
-
-def line_and_point(figure: Figure) -> Case:
-    """The arguments A, B, P; P is the figure's centre."""
-    return (*figure.points, figure.centre)
-
-
-def line_alone(figure: Figure) -> Case:
-    """The arguments A, B."""
-    return figure.points
-
-
-def circles_and_ray(figure: Figure) -> Case:
-    """The arguments circles, O, D: the points are the circles' centres, and O is the figure's own."""
-    radii = (figure.radius, *figure.lengths)
-    circles = tuple((*place, r) for place, r in zip(figure.points, radii, strict=True))
-    return circles, figure.centre, figure.vectors[0]
-
-
-def circles_ray_and_light(figure: Figure) -> Case:
-    """The arguments circles, O, D, L: the last point is the light."""
-    *places, light = figure.points
-    return *circles_and_ray(replace(figure, points=tuple(places))), light
-
-
-def points_only(figure: Figure) -> Case:
-    """The points alone, of a problem without a circle."""
-    return figure.points
-
-
-def builders(*recipes: Mapping[str, Recipe], adapter: Adapter = flat) -> dict[str, Callable[..., Case]]:
-    """A problem's BUILDERS: each recipe's figure as a case; of two of a name the latter."""
-    return {name: _adapted(recipe, adapter) for each in recipes for name, recipe in each.items()}
-
-
-def _adapted(recipe: Recipe, adapter: Adapter) -> Callable[..., Case]:
-    @wraps(recipe)
-    def builder(draw: Draw, **parameters: Any) -> Case:
-        return adapter(recipe(draw, **parameters))
-
-    return builder
 
 
 def circle_and_pairs(case: Case) -> tuple[Point, Number, Point, Point] | None:

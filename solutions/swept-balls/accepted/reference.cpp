@@ -10,9 +10,9 @@
 struct Pt { double x, y; };
 
 std::optional<double> balls_meet(Pt P0, Pt P1, double r, Pt Q0, Pt Q1, double s) {
-    double reach = r + s, extent = reach;
-    for (Pt p : {P1, Q0, Q1}) extent = std::max({extent, std::abs(p.x - P0.x), std::abs(p.y - P0.y)});
-    double near = 1e-10 * extent;
+    double reach = r + s, size = reach;
+    for (Pt p : {P1, Q0, Q1}) size = std::max({size, std::abs(p.x - P0.x), std::abs(p.y - P0.y)});
+    double near = 1e-10 * size;
     double fx = P0.x - Q0.x, fy = P0.y - Q0.y;
     if (std::hypot(fx, fy) <= reach + near) return 0;
     double dx = (P1.x - P0.x) - (Q1.x - Q0.x), dy = (P1.y - P0.y) - (Q1.y - Q0.y);

@@ -10,10 +10,10 @@
 struct Pt { double x, y; };
 
 std::optional<double> time_of_impact(Pt P0, Pt P1, double r, Pt A, Pt B) {
-    double extent = r;
+    double size = r;
     for (Pt p : {P0, P1})
-        for (Pt e : {A, B}) extent = std::max({extent, std::abs(p.x - e.x), std::abs(p.y - e.y)});
-    double near = 1e-10 * extent;
+        for (Pt e : {A, B}) size = std::max({size, std::abs(p.x - e.x), std::abs(p.y - e.y)});
+    double near = 1e-10 * size;
 
     double wx = B.x - A.x, wy = B.y - A.y, wall = std::hypot(wx, wy);
     double fx = P0.x - A.x, fy = P0.y - A.y, gx = P0.x - B.x, gy = P0.y - B.y;

@@ -10,11 +10,11 @@ import "math"
 
 func timeOfImpact(P0, P1 Pt, r float64, A, B Pt) (float64, bool) {
 	d, w, f, g := minus(P1, P0), minus(B, A), minus(P0, A), minus(P0, B)
-	extent := r
+	size := r
 	for _, v := range []Pt{f, g, minus(P1, A), minus(P1, B)} {
-		extent = math.Max(extent, math.Max(math.Abs(v.X), math.Abs(v.Y)))
+		size = math.Max(size, math.Max(math.Abs(v.X), math.Abs(v.Y)))
 	}
-	near := 1e-10 * extent
+	near := 1e-10 * size
 	way, wall := math.Hypot(d.X, d.Y), math.Hypot(w.X, w.Y)
 
 	height, foot := 0.0, 0.0 // of P0 above the wall's line, and how far along it

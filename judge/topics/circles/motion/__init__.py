@@ -5,7 +5,6 @@ WALL     of those with a disc and a wall, (P0, P1, r, A, B)
 
 moments.py         a moment beside the start and the end of the time
 balls.py           two discs in scaled integers, seen from one of them
-ball_recipes.py    test cases of two discs
 ball_simpler.py    simpler cases like a failing one
 ball_picture.py    a failing case drawn; film.py draws whatever moves
 wall.py, wall_*.py the same for a disc and a wall

@@ -1,0 +1,138 @@
+"""Scenes of moving discs, and of a disc and a wall.
+
+    balls("chord before first~ rest", **NEAR)    (P0, P1, r, Q0, Q1, s)
+    walls("graze cap", **BIG)                    (P0, P1, r, A, B)
+
+Of discs, a height and two places say how the first moves as seen from the second: see
+judge.geometry.level; "=" for the second place is no way at all. Words after them:
+
+    rest, alone       the second disc rests, or the first
+    along, together   both run along one line, or both far in one direction
+    rush              each runs to where the other one began, and as far again
+    dot, tiny         one radius is 0, or a small part of the other one
+
+Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
+post.
+
+    hit, fast, flat       the disc comes to it: from near, from far, nearly along it
+    graze, slide          it passes just in touch; along the side
+    start, end            it touches at t = 0 and leaves, or at t = 1
+    short, away, past     it stops before, it leaves, it meets only the wall's line
+    overlap, rest         it overlaps at t = 0; it does not move
+    broad                 the disc is hundreds of times as large as the wall
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from judge.data.draw import Draw
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, checked, over_circle, scene
+from judge.geometry.pose import Atom, Length, Point, triple
+
+_DRIFTS = ("rest", "alone", "along", "together", "rush")
+_RADII = ("dot", "tiny")
+_WHAT = (
+    *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
+    "broad",
+)
+_WHERE = ("side", "cap", "post")
+
+
+def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+    """The way of P as seen from Q along the x axis; Q begins at (0, 0) and moves as it likes."""
+    R, (start, end), nudges = over_circle(draw, words[:3], size)
+    if start == end and words[2] != "=":
+        draw.reject()
+    if "rush" in words:
+        end = Point([-2 * start[0], start[1]])
+    far = draw.integer(20, 100) * size
+    way = {
+        "rest": (0, 0),
+        "alone": (start[0] - end[0], start[1] - end[1]),
+        "along": (draw.integer(-3, 3) * (end[0] - start[0]) or size, 0),
+        "rush": (2 * start[0], 0),
+        "together": (far * draw.sign(), far * draw.integer(-1, 1)),
+        "": (draw.choice((0, draw.integer(-2 * size, 2 * size))), draw.integer(-2 * size, 2 * size)),
+    }[next((word for word in words if word in _DRIFTS), "")]
+    r = 0 if "dot" in words else R // draw.integer(100, 1000) if "tiny" in words else draw.integer(0, R)
+    r = R - r if draw.boolean() else r
+    last = Point([end[0] + way[0], end[1] + way[1]])
+    atoms: list[Atom] = [start, last, Length([r]), Point([0, 0]), Point(way), Length([R - r])]
+    return atoms, nudges
+
+
+def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+    """The wall from (0, 0) to (W, 0). The touch is laid out first, and the way goes through it."""
+    what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
+    W = 0 if where == "post" else draw.integer(1, 3 * size) * (10 if what == "flat" else 1)
+    if where == "side":
+        R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
+        x = W + R + draw.integer(1, size) if what == "past" else draw.integer(0, W)
+        spot, away, across = (x, R), (0, 1), (1, 0)
+    else:
+        p, q, c = triple(draw, max(5, min(size, 4_418)))
+        k = draw.integer(max(1, size // c // 2), max(1, size // c))
+        away, R = (-p, q * draw.sign()), c * k
+        spot, across = (away[0] * k, away[1] * k), (-away[1], away[0])
+    stride = max(1, R // max(map(abs, away)) // 4)
+    way = _way(draw, away, what)
+    if what == "flat":
+        stride = 1
+
+    def at(d: Sequence[int], n: int) -> Point:
+        return Point([spot[0] + d[0] * n * stride, spot[1] + d[1] * n * stride])
+
+    most = 3 if what == "flat" else 9
+    a, b = draw.integer(1, most), draw.integer(1, most)
+    if what == "fast":
+        a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
+    rests = at(way, draw.choice((0, -3)))
+    deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
+    inside = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep])
+    start, end = {
+        **dict.fromkeys(("hit", "fast", "flat", "past", "broad"), (at(way, -a), at(way, b))),
+        "graze": (at(across, -a), at(across, b)),
+        "slide": (Point([-R * a - 1, R]), Point([draw.integer(0, W), R])),
+        "start": (at(way, 0), at(way, -b)),
+        "end": (at(way, -a), at(way, 0)),
+        "short": (at(way, -a - b), at(way, -a)),
+        "away": (at(way, -a), at(way, -a - b)),
+        "overlap": (inside, at(way, b - 5)),
+        "rest": (rests, Point(rests)),
+    }[what]
+    outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
+    moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
+    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(away) if n]
+    ends = [Point([0, 0]), Point([W, 0])]
+    return [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])], nudges
+
+
+def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
+    """A way to the spot from outside."""
+    if what == "past":
+        return 0, -1
+    if what == "flat":
+        return draw.integer(100, 9_000) * draw.sign(), -1
+    x, y = draw.integer(-12, 12), draw.integer(-12, 12)
+    towards = x * away[0] + y * away[1]
+    if abs(towards) * 100 <= (abs(x) + abs(y)) * (abs(away[0]) + abs(away[1])):
+        draw.reject()  # nearly along the wall
+    return (x, y) if towards < 0 else (-x, -y)
+
+
+def _check_balls(words: list[str]) -> None:
+    checked(words[0], HEIGHTS, "a height of a line")
+    for word in words[1:3]:
+        checked(word, PLACES, "a place on a line")
+    for word in words[3:]:
+        checked(word, (*_DRIFTS, *_RADII), "how discs move")
+
+
+def _check_wall(words: list[str]) -> None:
+    checked(words[0], _WHAT, "what happens at a wall")
+    checked(words[1], _WHERE, "a place of a wall")
+
+
+balls = scene(_level_balls, lambda P0, P1, r, Q0, Q1, s: (P0, P1, r, Q0, Q1, s), _check_balls)
+walls = scene(_level_wall, lambda P0, P1, r, A, B: (P0, P1, r, A, B), _check_wall)
