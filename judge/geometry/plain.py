@@ -190,3 +190,16 @@ def _first(f: Point, d: Point, r: Number, edge: float) -> float | None:
 
 def _within(time: float | None, d: Point, edge: float) -> str | None:
     return None if time is None or time < 0 or (time - 1) * hypot(*d) > edge else "later"
+
+
+def counts(
+    cx: Sequence[float],
+    cy: Sequence[float],
+    r: Sequence[float],
+    A: Point,
+    B: Point,
+    *,
+    tolerance: float = 0.0,
+) -> list[int | None]:
+    """`count` of each circle of three columns."""
+    return [count(*circle, A, B, tolerance=tolerance) for circle in zip(cx, cy, r, strict=True)]

@@ -1,21 +1,39 @@
-"""Many circles in three arrays and one line: how many points each has in common with it."""
+"""Many circles in three columns and one line: how many points each has in common with it."""
 
-from __future__ import annotations
+from functools import partial
 
-from judge.topics.circles import Bands
-from judge.topics.circles.recipes import columns
-from judge.topics.circles.rows import ROWS, counts
+from judge.geometry import plain
+from judge.geometry.hooks import ROWS, hooks
+from judge.geometry.rows import counts
+from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, million, telling
+from judge.problem.declare import group
 
-BUILDERS = columns.RECIPES
-TOPIC = ROWS
+HOOKS = hooks(ROWS)
+ALL = "cut", "cut", "touch", "miss"
+TELLING = plain.counts, partial(plain.counts, tolerance=1e-10)
 
 
-def solve(cx, cy, r, start, end, *, bands):
-    """0, 1 or 2 for each circle, with its own extent, and what breaks the promise."""
-    if not len(cx) == len(cy) == len(r):
-        return [], "the three arrays are of different lengths"
-    if start == end:
-        return [], "A and B are the same point"
-    if r and min(r) < 0:
-        return [], "a radius is negative"
-    return counts(cx, cy, r, start, end, Bands.of(bands))
+def solve(cx, cy, r, A, B):
+    return counts(cx, cy, r, A, B)
+
+
+INTERVIEW = [
+    group("few", "Up to forty circles that cut the line, touch it or miss it.", columns(*ALL, count=(1, 40), **PLAIN), skills="distance against radius"),
+    group("one", "A single circle: an array of one number.", columns(*ALL, count=(1, 1), **PLAIN), cases=30, skills="nothing at all"),
+    group("empty", "No circle at all: an empty array.", columns("cut", count=(0, 0), **PLAIN), cases=5, skills="nothing at all"),
+    group("touch", "Circles that the line touches, among others.", columns("touch", "touch", "cut", "miss", count=(1, 12), **PLAIN), skills="collapse the tangent"),
+    group("points", "Circles of radius 0, on the line and beside it.", columns("dot", "dot-miss", "cut", count=(1, 12), **PLAIN), skills="r = 0"),
+    group("repeated", "Neighbouring calls differ in one argument.", any_columns(4, 6), turns=True, skills="nothing kept between calls"),
+]
+
+PRODUCTION = [  # the same, where rounding bites
+    group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "cut", count=(1, 20), **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("touch-full", "Touches that no formula in floats can see.", columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), skills="a tangent has a width"),
+    group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
+    group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40}), cases=30, skills="each by its own size"),
+    group("far-end", "A and B are thousands of sizes apart: that is the size of the circles.", columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), cases=30, skills="each by its own size"),
+    group("tiny", "All of it around 1e-20.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "Small circles far from the plane's origin.", columns("touch", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
+    group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
+    group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", million(1_000_000, 2000, 200, 26), cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
+]

@@ -52,12 +52,12 @@ def machine(circles, O, D, h):
         # : At a threshold it counts as passed. There nothing changes: the tolerance belongs to the other side.
         # ? loose-epsilon: near = {1e-6..1e-2/2} * size
         width = h * r
-        # ? absolute-band: width = h
-        # ? absolute-band: width = h * first_radius
-        # : The width of the band is that of the first frame's radius. It grows with the radius of each frame.
-        # ? absolute-band: width = h * size
-        # : The width of the band is a part of the size. It is a part of r.
-        # ? half-a-band: width = h * r / 2
+        # ? absolute-threshold: width = h
+        # ? absolute-threshold: width = h * first_radius
+        # : The thresholds are a part of the first frame's radius. They go with the radius of each frame.
+        # ? absolute-threshold: width = h * size
+        # : The thresholds are a part of the size away from r. They are a part of r.
+        # ? half-a-threshold: width = h * r / 2
         low, high = r - width - near, r + width + near
         # ? no-hysteresis: low, high = r, r
         # ? no-hysteresis: low, high = r - near, r + near
@@ -66,9 +66,9 @@ def machine(circles, O, D, h):
         # : One threshold, r·(1 − h), serves both ways, and there it flickers. A hit ends beyond r·(1 + h).
         # ? no-hysteresis: low, high = r + width + near, r + width + near
         # : One threshold, r·(1 + h), serves both ways, and there it flickers. A miss ends below r·(1 − h).
-        # ? one-sided-band: low, high = r - near, r + width + near
+        # ? one-sided-threshold: low, high = r - near, r + width + near
         # @ A frame after a 0
-        # ? one-sided-band: low, high = r - width - near, r + near
+        # ? one-sided-threshold: low, high = r - width - near, r + near
         # @ A frame after a 1
         # : A hit ends as soon as d is above r. It ends beyond r·(1 + h) only.
         # ? wide-both-ways: low, high = r + width + near, r - width - near
@@ -93,10 +93,10 @@ def machine(circles, O, D, h):
             # ? previous-frame: shown = d < low and before < low
             # : A hit is shown a frame late, as if two were needed below the threshold. The first one already is a hit.
         # + previous-d: shown = d < r if before is None or abs(d - before) > width else bool(answer[-1])
-        # + band-is-a-miss: shown = d < r if before is None else d < low
+        # + between-is-a-miss: shown = d < r if before is None else d < low
         # @ what the frame before it shows
         # : Whatever is not below r·(1 − h) is a miss, also after a hit. Between the thresholds nothing changes.
-        # + band-is-a-miss: shown = d < r if before is None else d <= high
+        # + between-is-a-miss: shown = d < r if before is None else d <= high
         # : Whatever is not above r·(1 + h) is a hit, also after a miss. Between the thresholds nothing changes.
         answer.append(int(shown))
         # ? inverted: answer.append(int(not shown))

@@ -10,9 +10,11 @@ def counted(cx, cy, r, A, B):
     length = hypot(dx, dy)
     # + swapped-coordinates: cx, cy = cy, cx
     # + diameter-for-radius: r = [2 * each for each in r]
+    # @ the radius r[i]
     # + in-place: cx, cy = [x - ax for x in cx], [y - ay for y in cy]
+    # @ do not write into what you still need
     # : The differences are written into cx and cy themselves, and then they are taken once more.
-    # + one-extent@every: every = max([0.0, *r, *(abs(p - x) for p in (ax, bx) for x in cx), *(abs(p - y) for p in (ay, by) for y in cy)])
+    # + one-size@every: every = max([0.0, *r, *(abs(p - x) for p in (ax, bx) for x in cx), *(abs(p - y) for p in (ay, by) for y in cy)])
     answer = []
     for x, y, radius in zip(cx, cy, r):
         fx, fy = ax - x, ay - y
@@ -20,10 +22,7 @@ def counted(cx, cy, r, A, B):
         # + zero-radius: if radius == 0:
         # |     answer.append(0)
         # |     continue
-        # + zero-radius: if radius == 0:
-        # |     answer.append(int(dx * fy == dy * fx))
-        # |     continue
-        # : A circle of radius 0 is asked for by ==, whether it is exactly on the line. The band is the same for it.
+        # @ A circle with r = 0
         # + int64-overflow@roots: wrapped = lambda v: (v + 2**63) % 2**64 - 2**63
         # | if all(v == int(v) for v in (x, y, radius, ax, ay, bx, by)):
         # |     k = wrapped(wrapped(int(dx) * int(fy)) - wrapped(int(dy) * int(fx)))
@@ -36,24 +35,17 @@ def counted(cx, cy, r, A, B):
         # ? not-divided: d = abs(dx * fy - dy * fx)
         # ? forgotten-abs: d = (dx * fy - dy * fx) / length
         # + radius-not-squared: d = d * d
-        extent = max(radius, abs(fx), abs(fy), abs(bx - x), abs(by - y))
-        # ? one-extent@every: extent = every
-        # ? signed-extent: extent = max(radius, fx, fy, bx - x, by - y)
-        # ? signed-extent: extent = max(radius, abs(fx), fy, abs(bx - x), by - y)
-        # ? signed-extent: extent = max(radius, fx, abs(fy), bx - x, abs(by - y))
-        # ? one-sided-extent: extent = max(radius, abs(fx), abs(fy))
-        # ? one-sided-extent: extent = max(radius, abs(bx - x), abs(by - y))
-        # : The extent is measured from B alone. Both points belong to it.
-        # ? radius-epsilon: extent = radius
-        # ? coordinate-epsilon: extent = max(radius, abs(x), abs(y), abs(ax), abs(ay), abs(bx), abs(by))
-        near = 1e-10 * extent
+        size = max(radius, abs(fx), abs(fy), abs(bx - x), abs(by - y))
+        # ? one-size@every: size = every
+        # ? coordinate-epsilon: size = max(radius, abs(x), abs(y), abs(ax), abs(ay), abs(bx), abs(by))
+        near = 1e-10 * size
         # ? absolute-epsilon: near = {1e-12..1e-6/2}
-        # ? loose-epsilon: near = {1e-6..1e-2/2} * extent
-        # ? tight-epsilon: near = {1e-16..1e-13} * extent
+        # ? loose-epsilon: near = {1e-6..1e-2/2} * size
         # ? equality-tangency: near = 0.0
         # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same.
         # + segment-for-line: t = -(fx * dx + fy * dy) / length**2
         # | if not 0 <= t <= 1: d = min(hypot(fx, fy), hypot(bx - x, by - y))
+        # @ The line has no ends
         # : The distance is that of the segment from A to B. The line has no ends.
         hits = 0 if d > radius + near else 2 if d < radius - near else 1
         # ? touch-is-two: hits = 0 if d > radius + near else 2
@@ -61,6 +53,7 @@ def counted(cx, cy, r, A, B):
         # ? zero-or-two: hits = 0 if d > radius else 2
         # : There are two answers only, by d > r. A touch is 1.
         # ? boolean-array: hits = d <= radius + near
+        # @ An array of truth values is no answer
         # ? boolean-array: hits = int(d <= radius + near)
         # : The comparison's truths are returned, 0 or 1, where a circle that is cut has two points.
         # ? nan-compare: hits = 0 if d > radius else (2 if 2 * sqrt(radius * radius - d * d) > 0 else 1)

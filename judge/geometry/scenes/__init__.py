@@ -15,6 +15,7 @@ from judge.geometry.scenes.lights import lights, shaded
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
 from judge.geometry.scenes.motion import balls, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
+from judge.geometry.scenes.rows import any_columns, columns, million
 
 __all__ = [
     "AXIS",
@@ -28,10 +29,12 @@ __all__ = [
     "SPLIT",
     "STEEP",
     "TINY",
+    "any_columns",
     "anything",
     "anywhere",
     "balls",
     "closed_up",
+    "columns",
     "cornered",
     "corners",
     "crowd_of",
@@ -42,6 +45,7 @@ __all__ = [
     "grid",
     "lights",
     "lines",
+    "million",
     "pairs",
     "points",
     "polygons",

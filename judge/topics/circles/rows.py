@@ -1,53 +1,19 @@
 """Many circles as three columns of doubles, and one line: how many points each has in common with it.
 
 ROWS               the topic of problems with the arguments (cx, cy, r, A, B), the first three of them arrays
-counts(…)          the exact counts, and what is broken
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import hypot
 from typing import TYPE_CHECKING, Any
 
 from judge.problem.topic import Shown, Topic
-from judge.topics.circles.bands import Bands
-from judge.topics.circles.line import CircleLine
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
 
-Point = tuple[float, float]
-
-_CLEAR = 4e-7  # of a circle's extent: far beyond the promise's band and what doubles lose, which is 1e-14
 _MOST_DRAWN = 60
-
-
-def counts(
-    cx: Sequence[float], cy: Sequence[float], r: Sequence[float], start: Point, end: Point, bands: Bands
-) -> tuple[list[int], str | None]:
-    """0, 1 or 2 for each circle by its own extent, and why the first that breaks the promise does.
-
-    Doubles decide what is far from a touch, integers the others. A and B must differ.
-    """
-    (ax, ay), (bx, by) = start, end
-    dx, dy = bx - ax, by - ay
-    length = hypot(dx, dy)
-    found, broken = [], None
-    for place, (x, y, radius) in enumerate(zip(cx, cy, r, strict=True)):
-        fx, fy = ax - x, ay - y
-        gap = abs(dx * fy - dy * fx) / length - radius
-        extent = max(radius, abs(fx), abs(fy), abs(bx - x), abs(by - y))
-        if gap > _CLEAR * extent:
-            found.append(0)
-        elif -gap > _CLEAR * extent:
-            found.append(2)
-        else:
-            line = CircleLine.through(x, y, radius, start, end)
-            found.append(bands.count(line) or 0)
-            if broken is None and (why := bands.broken_count(line)):
-                broken = f"circle {place}: {why}"
-    return found, broken
 
 
 def _picture(shown: Shown) -> Picture | None:

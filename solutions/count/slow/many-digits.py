@@ -16,9 +16,9 @@ def line_count(cx, cy, r, A, B):
     if dx == 0 and dy == 0:
         return None
     radius = Decimal(r)
-    extent = max(radius, abs(ax), abs(ay), abs(bx), abs(by))
+    size = max(radius, abs(ax), abs(ay), abs(bx), abs(by))
     distance = abs(dx * ay - dy * ax) / (dx * dx + dy * dy).sqrt()
     gap = distance - radius
-    if abs(gap) <= extent / 10**10:
+    if abs(gap) <= size / 10**10:
         return 1
     return 2 if gap < 0 else 0

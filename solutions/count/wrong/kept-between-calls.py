@@ -1,18 +1,18 @@
 """kept-between-calls
 
-The extent lives in a global that is never reset: after one large case the threshold stays large,
+The size lives in a global that is never reset: after one large case the threshold stays large,
 and the next small circle is swallowed by it. Start every call afresh, with local names.
 """
 
 from math import hypot
 
-extent = 0
+size = 0
 
 
 def grow(*lengths):
-    global extent
+    global size
     for length in lengths:
-        extent = max(extent, abs(length))
+        size = max(size, abs(length))
 
 
 def line_count(cx, cy, r, A, B):
@@ -21,6 +21,6 @@ def line_count(cx, cy, r, A, B):
         return None
     grow(r, A[0] - cx, A[1] - cy, B[0] - cx, B[1] - cy)
     d = abs(dx * (A[1] - cy) - dy * (A[0] - cx)) / hypot(dx, dy)
-    if abs(d - r) <= 1e-10 * extent:
+    if abs(d - r) <= 1e-10 * size:
         return 1
     return 2 if d < r else 0

@@ -1,6 +1,6 @@
-"""short-beside-extent-is-null
+"""short-beside-size-is-null
 
-A direction shorter than 1e-10 of the extent is taken for none at all. D has no part in the extent: its length
+A direction shorter than 1e-10 of the size is taken for none at all. D has no part in the size: its length
 says nothing of the figure. Only D = (0, 0) is no direction: compare with == 0.
 """
 

@@ -1,6 +1,6 @@
 """Arrays, not objects: each number of all circles lies in one array, and every step is one operation on all of it.
 
-The cross product, the distance and the extent are formed as for one circle, with arrays in place of numbers. There is no
+The cross product, the distance and the size are formed as for one circle, with arrays in place of numbers. There is no
 `if`: a comparison of arrays is an array of truths, and the answer is the sum of two of them. A circle counts once where
 the line comes up to its touch, and once more where it goes beyond it.
 """

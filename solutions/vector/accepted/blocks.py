@@ -1,6 +1,6 @@
-"""Blocks: the arrays are taken in pieces that fit into the cache, and the extent is computed for those only that need it.
+"""Blocks: the arrays are taken in pieces that fit into the cache, and the size is computed for those only that need it.
 
-A quick look in single precision, about the line's first point, decides what is clear by a thousandth of the extent (taken
+A quick look in single precision, about the line's first point, decides what is clear by a thousandth of the size (taken
 too large, from sums). Only the circles near a touch, few in most scenes, are looked at once more in double precision.
 """
 

@@ -1,7 +1,7 @@
 // One pass over the arrays.
 //
 // The numbers of all circles lie one after the other, so that a plain loop reads memory in order. Each circle has its
-// own extent, and its distance from the line is compared with its radius within 1e-10 of that.
+// own size, and its distance from the line is compared with its radius within 1e-10 of that.
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // One loop.
 //
 // The line's direction and length are the same for all circles and taken once. Then each circle is a cross product, a
-// distance and an extent of its own, without a call or a root in the loop.
+// distance and an size of its own, without a call or a root in the loop.
 
 package main
 
@@ -14,13 +14,13 @@ func countMany(cx, cy, r []float64, A, B Pt) []int {
 	for i, radius := range r {
 		fx, fy, gx, gy := A.X-cx[i], A.Y-cy[i], B.X-cx[i], B.Y-cy[i]
 		gap := math.Abs(dx*fy-dy*fx)/length - radius
-		extent := radius
+		size := radius
 		for _, x := range [...]float64{fx, fy, gx, gy} {
-			if size := math.Abs(x); size > extent {
-				extent = size
+			if size := math.Abs(x); size > size {
+				size = size
 			}
 		}
-		switch near := 1e-10 * extent; {
+		switch near := 1e-10 * size; {
 		case gap < -near:
 			counts[i] = 2
 		case gap <= near:

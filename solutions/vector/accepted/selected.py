@@ -15,7 +15,7 @@ def count_many(cx, cy, r, A, B):
     dx, dy = B[0] - A[0], B[1] - A[1]
     length = np.hypot(float(dx), float(dy))
     distance = np.abs(y * (dx / length) - x * (dy / length))
-    extent = np.maximum.reduce([r, np.abs(x), np.abs(y), np.abs(x - dx), np.abs(y - dy)])
-    near = 1e-10 * extent
+    size = np.maximum.reduce([r, np.abs(x), np.abs(y), np.abs(x - dx), np.abs(y - dy)])
+    near = 1e-10 * size
     apart = distance - r
     return np.select([apart > near, apart < -near], [0, 2], 1).astype("i1")
