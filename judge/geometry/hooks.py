@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 # What a case shows, by the name that it has among the figures.
 LINE, SEGMENT, CHORD, RAY, POINT, TANGENTS = "LINE", "SEGMENT", "CHORD", "RAY", "POINT", "TANGENTS"
 NORMAL, REFLECTION, SPHERE, PAIR, COMMON = "HIT", "BOUNCE", "SPHERE", "PAIR", "COMMON"
-FOOT, NORMAL_FORM, FRAMES, ROWS = "FOOT", "NORMAL", "FRAMES", "ROWS"
+FOOT, NORMAL_FORM, FRAMES, ROWS, MANY = "FOOT", "NORMAL", "FRAMES", "ROWS", "MANY"
 HITS, SPANS, SHADOW, OUTLINE = "HITS", "SPANS", "SHADOW", "OUTLINE"
 BALLS, WALL = "motion BALLS", "motion WALL"
 # Of the first steps, in whole numbers.
@@ -73,6 +73,10 @@ def _topic(view: str) -> Topic:
         from judge.topics.circles import frames
 
         return frames.FRAMES
+    if name == "MANY":
+        from judge.topics.circles import many
+
+        return many.MANY
     if name == "ROWS":
         from judge.topics.circles import rows
 

@@ -1,25 +1,31 @@
-"""Many circles and beams from one place: the circle that each beam meets first, exactly, and the promise."""
+"""Many circles and beams from one place: the circle that each beam meets first, exactly."""
 
-from __future__ import annotations
+from judge.geometry.boxes import scan
+from judge.geometry.hooks import MANY, hooks
+from judge.geometry.scenes.growth import arcs
+from judge.geometry.scenes.many import FASTEST, besides, scans, touches, wraps
+from judge.problem.declare import group
 
-from judge.topics.circles import Bands
-from judge.topics.circles.cells import Cells
-from judge.topics.circles.many import MANY, unsound_beams, unsound_circle
-from judge.topics.circles.recipes import beams
-
-BUILDERS = beams.RECIPES
-TOPIC = MANY
+HOOKS = hooks(MANY)
 
 
-def solve(circles, origin, ways, *, bands):
-    """For each direction (index, t) or None, and why the first that breaks the promise does."""
-    broken = unsound_circle(circles) or unsound_beams(circles, origin, ways)
-    if broken:
-        return None, broken
-    cells, widths, answers = Cells(circles), Bands.of(bands), []
-    for number, way in enumerate(ways):
-        answer, why = cells.first(origin, way, widths)
-        answers.append(answer)
-        if why and not broken:
-            broken = f"direction {number}: {why}"
-    return answers, broken
+def solve(circles, O, dirs):
+    return scan(circles, O, dirs, FASTEST)
+
+
+INTERVIEW = [
+    group("few", "Up to ten circles around O, and some beams: a plain loop is good enough.", scans((5, 10), (8, 12), 120, (4, 50), across=False), skills="the nearest of several"),
+    group("misses", "Small circles far apart: most beams meet nothing.", scans((3, 8), (12, 20), 2_000, (10, 60), across=False), skills="the nearest of several"),
+]
+
+PRODUCTION = [
+    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it.", touches((3, 8), 24), skills="collapse the tangent"),
+    group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", wraps((1, 5), (6, 10), 90, (10, 40)), skills="angles wrap around"),
+    group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),
+    group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", besides((20, 40), (2, 6), 500), cases=20, skills="the nearest of several"),
+    group("short", "Directions of −2 to 2, (1, 0) and (2, −1) among them, through a crowd on all sides of O.", scans((30, 60), (12, 20), 400, (3, 20), fastest=2), cases=20, skills="the nearest of several"),
+    group("n-500", "500 circles and as many beams: where the growth is measured from.", arcs(500), cases=5, size=500, skills="sweep by angle"),
+    group("n-2000", "2,000 circles and as many beams.", arcs(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 8, "wall_seconds": 60}, skills=("sweep by angle", "do not ask all of them")),
+    group("n-8000", "8,000 circles and as many beams.", arcs(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills=("sweep by angle", "do not ask all of them")),
+    group("n-32000", "32,000 circles and as many beams.", arcs(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 12, "wall_seconds": 60}, skills=("sweep by angle", "do not ask all of them")),
+]

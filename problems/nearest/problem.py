@@ -1,25 +1,32 @@
-"""Many circles and many rays: the circle that each ray meets first, exactly, and the promise of every ray."""
+"""Many circles and many rays: the circle that each ray meets first, exactly."""
 
-from __future__ import annotations
+from judge.geometry.boxes import nearest
+from judge.geometry.hooks import MANY, hooks
+from judge.geometry.scenes.growth import crowded
+from judge.geometry.scenes.many import FASTEST, clusters, fields, heaps, inside, leaving, strips, ties
+from judge.problem.declare import group
 
-from judge.topics.circles import Bands
-from judge.topics.circles.cells import Cells
-from judge.topics.circles.many import MANY, unsound_circle, unsound_ray
-from judge.topics.circles.recipes import scenes
-
-BUILDERS = scenes.RECIPES
-TOPIC = MANY
+HOOKS = hooks(MANY)
 
 
-def solve(circles, rays, *, bands):
-    """For each ray (index, t) or None, and why the first ray that breaks the promise does."""
-    broken = unsound_circle(circles) or next(filter(None, map(unsound_ray, rays)), None)
-    if broken:
-        return None, broken
-    cells, widths, answers = Cells(circles), Bands.of(bands), []
-    for number, ray in enumerate(rays):
-        answer, why = cells.first(*ray, widths)
-        answers.append(answer)
-        if why and not broken:
-            broken = f"ray {number}: {why}"
-    return answers, broken
+def solve(circles, rays):
+    return nearest(circles, rays, FASTEST)
+
+
+INTERVIEW = [
+    group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", fields((2, 10), (4, 9), 70, (9, 17)), skills="the nearest of several"),
+    group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((2, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
+]
+
+PRODUCTION = [
+    group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
+    group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
+    group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
+    group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),
+    group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, 1_500, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
+    group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", heaps((3, 8), (8, 16), 90, (5, 20), (3, 12)), cases=20, skills="ties of circles"),
+    group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
+    group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
+    group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
+    group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),
+]

@@ -12,6 +12,7 @@ def sweep(circles, O, dirs):
         fx, fy = x - ox, y - oy
         middle, half = atan2(fy, fx), asin(min(1.0, r / hypot(fx, fy))) + 1e-6
         # ? angle-by-slope@atan: middle, half = atan(fy / fx) if fx else pi / 2, asin(min(1.0, r / hypot(fx, fy))) + 1e-6
+        # @ The directions are sorted by angle
         # ? half-interval: middle, half = atan2(fy, fx), asin(min(1.0, r / hypot(fx, fy))) / 2
         # ? tangent-of-centre: middle, half = atan2(fy, fx), atan(r / hypot(fx, fy))
         turns = (-2 * pi, 0.0, 2 * pi)
@@ -50,6 +51,7 @@ def loop(circles, O, dirs):
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
     # + swapped-coordinates: ox, oy = oy, ox
     # + diameter-for-radius: circles = [(x, y, 2 * r) for x, y, r in circles]
+    # @ `circles` is a list of `(x, y, r)`
     near = 1e-10 * max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
     # ? loose-epsilon: near = 1e-5 * max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
     answers = []
@@ -66,6 +68,7 @@ def loop(circles, O, dirs):
             # ? forgotten-start: fx, fy = x, y
             d = abs(dx * fy - dy * fx) / length
             # ? not-divided: d = abs(dx * fy - dy * fx)
+            # @ is a list of directions
             # ? angle-by-slope: d = abs(dy / dx * fx - fy) / sqrt(1 + (dy / dx) ** 2) if dx else abs(fx)
             # | fx, fy = (fx, fy) if dx * fx + dy * fy > 0 else (-fx, -fy)
             if d > r + near: continue
@@ -74,6 +77,7 @@ def loop(circles, O, dirs):
             middle = (dx * fx + dy * fy) / length
             if middle < 0: continue
             # ? line-for-ray: middle = abs(middle)
+            # @ What lies behind O
             # : A circle behind O is met at |t|.
             half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
             # + foot-for-root: half = 0.0
@@ -86,12 +90,16 @@ def loop(circles, O, dirs):
             if key < best: best, found, at = key, i, s
             # = if key <= best: best, found, at = key, i, s
             # ? first-index: best, found, at = (key, i, s) if found is None else (best, found, at)
+            # @ is met first
             # ? farthest-seen: best, found, at = (key, i, s) if found is None or key > best else (best, found, at)
         last = found
         answers.append(None if found is None else (found, at / length))
         # ? distance-for-parameter: answers.append(None if found is None else (found, at))
+        # @ t is the parameter
         # ? rounded-parameter: answers.append(None if found is None else (found, round(at / length, 6)))
         # ? one-based: answers.append(None if found is None else (found + 1, at / length))
+        # @ Indices count from 0
         # ? sentinel-miss: answers.append((-1, -1.0) if found is None else (found, at / length))
     return answers
     # ? misses-left-out: return [each for each in answers if each is not None]
+    # @ Return a list with one element

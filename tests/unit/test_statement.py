@@ -220,3 +220,17 @@ def test_what_is_read_is_what_was_parsed(exact, monkeypatch):
             monkeypatch.setattr(toml_file, "toml_of", lambda *_, **__: pytest.fail("it is parsed again"))
         for place, text in enumerate(texts):
             assert same(read_toml(Path(f"/{place}"), text, "it", exact=exact), parsed[place]), text
+
+
+ROOT = Path(__file__).parents[2]
+BAND = re.compile(r"\b(bands?|snaps?|snapped|extents?)\b", re.IGNORECASE)
+TOLERANCE = re.compile(r"`extent`|extent·unit|max\(extent")  # a key of problem.toml
+READ = [ROOT / "README.md", *sorted(ROOT.glob("judge/manual/*.md")), *sorted(ROOT.glob("problems/**/*.md"))]
+READ += [*sorted(ROOT.glob("problems/*.toml")), *sorted(ROOT.glob("problems/quiz/*.toml"))]
+
+
+@pytest.mark.parametrize("path", READ, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_what_touches_touches_exactly_wherever_it_is_read(path):
+    """No page, hint, card or question speaks of a band within which something counts as a touch."""
+    text = TOLERANCE.sub("", path.read_text(encoding="utf-8"))
+    assert [line for line in text.splitlines() if BAND.search(line)] == []

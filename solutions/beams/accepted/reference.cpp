@@ -24,11 +24,11 @@ struct Cover {
 
 std::vector<std::optional<PairIntReal>> scan(std::vector<IntCircle> circles, IntPt O, std::vector<IntPt> dirs) {
     const double room = 1e-6, pi = std::numbers::pi;  // room in radians: an interval only chooses whom to ask
-    double extent = 0;
+    double largest = 0;
     std::vector<Cover> covers;
     for (size_t i = 0; i < circles.size(); ++i) {
         double x = circles[i].x - O.x, y = circles[i].y - O.y, r = circles[i].r;
-        extent = std::max({extent, r, std::abs(x), std::abs(y)});
+        largest = std::max({largest, r, std::abs(x), std::abs(y)});
         double away = std::hypot(x, y), middle = std::atan2(y, x), half = std::asin(std::min(1.0, r / away)) + room;
         for (double turn : {-2 * pi, 0.0, 2 * pi}) {
             Cover cover = {middle + turn - half, middle + turn + half, away - r, x, y, r, int(i)};
@@ -36,7 +36,7 @@ std::vector<std::optional<PairIntReal>> scan(std::vector<IntCircle> circles, Int
         }
     }
     std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.start < b.start; });
-    double near = 1e-10 * extent;
+    double near = 1e-10 * largest;
 
     auto farther = [](const Cover& a, const Cover& b) { return a.least > b.least; };
     std::priority_queue<Cover, std::vector<Cover>, decltype(farther)> begun(farther);

@@ -22,13 +22,13 @@ type shape struct {
 
 func scan(circles []IntCircle, O IntPt, dirs []IntPt) []*PairIntReal {
 	shapes := make([]shape, len(circles))
-	extent := 0.0
+	size := 0.0
 	for i, c := range circles {
 		x, y, r := float64(c.X-O.X), float64(c.Y-O.Y), float64(c.R)
 		shapes[i] = shape{i, x, y, r, math.Hypot(x, y) - r}
-		extent = math.Max(math.Max(extent, r), math.Max(math.Abs(x), math.Abs(y)))
+		size = math.Max(math.Max(size, r), math.Max(math.Abs(x), math.Abs(y)))
 	}
-	near := 1e-10 * extent
+	near := 1e-10 * size
 	tree := planted(shapes, dirs)
 	answers := make([]*PairIntReal, len(dirs))
 	for i, D := range dirs {

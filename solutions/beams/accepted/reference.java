@@ -20,12 +20,12 @@ class Solution {
     static final double ROOM = 1e-6;   // radians around each interval, which only chooses whom to ask
 
     static List<PairIntReal> scan(List<IntCircle> circles, IntPt O, List<IntPt> dirs) {
-        double extent = 0;
+        double largest = 0;
         var shapes = new ArrayList<Shape>();
         for (int i = 0; i < circles.size(); i++) {
             IntCircle c = circles.get(i);
             double fx = c.x() - O.x(), fy = c.y() - O.y(), away = Math.hypot(fx, fy);
-            extent = Math.max(extent, Math.max(c.r(), Math.max(Math.abs(fx), Math.abs(fy))));
+            largest = Math.max(largest, Math.max(c.r(), Math.max(Math.abs(fx), Math.abs(fy))));
             double middle = Math.atan2(fy, fx), half = Math.asin(Math.min(1, c.r() / away)) + ROOM;
             for (double turn : new double[] {-2 * Math.PI, 0, 2 * Math.PI}) {
                 double start = middle + turn - half, end = middle + turn + half;
@@ -34,7 +34,7 @@ class Solution {
         }
         shapes.sort(Comparator.comparingDouble(Shape::start));
 
-        double near = 1e-10 * extent;
+        double near = 1e-10 * largest;
         var begun = new PriorityQueue<Shape>(Comparator.comparingDouble(Shape::nearest));
         var asked = new ArrayDeque<Shape>();
         var answers = new ArrayList<PairIntReal>(dirs.size());

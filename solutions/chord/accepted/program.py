@@ -14,10 +14,10 @@ def chord(cx, cy, r, ax, ay, bx, by):
         return "none"
     first, second = complex(ax - cx, ay - cy), complex(bx - cx, by - cy)
     height = abs((first * along.conjugate()).imag) / abs(along)
-    band = 1e-10 * max(r, abs(first), abs(second))
-    if height > r + band:
+    room = 1e-10 * max(r, abs(first), abs(second))
+    if height > r + room:
         return "none"
-    if height >= r - band:
+    if height >= r - room:
         return "0"
     return repr(2 * r * sin(acos(height / r)))
 

@@ -14,8 +14,8 @@ std::optional<double> chord_length(double cx, double cy, double r, Pt A, Pt B) {
     double dx = B.x - A.x, dy = B.y - A.y;
     if (dx == 0 && dy == 0) return {};
     double fx = A.x - cx, fy = A.y - cy;
-    double extent = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
-    double near = 1e-10 * extent;
+    double size = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
+    double near = 1e-10 * size;
     double d = std::abs(dx * fy - dy * fx) / std::hypot(dx, dy);
     if (d > r + near) return {};
     if (d >= r - near) return 0;

@@ -16,13 +16,13 @@ def circle_circle(cx1, cy1, r1, cx2, cy2, r2):
             return [(cx1, cy1)]
         return None if abs(r1 - r2) <= 1e-10 * reach else []
     p, q = r1 / abs(step), r2 / abs(step)
-    band = 1e-10 * reach / abs(step)
+    room = 1e-10 * reach / abs(step)
     x = (1 + (p - q) * (p + q)) / 2
     product = 1.0
     for factor in (p + q - 1, 1 + p - q, 1 - p + q):
-        if factor < -band:
+        if factor < -room:
             return []
-        product *= factor if factor > band else 0
+        product *= factor if factor > room else 0
     if product == 0:
         points = [complex(p if x > 0 else -p, 0)]
     else:

@@ -17,8 +17,8 @@ def answer(cx, cy, r, ax, ay, bx, by):
     a, b = complex(ax - cx, ay - cy), complex(bx - cx, by - cy)
     along = complex(bx - ax, by - ay)
     height = abs((a * along.conjugate()).imag) / abs(along)
-    extent = max(r, abs(a), abs(b))
-    if abs(height - r) <= 5e-11 * extent:
+    size = max(r, abs(a), abs(b))
+    if abs(height - r) <= 5e-11 * size:
         return "1"
     return "2" if height < r else "0"
 

@@ -27,9 +27,9 @@ def line_count(cx, cy, r, A, B):
         t = -(px * dx + py * dy) / a
         px, py = px + t * dx, py + t * dy
     d = math.hypot(px, py)
-    extent = max(r, *(abs(p[i] - c) for p in (A, B) for i, c in enumerate((cx, cy))))
-    band = 1e-10 * extent * (r + d)
+    largest = max(r, *(abs(p[i] - c) for p in (A, B) for i, c in enumerate((cx, cy))))
+    room = 1e-10 * largest * (r + d)
     right_side = (r - d) * (r + d)  # of a·t² = …
-    if -band <= right_side <= band:
+    if -room <= right_side <= room:
         return 1
     return 2 if right_side > 0 else 0

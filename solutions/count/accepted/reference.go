@@ -2,7 +2,7 @@
 //
 // Seen from the centre, the cross product of B - A and A - C is |B - A| times the distance of the line from C, and
 // keeps its precision wherever A and B lie along the line. The distance is compared with r within 1e-10 of the
-// extent.
+// size.
 
 package main
 

@@ -15,11 +15,11 @@ def meet(cx, cy, r, ax, ay, bx, by):
         return None
     fx, fy = ax - cx, ay - cy
     side = (dx * fy - dy * fx) / length
-    band = 1e-10 * max(r, abs(fx), abs(fy), abs(bx - cx), abs(by - cy))
-    if abs(side) > r + band:
+    room = 1e-10 * max(r, abs(fx), abs(fy), abs(bx - cx), abs(by - cy))
+    if abs(side) > r + room:
         return []
     left = atan2(dx, -dy)  # the normal on the left of the line
-    if abs(side) >= r - band:
+    if abs(side) >= r - room:
         return [(cx + side * cos(left), cy + side * sin(left))]
     turn = acos(side / r)
     return [(cx + r * cos(angle), cy + r * sin(angle)) for angle in (left + turn, left - turn)]

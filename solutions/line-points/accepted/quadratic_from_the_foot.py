@@ -13,13 +13,13 @@ def line_points(cx, cy, r, A, B):
     dx, dy = B[0] - A[0], B[1] - A[1]
     a = dx * dx + dy * dy
     px, py = A[0] - cx, A[1] - cy
-    extent = max(r, abs(px), abs(py), abs(B[0] - cx), abs(B[1] - cy))
+    size = max(r, abs(px), abs(py), abs(B[0] - cx), abs(B[1] - cy))
     for _ in range(2):
         t = -(px * dx + py * dy) / a
         px, py = px + t * dx, py + t * dy
     b = px * dx + py * dy
     d = sqrt(px * px + py * py)
-    if abs(d - r) <= 1e-10 * extent:
+    if abs(d - r) <= 1e-10 * size:
         return [(cx + px, cy + py)]
     c = (d - r) * (d + r)
     if c > 0:

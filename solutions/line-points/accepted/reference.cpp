@@ -15,8 +15,8 @@ std::optional<std::vector<Pt>> line_points(double cx, double cy, double r, Pt A,
     double dx = B.x - A.x, dy = B.y - A.y;
     if (dx == 0 && dy == 0) return {};
     double fx = A.x - cx, fy = A.y - cy;
-    double extent = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
-    double near = 1e-10 * extent;
+    double size = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
+    double near = 1e-10 * size;
     double length = std::hypot(dx, dy), ux = dx / length, uy = dy / length;
     double side = ux * fy - uy * fx;
     Pt foot = {cx - side * uy, cy + side * ux};

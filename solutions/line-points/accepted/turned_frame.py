@@ -12,10 +12,10 @@ def line_points(cx, cy, r, A, B):
     unit = step / abs(step)
     start, end = complex(A[0] - cx, A[1] - cy), complex(B[0] - cx, B[1] - cy)
     height = (start * unit.conjugate()).imag
-    band = 1e-10 * max(r, abs(start), abs(end))
-    if abs(height) > r + band:
+    room = 1e-10 * max(r, abs(start), abs(end))
+    if abs(height) > r + room:
         return []
-    touches = abs(height) >= r - band
+    touches = abs(height) >= r - room
     half = 0.0 if touches else ((r - height) * (r + height)) ** 0.5
     places = [0.0] if touches else [-half, half]
     turned = [complex(x, height) * unit for x in places]

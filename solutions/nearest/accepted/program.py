@@ -1,7 +1,7 @@
-"""The grid as a program: it reads the number of scenes and prints a line for each."""
+"""The tree of boxes as a program: it reads the number of scenes and prints a line for each."""
 
 import sys
-from math import inf, sqrt
+from math import hypot, inf, sqrt
 
 
 def main():
@@ -17,55 +17,53 @@ def main():
     print("\n".join(lines))
 
 
+def build(circles, indices):
+    x0 = min([circles[i][0] - circles[i][2] for i in indices])
+    x1 = max([circles[i][0] + circles[i][2] for i in indices])
+    y0 = min([circles[i][1] - circles[i][2] for i in indices])
+    y1 = max([circles[i][1] + circles[i][2] for i in indices])
+    if len(indices) <= 4:
+        return x0, x1, y0, y1, indices, None, None
+    axis, half = (0 if x1 - x0 >= y1 - y0 else 1), len(indices) // 2
+    indices = sorted(indices, key=lambda i: circles[i][axis])
+    return x0, x1, y0, y1, None, build(circles, indices[:half]), build(circles, indices[half:])
+
+
 def scene(circles, rays):
-    left, right = min(x - r for x, _, r in circles), max(x + r for x, _, r in circles)
-    low, high = min(y - r for _, y, r in circles), max(y + r for _, y, r in circles)
-    side = max(1.0, 1.5 * sqrt((right - left) * (high - low) / len(circles)), (right - left) / 1000, (high - low) / 1000)
-    cells = {}
-    for index, (x, y, r) in enumerate(circles):
-        for column in range(int((x - r - left) / side), int((x + r - left) / side) + 1):
-            for row in range(int((y - r - low) / side), int((y + r - low) / side) + 1):
-                cells.setdefault((column, row), []).append(index)
-    columns, rows = int((right - left) / side) + 1, int((high - low) / side) + 1
+    root = build(circles, list(range(len(circles))))
     xs, ys, rs = zip(*circles)
     x0, x1, y0, y1, most = min(xs), max(xs), min(ys), max(ys), max(rs)
     for ox, oy, dx, dy in rays:
         near = 1e-10 * max(most, ox - x0, x1 - ox, oy - y0, y1 - oy)
-        length = sqrt(dx * dx + dy * dy)
-        ux, uy = dx / length, dy / length
-        start, end = 0.0, inf
-        for o, u, least, count in ((ox, ux, left, columns), (oy, uy, low, rows)):
-            if u:
-                one, other = sorted(((least - o) / u, (least + count * side - o) / u))
-                start, end = max(start, one), min(end, other)
-            elif not least <= o <= least + count * side:
-                end = -inf
-        best, found = inf, None
-        if start <= end:
-            column = max(0, min(columns - 1, int((ox + start * ux - left) / side)))
-            row = max(0, min(rows - 1, int((oy + start * uy - low) / side)))
-            next_x = (left + (column + (ux > 0)) * side - ox) / ux if ux else inf
-            next_y = (low + (row + (uy > 0)) * side - oy) / uy if uy else inf
-            while 0 <= column < columns and 0 <= row < rows:
-                for index in cells.get((column, row), ()):
-                    x, y, r = circles[index]
-                    d = abs(ux * (y - oy) - uy * (x - ox))
-                    if d > r + near:
-                        continue
-                    foot = ux * (x - ox) + uy * (y - oy)
-                    half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
-                    s = foot - half if foot - half >= -near else foot + half
-                    if -near <= s < best:
-                        best, found = s, index
-                if best <= min(next_x, next_y):
-                    break
-                if next_x < next_y:
-                    column += 1 if ux > 0 else -1
-                    next_x += side / abs(ux)
-                else:
-                    row += 1 if uy > 0 else -1
-                    next_y += side / abs(uy)
-        yield None if found is None else (found, max(0.0, best) / length if best > near else 0.0)
+        length = hypot(dx, dy)
+        ux, uy = dx / length or 1e-300, dy / length or 1e-300
+
+        def enters(box):
+            a, b = (box[0] - near - ox) / ux, (box[1] + near - ox) / ux
+            c, d = (box[2] - near - oy) / uy, (box[3] + near - oy) / uy
+            start = max(0.0, min(a, b), min(c, d))
+            return start if start <= min(max(a, b), max(c, d)) else inf
+
+        best, found, stack = inf, None, [(enters(root), root)]
+        while stack:
+            start, box = stack.pop()
+            if start == inf or start > best:
+                continue
+            if box[4] is None:
+                one, other = (enters(box[5]), box[5]), (enters(box[6]), box[6])
+                stack += (other, one) if one[0] <= other[0] else (one, other)
+                continue
+            for index in box[4]:
+                x, y, r = circles[index]
+                d = abs(dx * (y - oy) - dy * (x - ox)) / length
+                if d > r + near:
+                    continue
+                foot = (dx * (x - ox) + dy * (y - oy)) / length
+                half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
+                way = foot - half if foot - half >= -near else foot + half
+                if -near <= way < best:
+                    best, found = way, index
+        yield None if found is None else (found, best / length if best > near else 0.0)
 
 
 main()

@@ -1,138 +1,132 @@
-// A grid of square cells.
+// A tree of boxes.
 //
-// A circle is entered in every cell that it reaches. A ray visits the cells on its way in order, and asks only the
-// circles in them; it stops when its best hit is not beyond the border of the cell that it stands in, for everything
-// nearer has been seen.
+// Every box holds half of its parent's circles, cut across its longer side, down to four of them. A ray leaves out each
+// box that it misses or that begins beyond its best hit so far; of two halves it asks the one that it enters first.
 
 package main
 
-import "math"
+import (
+	"math"
+	"sort"
+)
 
-type grid struct {
-	circles       []IntCircle
-	left, low     float64 // its corner
-	right, high   float64
-	most          float64 // the largest radius
-	side          float64 // of a cell
-	columns, rows int
-	cells         [][]int // the circles of each cell, row by row
+type box struct {
+	x0, x1, y0, y1 float64
+	circles        []int // of a leaf
+	one, other     *box
+}
+
+type ray struct {
+	ox, oy, ux, uy, near float64
 }
 
 func nearestHits(circles []IntCircle, rays []PairIntPtIntPt) []*PairIntReal {
-	g := build(circles)
+	all := make([]int, len(circles))
+	left, right, low, high, most := math.Inf(1), math.Inf(-1), math.Inf(1), math.Inf(-1), 0.0
+	for i, c := range circles {
+		all[i] = i
+		left, right = math.Min(left, float64(c.X)), math.Max(right, float64(c.X))
+		low, high = math.Min(low, float64(c.Y)), math.Max(high, float64(c.Y))
+		most = math.Max(most, float64(c.R))
+	}
+	root := build(circles, all)
 	answers := make([]*PairIntReal, len(rays))
-	for i, ray := range rays {
-		answers[i] = g.first(ray.First, ray.Second)
+	for i, each := range rays {
+		ox, oy := float64(each.First.X), float64(each.First.Y)
+		dx, dy := float64(each.Second.X), float64(each.Second.Y)
+		length := math.Hypot(dx, dy)
+		size := math.Max(math.Max(right-ox, ox-left), math.Max(high-oy, oy-low))
+		r := ray{ox, oy, dx / length, dy / length, 1e-10 * math.Max(most, size)}
+		best, found := math.Inf(1), -1
+		r.visit(circles, root, r.enters(root), &best, &found)
+		if found >= 0 {
+			if best <= r.near {
+				best = 0
+			}
+			answers[i] = &PairIntReal{First: found, Second: best / length}
+		}
 	}
 	return answers
 }
 
-func build(circles []IntCircle) *grid {
-	g := &grid{circles: circles, left: math.Inf(1), low: math.Inf(1), right: math.Inf(-1), high: math.Inf(-1)}
-	for _, c := range circles {
-		x, y, r := float64(c.X), float64(c.Y), float64(c.R)
-		g.left, g.right = math.Min(g.left, x-r), math.Max(g.right, x+r)
-		g.low, g.high = math.Min(g.low, y-r), math.Max(g.high, y+r)
-		g.most = math.Max(g.most, r)
+func build(circles []IntCircle, indices []int) *box {
+	b := &box{x0: math.Inf(1), x1: math.Inf(-1), y0: math.Inf(1), y1: math.Inf(-1)}
+	for _, i := range indices {
+		x, y, r := float64(circles[i].X), float64(circles[i].Y), float64(circles[i].R)
+		b.x0, b.x1 = math.Min(b.x0, x-r), math.Max(b.x1, x+r)
+		b.y0, b.y1 = math.Min(b.y0, y-r), math.Max(b.y1, y+r)
 	}
-	wide, tall := g.right-g.left, g.high-g.low
-	g.side = math.Max(math.Max(1, 1.5*math.Sqrt(wide*tall/float64(len(circles)))), math.Max(wide, tall)/1000)
-	g.columns, g.rows = int(wide/g.side)+1, int(tall/g.side)+1
-	g.cells = make([][]int, g.columns*g.rows)
-	for i, c := range circles {
-		x, y, r := float64(c.X)-g.left, float64(c.Y)-g.low, float64(c.R)
-		for row := int((y - r) / g.side); row <= int((y+r)/g.side); row++ {
-			for column := int((x - r) / g.side); column <= int((x+r)/g.side); column++ {
-				at := row*g.columns + column
-				g.cells[at] = append(g.cells[at], i)
-			}
+	if len(indices) <= 4 {
+		b.circles = indices
+		return b
+	}
+	across := b.x1-b.x0 >= b.y1-b.y0
+	sort.Slice(indices, func(i, j int) bool {
+		one, other := circles[indices[i]], circles[indices[j]]
+		if across {
+			return one.X < other.X
 		}
-	}
-	return g
+		return one.Y < other.Y
+	})
+	half := len(indices) / 2
+	b.one, b.other = build(circles, indices[:half]), build(circles, indices[half:])
+	return b
 }
 
-// first is the first hit of a ray. All lengths along it are those of its unit vector.
-func (g *grid) first(O, D IntPt) *PairIntReal {
-	ox, oy := float64(O.X), float64(O.Y)
-	length := math.Hypot(float64(D.X), float64(D.Y))
-	ux, uy := float64(D.X)/length, float64(D.Y)/length
-	extent := math.Max(math.Max(g.right-ox, ox-g.left), math.Max(g.high-oy, oy-g.low))
-	near := 1e-10 * math.Max(g.most, extent)
-
-	startX, endX := slab(ox, ux, g.left, g.left+float64(g.columns)*g.side)
-	startY, endY := slab(oy, uy, g.low, g.low+float64(g.rows)*g.side)
+// enters is where the ray's way through the box begins, infinity where it misses it.
+func (r *ray) enters(b *box) float64 {
+	startX, endX := slab(r.ox, r.ux, b.x0-r.near, b.x1+r.near)
+	startY, endY := slab(r.oy, r.uy, b.y0-r.near, b.y1+r.near)
 	start := math.Max(0, math.Max(startX, startY))
 	if start > math.Min(endX, endY) {
-		return nil
+		return math.Inf(1)
 	}
-	column, stepX, nextX, eachX := g.walk(ox, ux, g.left, start, g.columns)
-	row, stepY, nextY, eachY := g.walk(oy, uy, g.low, start, g.rows)
-	best, found := math.Inf(1), -1
-	for 0 <= column && column < g.columns && 0 <= row && row < g.rows {
-		for _, i := range g.cells[row*g.columns+column] {
-			c := g.circles[i]
-			if way, ok := hit(float64(c.X)-ox, float64(c.Y)-oy, float64(c.R), ux, uy, near); ok && way < best {
-				best, found = way, i
-			}
-		}
-		if best < math.Min(nextX, nextY)-2*near {
-			break
-		}
-		if nextX < nextY {
-			column, nextX = column+stepX, nextX+eachX
-		} else {
-			row, nextY = row+stepY, nextY+eachY
-		}
-	}
-	if found < 0 {
-		return nil
-	}
-	return &PairIntReal{found, best / length}
+	return start
 }
 
-// hit says how far along u the circle around f is met first, if it is met ahead of the origin.
-func hit(fx, fy, r, ux, uy, near float64) (float64, bool) {
-	d := math.Abs(ux*fy - uy*fx)
-	if d > r+near {
-		return 0, false
-	}
-	middle, half := ux*fx+uy*fy, 0.0
-	if d < r-near {
-		half = math.Sqrt((r - d) * (r + d))
-	}
-	way := middle - half
-	if way < -near {
-		way = middle + half
-	}
-	if math.Abs(way) <= near {
-		return 0, true
-	}
-	return way, way > 0
-}
-
-// slab says from where to where a ray is between two borders, in one coordinate.
-func slab(o, u, low, high float64) (float64, float64) {
-	if u == 0 && low <= o && o <= high {
+// slab is from where to where o + s·u lies between two borders.
+func slab(o, u, least, most float64) (float64, float64) {
+	if u == 0 {
+		if o < least || o > most {
+			return math.Inf(1), math.Inf(-1)
+		}
 		return math.Inf(-1), math.Inf(1)
 	}
-	if u == 0 {
-		return math.Inf(1), math.Inf(-1)
-	}
-	a, b := (low-o)/u, (high-o)/u
+	a, b := (least-o)/u, (most-o)/u
 	return math.Min(a, b), math.Max(a, b)
 }
 
-// walk says, in one coordinate, where the ray starts, its step, and how far the next border is, and each one after it.
-func (g *grid) walk(o, u, low, start float64, count int) (cell, step int, next, each float64) {
-	cell = int((o + start*u - low) / g.side)
-	if cell >= count {
-		cell = count - 1
+func (r *ray) visit(circles []IntCircle, b *box, start float64, best *float64, found *int) {
+	if math.IsInf(start, 1) || start > *best {
+		return
 	}
-	switch {
-	case u > 0:
-		return cell, 1, (low + float64(cell+1)*g.side - o) / u, g.side / u
-	case u < 0:
-		return cell, -1, (low + float64(cell)*g.side - o) / u, -g.side / u
+	if b.one != nil {
+		one, other := r.enters(b.one), r.enters(b.other)
+		if one <= other {
+			r.visit(circles, b.one, one, best, found)
+			r.visit(circles, b.other, other, best, found)
+		} else {
+			r.visit(circles, b.other, other, best, found)
+			r.visit(circles, b.one, one, best, found)
+		}
+		return
 	}
-	return cell, 0, math.Inf(1), math.Inf(1)
+	for _, i := range b.circles {
+		fx, fy, radius := float64(circles[i].X)-r.ox, float64(circles[i].Y)-r.oy, float64(circles[i].R)
+		d := math.Abs(r.ux*fy - r.uy*fx)
+		if d > radius+r.near {
+			continue
+		}
+		foot, half := r.ux*fx+r.uy*fy, 0.0
+		if d < radius-r.near {
+			half = math.Sqrt((radius - d) * (radius + d))
+		}
+		way := foot - half
+		if way < -r.near {
+			way = foot + half
+		}
+		if way >= -r.near && way < *best {
+			*best, *found = way, i
+		}
+	}
 }

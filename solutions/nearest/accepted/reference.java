@@ -1,9 +1,10 @@
-// A grid of square cells.
+// A tree of boxes.
 //
-// Every circle is entered in the cells that its box covers. A ray walks from cell to cell and asks only the
-// circles there; it may stop as soon as its best hit is not beyond the border of the cell, for everything
-// nearer has been seen.
+// Each box holds half of its parent's circles, cut across its longer side, down to four. A ray leaves out every box that
+// it misses or that begins beyond the best hit so far, and of two halves it asks the one that it enters first.
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 
 class Solution {
@@ -12,114 +13,113 @@ class Solution {
     record PairIntPtIntPt(IntPt first, IntPt second) {}
     record PairIntReal(long first, double second) {}
 
+    static final double INFINITY = Double.POSITIVE_INFINITY;
+
     static List<PairIntReal> nearestHits(List<IntCircle> circles, List<PairIntPtIntPt> rays) {
-        var grid = new Grid(circles);
+        var all = new Disc[circles.size()];
+        double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY, most = 0;
+        for (int i = 0; i < all.length; i++) {
+            IntCircle c = circles.get(i);
+            all[i] = new Disc(c.x(), c.y(), c.r(), i);
+            left = Math.min(left, c.x());
+            right = Math.max(right, c.x());
+            low = Math.min(low, c.y());
+            high = Math.max(high, c.y());
+            most = Math.max(most, c.r());
+        }
+        var root = new Box(all, 0, all.length);
         var answers = new ArrayList<PairIntReal>(rays.size());
-        for (PairIntPtIntPt ray : rays) answers.add(grid.firstHit(ray.first(), ray.second()));
+        for (PairIntPtIntPt ray : rays) {
+            double ox = ray.first().x(), oy = ray.first().y();
+            double size = Math.max(Math.max(right - ox, ox - left), Math.max(high - oy, oy - low));
+            answers.add(new Ray(ray, 1e-10 * Math.max(most, size)).first(root));
+        }
         return answers;
     }
 
-    static final double INFINITY = Double.POSITIVE_INFINITY;
+    record Disc(double x, double y, double r, int index) {}
 
-    static final class Grid {
-        final IntCircle[] circles;
-        final double left, low, right, high, largest;   // the box of all circles, the largest radius
-        final double side;   // of a cell
-        final int columns, rows;
-        final int[] first, entries;   // cell i holds entries[first[i]] … entries[first[i + 1] - 1]
+    static final class Box {
+        double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+        Disc[] discs;   // of a leaf
+        Box one, other;
 
-        Grid(List<IntCircle> given) {
-            circles = given.toArray(new IntCircle[0]);
-            double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY, most = 0;
-            for (IntCircle c : circles) {
-                x0 = Math.min(x0, c.x() - c.r());
-                x1 = Math.max(x1, c.x() + c.r());
-                y0 = Math.min(y0, c.y() - c.r());
-                y1 = Math.max(y1, c.y() + c.r());
-                most = Math.max(most, c.r());
+        Box(Disc[] all, int begin, int end) {
+            for (int i = begin; i < end; i++) {
+                Disc d = all[i];
+                x0 = Math.min(x0, d.x - d.r);
+                x1 = Math.max(x1, d.x + d.r);
+                y0 = Math.min(y0, d.y - d.r);
+                y1 = Math.max(y1, d.y + d.r);
             }
-            left = x0;
-            right = x1;
-            low = y0;
-            high = y1;
-            largest = most;
-            double wide = right - left, tall = high - low;
-            side = Math.max(1.5 * Math.sqrt(wide * tall / circles.length), Math.max(wide, tall) / 1000);
-            columns = (int) (wide / side) + 1;
-            rows = (int) (tall / side) + 1;
+            if (end - begin <= 4) {
+                discs = Arrays.copyOfRange(all, begin, end);
+                return;
+            }
+            boolean across = x1 - x0 >= y1 - y0;
+            Arrays.sort(all, begin, end, Comparator.comparingDouble(d -> across ? d.x : d.y));
+            int middle = (begin + end) / 2;
+            one = new Box(all, begin, middle);
+            other = new Box(all, middle, end);
+        }
+    }
 
-            first = new int[columns * rows + 1];
-            for (IntCircle c : circles) {
-                for (int row = row(c.y() - c.r()); row <= row(c.y() + c.r()); row++) {
-                    for (int column = column(c.x() - c.r()); column <= column(c.x() + c.r()); column++) {
-                        first[row * columns + column]++;
-                    }
-                }
-            }
-            for (int cell = 0, sum = 0; cell < first.length; cell++) first[cell] = sum += first[cell];
-            entries = new int[first[columns * rows]];
-            for (int i = 0; i < circles.length; i++) {
-                IntCircle c = circles[i];
-                for (int row = row(c.y() - c.r()); row <= row(c.y() + c.r()); row++) {
-                    for (int column = column(c.x() - c.r()); column <= column(c.x() + c.r()); column++) {
-                        entries[--first[row * columns + column]] = i;
-                    }
-                }
-            }
+    static final class Ray {
+        final double ox, oy, ux, uy, length, near;
+        double best = INFINITY;
+        int found = -1;
+
+        Ray(PairIntPtIntPt ray, double near) {
+            ox = ray.first().x();
+            oy = ray.first().y();
+            length = Math.hypot(ray.second().x(), ray.second().y());
+            ux = ray.second().x() / length;
+            uy = ray.second().y() / length;
+            this.near = near;
         }
 
-        int column(double x) { return Math.max(0, Math.min(columns - 1, (int) ((x - left) / side))); }
-        int row(double y) { return Math.max(0, Math.min(rows - 1, (int) ((y - low) / side))); }
-
-        PairIntReal firstHit(IntPt O, IntPt D) {
-            double ox = O.x(), oy = O.y(), length = Math.hypot(D.x(), D.y());
-            double ux = D.x() / length, uy = D.y() / length;
-            double ahead = Math.max(right - ox, high - oy), behind = Math.max(ox - left, oy - low);
-            double near = 1e-10 * Math.max(largest, Math.max(ahead, behind));
-            // Where the ray is within the grid, and where it leaves the cell; all in lengths.
-            double inX = until(ox, ux, ux > 0 ? left : right), inY = until(oy, uy, uy > 0 ? low : high);
-            double enter = Math.max(0, Math.max(inX, inY));
-            if (outside(ox, ux, left, right) || outside(oy, uy, low, high)) return null;
-            int column = column(ox + enter * ux), row = row(oy + enter * uy);
-
-            double best = INFINITY;
-            int found = -1;
-            while (0 <= column && column < columns && 0 <= row && row < rows) {
-                int cell = row * columns + column;
-                for (int at = first[cell]; at < first[cell + 1]; at++) {
-                    double way = wayTo(circles[entries[at]], ox, oy, ux, uy, near);
-                    if (way < best) {
-                        best = way;
-                        found = entries[at];
-                    }
-                }
-                double borderX = left + (ux > 0 ? column + 1 : column) * side;
-                double borderY = low + (uy > 0 ? row + 1 : row) * side;
-                double toColumn = ux == 0 ? INFINITY : (borderX - ox) / ux;
-                double toRow = uy == 0 ? INFINITY : (borderY - oy) / uy;
-                if (best < Math.min(toColumn, toRow) - 2 * near) break;
-                if (toColumn < toRow) column += ux > 0 ? 1 : -1;
-                else row += uy > 0 ? 1 : -1;
-            }
+        PairIntReal first(Box root) {
+            visit(root, enters(root));
             return found < 0 ? null : new PairIntReal(found, best > near ? best / length : 0);
         }
 
-        static double until(double o, double u, double border) {
-            return u == 0 ? 0 : (border - o) / u;
+        /** Where the way through a box begins; infinity where it is missed. */
+        double enters(Box box) {
+            double start = 0, end = INFINITY;
+            double[][] slabs = {{ox, ux, box.x0, box.x1}, {oy, uy, box.y0, box.y1}};
+            for (double[] slab : slabs) {
+                double least = slab[2] - near - slab[0], most = slab[3] + near - slab[0];
+                if (slab[1] == 0) {
+                    if (least > 0 || most < 0) return INFINITY;
+                    continue;
+                }
+                double a = least / slab[1], b = most / slab[1];
+                start = Math.max(start, Math.min(a, b));
+                end = Math.min(end, Math.max(a, b));
+            }
+            return start <= end ? start : INFINITY;
         }
 
-        static boolean outside(double o, double u, double least, double most) {
-            return o < least && u <= 0 || o > most && u >= 0;
-        }
-
-        /** The length from the origin to the circle's first point that is not behind; infinity for none. */
-        static double wayTo(IntCircle c, double ox, double oy, double ux, double uy, double near) {
-            double fx = c.x() - ox, fy = c.y() - oy, r = c.r();
-            double d = Math.abs(ux * fy - uy * fx);
-            if (d > r + near) return INFINITY;
-            double foot = ux * fx + uy * fy, half = d < r - near ? Math.sqrt((r - d) * (r + d)) : 0;
-            if (foot - half >= -near) return foot - half;
-            return foot + half >= -near ? foot + half : INFINITY;
+        void visit(Box box, double start) {
+            if (start == INFINITY || start > best) return;
+            if (box.discs == null) {
+                double one = enters(box.one), other = enters(box.other);
+                boolean first = one <= other;
+                visit(first ? box.one : box.other, Math.min(one, other));
+                visit(first ? box.other : box.one, Math.max(one, other));
+                return;
+            }
+            for (Disc disc : box.discs) {
+                double fx = disc.x - ox, fy = disc.y - oy, r = disc.r;
+                double d = Math.abs(ux * fy - uy * fx);
+                if (d > r + near) continue;
+                double foot = ux * fx + uy * fy;
+                double half = d < r - near ? Math.sqrt((r - d) * (r + d)) : 0;
+                double way = foot - half < -near ? foot + half : foot - half;
+                if (way < -near || way >= best) continue;
+                best = way;
+                found = disc.index;
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 // The distance against the radius.
 //
 // Everything is seen from the centre, so that a small circle far from the origin keeps its digits. The threshold of
-// 1e-10 extents lies between the band, 1e-12, and the nearest miss, 1e-7.
+// 1e-10 of the size lies between rounding and the nearest miss, 1e-7.
 
 #include <algorithm>
 #include <cmath>

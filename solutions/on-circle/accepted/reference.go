@@ -1,7 +1,7 @@
 // Distance.
 //
-// The distance of P from the centre is compared with the radius, within a small part of the case's extent. Anything
-// between the band of 1e-12 and the first real miss at 1e-7 decides rightly, and 1e-10 has room on both sides.
+// The distance of P from the centre is compared with the radius, within 1e-10 of the size. Rounding is far less than
+// that, and the nearest miss, 1e-7, far more.
 
 package main
 

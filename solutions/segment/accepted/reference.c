@@ -10,8 +10,8 @@ typedef struct { double x, y; } Pt;
 
 int circle_segment(double cx, double cy, double r, Pt A, Pt B, Pt out[2]) {
     double fx = A.x - cx, fy = A.y - cy, dx = B.x - A.x, dy = B.y - A.y;
-    double extent = fmax(r, fmax(fmax(fabs(fx), fabs(fy)), fmax(fabs(B.x - cx), fabs(B.y - cy))));
-    double near = 1e-10 * extent;
+    double size = fmax(r, fmax(fmax(fabs(fx), fabs(fy)), fmax(fabs(B.x - cx), fabs(B.y - cy))));
+    double near = 1e-10 * size;
     double length = hypot(dx, dy);
     if (length == 0) {
         out[0] = A;

@@ -12,8 +12,8 @@ struct Pt { double x, y; };
 
 std::vector<Pt> circle_segment(double cx, double cy, double r, Pt A, Pt B) {
     double fx = A.x - cx, fy = A.y - cy, dx = B.x - A.x, dy = B.y - A.y;
-    double extent = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
-    double near = 1e-10 * extent;
+    double size = std::max({r, std::abs(fx), std::abs(fy), std::abs(B.x - cx), std::abs(B.y - cy)});
+    double near = 1e-10 * size;
     std::vector<Pt> found;
     double length = std::hypot(dx, dy);
     if (length == 0) {

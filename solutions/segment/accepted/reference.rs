@@ -1,7 +1,7 @@
 // Half-chord from the foot.
 //
 // The foot of the perpendicular from the centre is the middle of both crossings: half a chord goes back and forth from
-// it along the line. What is on the segment is decided by lengths along the line, within 1e-10 of the extent.
+// it along the line. What is on the segment is decided by lengths along the line, within 1e-10 of the size.
 
 fn circle_segment(cx: f64, cy: f64, r: f64, a: Pt, b: Pt) -> Vec<Pt> {
     let (ax, ay) = (a.x - cx, a.y - cy);

@@ -12,19 +12,19 @@ def meet(cx, cy, cz, r, ox, oy, oz, dx, dy, dz):
     if r == 0 or speed == 0:
         return None
     x, y, z = (ox - cx) / r, (oy - cy) / r, (oz - cz) / r
-    band = 1e-10 * max(1.0, abs(x), abs(y), abs(z))
+    room = 1e-10 * max(1.0, abs(x), abs(y), abs(z))
     u, v, w = dx / speed, dy / speed, dz / speed
     beside = hypot(v * z - w * y, w * x - u * z, u * y - v * x)
-    if beside > 1 + band:
+    if beside > 1 + room:
         return None
-    half = sqrt((1 - beside) * (1 + beside)) if beside < 1 - band else 0.0
+    half = sqrt((1 - beside) * (1 + beside)) if beside < 1 - room else 0.0
     middle = -(u * x + v * y + w * z)
-    enters = middle - half >= -band
+    enters = middle - half >= -room
     way = middle - half if enters else middle + half
-    if way < -band:
+    if way < -room:
         return None
     side = 1 if enters else -1
-    t = way * r / speed if way > band else 0.0
+    t = way * r / speed if way > room else 0.0
     return t, side * (x + way * u), side * (y + way * v), side * (z + way * w)
 
 

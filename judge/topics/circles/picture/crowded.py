@@ -13,11 +13,12 @@ from judge.drawing.lengths import round_below, short
 from judge.drawing.shapes import Bar, Fact, Mark, Panel, Picture, Role, Stroke
 from judge.exact import Surd
 from judge.problem.topic import Shown
-from judge.topics.circles.cells import IntCircle, IntPoint
 from judge.topics.circles.picture.marks import at_edge
 from judge.values import AnyOf
 from judge.values.decode import Fault, Written, number
 
+IntCircle = tuple[int, int, int]
+IntPoint = tuple[int, int]
 Ray = tuple[IntPoint, IntPoint]
 _Where = tuple[Fraction, Fraction]
 

@@ -1,7 +1,7 @@
-"""A grid of square cells around O: each beam walks from cell to cell until its hit is surely the first.
+"""equal-cells
 
-O is a corner of four cells, so every walk begins beside it, and a border is reached at every side/|ux| along x and
-side/|uy| along y. That the beams come in order of their angles is not used at all.
+The plane is cut into equal square cells, and each beam walks from cell to cell. Circles that crowd fall into few of them.
+Sort the circles by their angles instead, which is the order of the beams.
 """
 
 from math import floor, hypot, inf, sqrt

@@ -1,8 +1,7 @@
-"""A uniform grid of square cells, built once; each ray walks from cell to cell and stops at the first sure hit.
+"""equal-cells
 
-A circle is entered in every cell that it reaches. The ray visits the cells in order of t (a digital differential
-analyser: the next border is in x or in y, whichever comes first) and tests the circles in them. It may stop when
-the best t so far is not beyond the border of the cell that it stands in: everything nearer has been seen.
+The plane is cut into equal square cells, as many as there are circles, and each ray walks from cell to cell. Circles that
+crowd fall into few cells, and each ray there asks all of them. Part the circles, not the plane: a tree of boxes.
 """
 
 from math import inf, sqrt

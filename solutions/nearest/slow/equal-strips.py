@@ -1,8 +1,7 @@
-"""Slabs: the plane is cut into strips, and in each strip the circles lie sorted along it.
+"""equal-strips
 
-A flat ray goes through upright strips, a steep one through level strips (the same code with x and y exchanged). In a
-strip the ray covers a short interval, and bisection finds the circles that reach into it, as far as the largest
-radius of the strip.
+The plane is cut into equal strips along x, or along y, and in each of them the circles are sorted. Circles that crowd in
+a narrow place fall into few strips. Part the circles, not the plane: a tree of boxes.
 """
 
 from bisect import bisect_left, bisect_right
