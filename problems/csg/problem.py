@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import SPANS, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, solids, telling
+from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, solids, telling
 from judge.problem.declare import group
 
 HOOKS = hooks(SPANS)
