@@ -94,6 +94,13 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
     assert set().union(*map(rooms, inside("sandbox"))) & {*ROOMS, "schema"} == {"errors"}
 
 
+def test_only_problems_import_geometry():
+    topic = {"geometry", "topics"}
+    others = [name for name in FILES if name.split("/")[0] not in topic]
+    assert {name for name in others if rooms(name) & topic} == set()
+    assert "geometry" in rooms("geometry/line.py")
+
+
 def test_every_room_has_its_place():
     packages = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     assert packages <= {*ROOMS, "sandbox", "schema"}
