@@ -25,4 +25,4 @@ def test_a_figure_is_drawn_by_the_geometry(kata):
     problem = find_problem(kata)
     drawn = figure(problem)
     assert drawn == (problem.folder / FIGURE).read_text(encoding="utf-8"), "judge verify KATA --figures"
-    assert len(drawn) < 12_000
+    assert len(drawn) < 10_000

@@ -12,7 +12,7 @@ from typing import Any
 from judge.drawing.clip import polyline
 from judge.drawing.frame import Frame
 from judge.drawing.lengths import round_below, short
-from judge.drawing.shapes import Bar, Fact, Panel, Picture, Role, Stroke
+from judge.drawing.shapes import Bar, Dot, Fact, Panel, Picture, Role, Stroke
 from judge.exact import Surd
 from judge.problem.topic import Shown
 from judge.topics.circles.picture.compose import LEGEND, argument_text
@@ -28,6 +28,7 @@ _MARGIN = Fraction(5, 4)
 _ROOM = Fraction(5, 2)
 _BAR = Fraction(1, 2)
 _REACH = 4  # how far a way is followed, in panels
+_RING = 121  # points of a small ring, the first one once more
 _CLOSE = Fraction(1, 50)  # what is closer than this share of the window cannot be seen at true scale
 
 
@@ -173,7 +174,7 @@ def _strokes(frame: Frame, film: Film, moment: Fraction, *, ghosts: bool) -> tup
     for disc in film.discs:
         for place in (disc.start, disc.end) if ghosts and disc.start != disc.end else ():
             found += [
-                replace(each, role=Role.BEYOND)
+                replace(each, role=Role.BEYOND, dots=_fewer(each.dots))
                 for each in _ring(frame, disc, _exact(place))
                 if not each.filled
             ]
@@ -183,6 +184,11 @@ def _strokes(frame: Frame, film: Film, moment: Fraction, *, ghosts: bool) -> tup
                 frame, disc.start, disc.end, Role.BEYOND if film.wall else Role.LINE, arrow=True
             )
     return tuple(found)
+
+
+def _fewer(dots: tuple[Dot, ...]) -> tuple[Dot, ...]:
+    """Half of a small ring's points: enough for one that is dashed."""
+    return dots[::2] if len(dots) == _RING else dots
 
 
 def _ring(frame: Frame, disc: Disc, at: Point) -> tuple[Stroke, ...]:
