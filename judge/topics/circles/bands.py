@@ -131,12 +131,6 @@ class Bands:
             return 0
         return 1 if square > radius * radius else -1
 
-    def forbids(self, square: int, radius: int, extent: int) -> bool:
-        """Whether |√square − radius| is more than snap·extent and less than clear·extent."""
-        return not self._snap.close(square, radius, extent) and self._clear.close(
-            square, radius, extent, strictly=True
-        )
-
     def nearly(self, square: int, radius: int, extent: int) -> bool:
         """Whether |√square − radius| is less than clear·extent, or 0."""
         return square == radius * radius or self._clear.close(square, radius, extent, strictly=True)

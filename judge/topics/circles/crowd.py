@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import chain, pairwise
+from itertools import chain
 from math import isqrt
 
 from msgspec import Struct
@@ -142,27 +142,3 @@ class Crowd(Struct, frozen=True):
         """|Δt|·|D|∞ in parts of the extent, to the last digits of a double unless it is tiny."""
         apart = Fraction(abs(one.near - other.near), 1 << _BITS)
         return float(apart * self.step / (self.lines[0].a * self.extent))
-
-    def broken(self, every: Sequence[Hit], bands: Bands) -> str | None:
-        """What of the promise is broken: nothing is nearly a touch, at the origin, or at another's place."""
-        if not any(self.direction):
-            return "D is (0, 0)"
-        touching = (bands.broken_count(line) for line in self.lines)
-        return next(filter(None, touching), None) or self._broken_places(every, bands)
-
-    def _broken_places(self, every: Sequence[Hit], bands: Bands) -> str | None:
-        for hit in every:
-            if self._nearly(hit, _ORIGIN, bands):
-                return f"a hit of circle {hit.index} is nearly at the ray's origin"
-        ahead = self.ahead(every, bands)
-        firsts = [run[0] for run in self.runs(ahead, bands)]
-        for one, other in chain(pairwise(ahead), pairwise(firsts)):
-            if self._nearly(one, other, bands):
-                return f"hits of the circles {one.index} and {other.index} are nearly at one place"
-        return None
-
-    def _nearly(self, one: Hit, other: Hit, bands: Bands) -> bool:
-        """Whether the two are neither at one place nor clearly apart."""
-        return self.together(one, other, bands.clear, strictly=True) and not self.together(
-            one, other, bands.snap
-        )

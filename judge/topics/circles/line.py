@@ -179,23 +179,6 @@ class CircleLine(Struct, frozen=True):
         """The extent e in the caller's units."""
         return make(self.extent, 0, 0, 1 << self.shift)
 
-    def extent_parameter(self) -> Surd:
-        """e/|D|: the extent in units of t; 0 for a degenerate line, which has no parameter."""
-        return Surd(0, self.extent, self.a, self.a) if self.a else make(0, 0, 0, 1)
-
-    def extent_step(self) -> Surd:
-        """e/max(|dx|, |dy|): the extent in units of t, rational; 0 for a degenerate line."""
-        step = max(abs(self.dx), abs(self.dy))
-        return make(self.extent, 0, 0, step) if step else make(0, 0, 0, 1)
-
-    def extent_reflected(self) -> Surd:
-        """e/r·max(|dx|, |dy|) in the caller's units, of vectors as long as D. ZeroDivisionError for r = 0."""
-        return make(self.extent * max(abs(self.dx), abs(self.dy)), 0, 0, self.r << self.shift)
-
-    def extent_radii(self) -> Surd:
-        """e/r: the extent in units of the radius, for directions from C. ZeroDivisionError for r = 0."""
-        return make(self.extent, 0, 0, self.r)
-
     def small(self, least: Fraction) -> str | None:
         """What is wrong with a radius that is less than that part of the extent, and not 0; or None."""
         if 0 < self.r < least * self.extent:

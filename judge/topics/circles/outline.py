@@ -63,14 +63,6 @@ class CircleOutline(Struct, frozen=True):
         """The crossings along the boundary from corner 0; one at a corner is its own edge's, once."""
         return self._crossings(self._spots(bands))
 
-    def solved(self, bands: Bands, least: Fraction) -> tuple[list[Crossing], str | None]:
-        """The crossings, and what of the promise is broken, or None.
-
-        An edge may be too short, `least` times the extent, or something nearly happens.
-        """
-        spots = self._spots(bands)
-        return self._crossings(spots), self._broken(spots, bands, least)
-
     def _spots(self, bands: Bands) -> list[Spot]:
         """Each common point of an edge's line: the edge's number, `which`, and the end that it is at."""
         return [
@@ -94,20 +86,6 @@ class CircleOutline(Struct, frozen=True):
     def point(self, crossing: Crossing) -> tuple[Surd, Surd]:
         """Where that is, in the caller's units."""
         return self.edges[crossing.line].point(crossing.which)
-
-    def _broken(self, spots: Sequence[Spot], bands: Bands, least: Fraction) -> str | None:
-        shortest = least.numerator * self.edges[0].extent
-        for line in self.edges:
-            if max(abs(line.dx), abs(line.dy)) * least.denominator < shortest or not line.a:
-                return "an edge is too short a part of the extent"
-            if fault := bands.broken_segment(line):
-                return fault
-        on = [(number, end) for number, _, end in spots if end is not None]
-        if {number for number, end in on if not end} != {
-            (number + 1) % len(self.edges) for number, end in on if end
-        }:
-            return "a corner is on the circle along one of its edges only"
-        return None
 
 
 def simpler_outlines(_problem: Problem, case: Case) -> Iterator[Case]:

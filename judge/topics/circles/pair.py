@@ -73,19 +73,6 @@ class CirclePair(Struct, frozen=True):
         """How far apart the centres are where the circles touch: from outside, and one inside the other."""
         return self.r1 + self.r2, abs(self.r1 - self.r2)
 
-    def broken(self, bands: Bands, apart: Fraction) -> str | None:
-        """What of the promise the pair breaks: no gap nearly in a band, centres `apart` extents or one."""
-        if bands.beside(self.square, 0, self.extent) == 0:
-            if bands.forbids((self.r1 - self.r2) ** 2, 0, self.extent):
-                return "the radii about one centre differ by a length inside the forbidden band"
-            return None
-        if self.square * apart.denominator**2 < (apart.numerator * self.extent) ** 2:
-            return _CENTRES
-        for reach, name in zip(self.reaches, ("sum", "difference"), strict=True):
-            if bands.forbids(self.square, reach, self.extent):
-                return f"the centres' distance less the radii's {name} is inside the forbidden band"
-        return None
-
     def points(self, lie: Lie) -> list[tuple[Surd, Surd]]:
         """The common points of circles that lie so, in the caller's units, the one left of C1→C2 first.
 

@@ -10,12 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
-from fractions import Fraction
 
 from msgspec import Struct
 
 from judge.exact.signs import root_sign
-from judge.topics.circles.bands import Bands
 from judge.topics.circles.crowd import Crowd, Hit
 from judge.topics.circles.line import CircleLine
 
@@ -94,23 +92,6 @@ class Shadow(Struct, frozen=True):
             return Shade.OWN
         return Shade.BLOCKED if any(map(self._blocks, views)) else Shade.LIT
 
-    def broken(self, views: Sequence[View], bands: Bands, graze: Fraction) -> str | None:
-        """What is nearly a tie: the light and a circle, the point and another circle, the way and a touch."""
-        width = bands.clear
-        for line in self.crowd.lines:
-            if bands.nearly(_square(line, self.light), line.r, self.crowd.extent):
-                return "the light is nearly on a circle"
-        extent = self.crowd.extent * self.crowd.lines[0].a
-        if not self._clears(self._facing(), graze * extent * extent):
-            return "the light is nearly level with the surface"
-        length = self._dot(self.way, self.way)
-        for view in views:
-            if not self._apart(view.square, (1, 0), view.radius, width * extent):
-                return "the hit is nearly on another circle"
-            if not self._apart(view.cross, length, view.radius, width * extent):
-                return "the way to the light nearly touches a circle"
-        return None
-
     def _blocks(self, view: View) -> bool:
         """Whether another circle has a point between the hit and the light."""
         power = view.radius * view.radius
@@ -128,24 +109,6 @@ class Shadow(Struct, frozen=True):
         """(L − P)·(P − C), above 0 where the light is on the outer side of the tangent at P."""
         return self._dot(self.way, self.outward)
 
-    def _clears(self, value: Root, bound: Fraction) -> bool:
-        """Whether |value| is at least the bound."""
-        top, bottom = bound.numerator, bound.denominator
-        return any(
-            root_sign(sign * value[0] * bottom - top, sign * value[1] * bottom, self.hit.d) >= 0
-            for sign in (1, -1)
-        )
-
-    def _apart(self, square: Root, length: Root, radius: int, bound: Fraction) -> bool:
-        """Whether √(square/length) differs from the radius by at least the bound."""
-        n, m = bound.numerator, bound.denominator
-        outer, inner = m * radius + n, m * radius - n
-        far = (m * m * square[0], m * m * square[1])
-        if self._sign((outer * outer * length[0] - far[0], outer * outer * length[1] - far[1])) <= 0:
-            return True
-        near = inner * inner
-        return inner > 0 and self._sign((near * length[0] - far[0], near * length[1] - far[1])) >= 0
-
     def _sign(self, value: Root) -> int:
         return root_sign(*value, self.hit.d)
 
@@ -161,36 +124,6 @@ class Shadow(Struct, frozen=True):
 
     def _dot(self, one: tuple[Root, Root], other: tuple[Root, Root]) -> Root:
         return self._plus(self._times(one[0], other[0]), self._times(one[1], other[1]))
-
-
-def shade_of(crowd: Crowd, bands: Bands, graze: Fraction, least: Fraction) -> tuple[Shade, str | None]:
-    """What the light is to the scene's first hit, and what of the promise the scene breaks.
-
-    No radius may be less than `least` of the extent, and nothing may be nearly a tie, `graze` and the bands'
-    `clear` being how near.
-    """
-    broken = _broken(crowd, bands, least)
-    every = crowd.every_hit(bands) if any(crowd.direction) else []
-    ahead = [hit for hit in every if hit.near > 0]
-    if not ahead:
-        return Shade.NOTHING, broken
-    shadow = Shadow.of(crowd, ahead[0])
-    views = shadow.views()
-    return shadow.shade(views), broken or shadow.broken(views, bands, graze)
-
-
-def _broken(crowd: Crowd, bands: Bands, least: Fraction) -> str | None:
-    """What of it is seen without the light: tiny circles, touches, an origin on a circle."""
-    if not any(crowd.direction):
-        return "D is (0, 0)"
-    for line in crowd.lines:
-        if line.r * least.denominator < least.numerator * crowd.extent or not line.r:
-            return "a radius is too small a part of the extent"
-        if bands.nearly(_square(line, crowd.origin), line.r, crowd.extent):
-            return "the ray's origin is nearly on a circle"
-        if line.delta == 0 or bands.broken_count(line):
-            return "the ray nearly touches a circle"
-    return None
 
 
 def _square(line: CircleLine, place: tuple[int, int]) -> int:

@@ -16,18 +16,6 @@ from judge.topics.circles.crowd import Crowd, Hit
 UNION, INTERSECTION, DIFFERENCE = -1, -2, -3
 
 
-def program_fault(program: Sequence[int], discs: int) -> str | None:
-    """Why it is no program for so many discs, for a person; None where it is one."""
-    depth = 0
-    for step in program:
-        if step >= discs or step < DIFFERENCE:
-            return f"the program names {step}, and there are {discs} discs"
-        if step < 0 and depth < 2:
-            return f"the program's {step} has less than two solids before it"
-        depth += 1 if step >= 0 else -1
-    return None if depth == 1 else f"the program leaves {depth} solids, not one"
-
-
 def inside_spans(
     crowd: Crowd, every: Sequence[Hit], program: Sequence[int], bands: Bands
 ) -> list[tuple[Surd, Surd]]:

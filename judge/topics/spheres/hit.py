@@ -100,17 +100,3 @@ class SphereRay(Struct, frozen=True):
             Surd(self.a * f - self.b * d, which * d, self.delta, bottom)
             for f, d in zip(self.f, self.d, strict=True)
         )
-
-    def broken(self, bands: Bands, least: Fraction) -> str | None:
-        """What of the promise the case breaks: no gap nearly in a band, a radius of `least` extents or 0."""
-        if self.a == 0 or self.r == 0:
-            return None
-        if self.r * least.denominator < least.numerator * self.extent:
-            return "the radius is not 0, but too small a part of the extent"
-        if bands.forbids(self.square * self.a, self.r * self.a, self.extent * self.a):
-            return "the line's distance to the centre less the radius is inside the forbidden band"
-        for which in self.meets(bands):
-            near = self.at_origin(which, bands.clear, strictly=True)
-            if near and not self.at_origin(which, bands.snap):
-                return "a common point's distance to the ray's origin is inside the forbidden band"
-        return None

@@ -5,8 +5,6 @@ Their distance is r + s where that line meets the circle of this radius about Q0
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -14,7 +12,7 @@ from judge.exact.dyadic import integers
 from judge.exact.surd import Surd
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.line import CircleLine, Number, Pair
-from judge.topics.circles.motion.moments import START, Pace
+from judge.topics.circles.motion.moments import Pace
 from judge.topics.circles.plane import IntPoint
 
 
@@ -59,28 +57,3 @@ class Balls(Struct, frozen=True):
         """The first moment, anywhere on the line, at which the distance is r + s; of a graze the foot's."""
         which = bands.meets(self.line)
         return self.line.root(which[0]) if which else None
-
-    def meeting(self, bands: Bands) -> Surd | None:
-        """The first moment from 0 to 1 at which the discs touch, 0 where they do from the start; or None."""
-        if bands.beside(self.apart, self.line.r, self.line.extent) <= 0:
-            return START
-        first = self.first(bands)
-        return None if first is None else self.pace.within(first, bands)
-
-    def broken(self, bands: Bands, least_radius: Fraction, least_motion: Fraction) -> str | None:
-        """What of the promise the case breaks: radii and motion large enough, no gap nearly in a band."""
-        line, pace = self.line, self.pace
-        if line.r * least_radius.denominator < least_radius.numerator * line.extent:
-            return "r + s is too small a part of the extent"
-        if bands.forbids(self.apart, line.r, line.extent):
-            return "the discs' distance at the start is inside the forbidden band"
-        if not line.a:
-            return None
-        if pace.step * least_motion.denominator < least_motion.numerator * line.extent:
-            return "the motion of one disc seen from the other is too small a part of the extent"
-        if bands.broken_count(line):
-            return "the least distance of the discs is inside the forbidden band"
-        if bands.beside(self.apart, line.r, line.extent) <= 0:
-            return None
-        first = self.first(bands)
-        return None if first is None else pace.broken(first, bands)

@@ -16,8 +16,6 @@ from judge.topics.circles.bands import Bands
 
 START = make(0, 0, 0, 1)
 
-_FORBIDDEN = "the moment of the first touch is inside the forbidden band around t = "
-
 
 class Pace(Struct, frozen=True):
     """The extent e of a case, and how far its motion goes along x or y, whichever is more; in one unit."""
@@ -40,13 +38,6 @@ class Pace(Struct, frozen=True):
         if t.sign() < 0 or (t > 1 and not self.close(t, 1, bands.snap)):
             return None
         return t
-
-    def broken(self, t: Surd, bands: Bands) -> str | None:
-        """What the moment breaks of the promise: it is nearly at the start or at the end, and not there."""
-        for moment in (0, 1):
-            if not self.close(t, moment, bands.snap) and self.close(t, moment, bands.clear, strictly=True):
-                return f"{_FORBIDDEN}{moment}"
-        return None
 
     def unit(self) -> Surd:
         """The extent in units of t; 0 where nothing moves."""

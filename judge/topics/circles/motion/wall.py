@@ -18,7 +18,7 @@ from judge.exact.signs import root_sign
 from judge.exact.surd import Surd
 from judge.topics.circles.bands import Bands
 from judge.topics.circles.line import CircleLine, Number, Pair
-from judge.topics.circles.motion.moments import START, Pace
+from judge.topics.circles.motion.moments import Pace
 from judge.topics.circles.plane import IntPoint
 
 
@@ -144,57 +144,3 @@ class Wall(Struct, frozen=True):
             before, after = foot * m + pace * p, foot * m + pace * p - square * m
             if root_sign(before, pace * q, square) >= 0 >= root_sign(after, pace * q, square):
                 yield Surd(p, q, square, m)
-
-    def meeting(self, bands: Bands) -> Surd | None:
-        """The first moment from 0 to 1 at which disc and wall touch, 0 if they do from the start; or None."""
-        if self.beside(self.start, bands) <= 0:
-            return START
-        first = self.first(bands)
-        return None if first is None else self.pace.within(first, bands)
-
-    def broken(self, bands: Bands, widths: Widths) -> str | None:
-        """What of the promise the case breaks: sizes large enough, no gap nearly in a band."""
-        return self._small(widths) or self._nearly(bands)
-
-    def _small(self, widths: Widths) -> str | None:
-        (wx, wy), (dx, dy) = self.along, self.way
-        if self.r * widths.radius.denominator < widths.radius.numerator * self.extent:
-            return "r is too small a part of the extent"
-        lengths = (
-            (max(abs(dx), abs(dy)), widths.motion, "P1 − P0"),
-            (max(abs(wx), abs(wy)), widths.wall, "B − A"),
-        )
-        for length, least, name in lengths:
-            if length and length * least.denominator < least.numerator * self.extent:
-                return f"{name} is too small a part of the extent"
-        flattest = widths.sine * widths.sine * (wx * wx + wy * wy) * (dx * dx + dy * dy)
-        if self.turn and self.turn**2 < flattest:
-            return "the disc moves nearly along the wall, and not along it"
-        return None
-
-    def _nearly(self, bands: Bands) -> str | None:
-        if bands.forbids(*self.scaled(self.start)):
-            return "the disc's distance from the wall at the start is inside the forbidden band"
-        if not self.caps[0].a:
-            return None
-        for cap, name in zip(self.caps, ("A", "B"), strict=True):
-            if bands.broken_count(cap):
-                return f"the distance of {name} from the disc's way is inside the forbidden band"
-        if self.beside(self.start, bands) <= 0:
-            return None
-        first = self.first(bands)
-        if first is None:
-            grazed = self.beside(self.least, bands) < 0
-            return "the disc enters the wall where it only grazes an end" if grazed else None
-        return self.pace.broken(first, bands)
-
-
-class Widths(Struct, frozen=True):
-    """The least parts of the extent that r, the motion and the wall have, where there is a motion or a wall;
-    and the least sine between both, but for 0.
-    """
-
-    radius: Fraction
-    motion: Fraction
-    wall: Fraction
-    sine: Fraction
