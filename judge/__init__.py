@@ -5,9 +5,9 @@
     result = judge.judge("count", pathlib.Path("mine.py"))
 
 `judge.judging` holds that and what goes with it; nothing of it is imported before it is asked for. Imports
-point one way: cli → batch → judging → report → kata → topics → mistakes → diagnose → run → data →
+point one way: cli → batch → judging → report → kata → geometry → mistakes → diagnose → run → data →
 problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging,
-and none of them but `topics` what a problem is about.
+and none of them but `geometry` what a problem is about.
 
 A type checker reads `__init__.pyi`.
 """

@@ -19,7 +19,7 @@ from judge.problem.keys import code_key, content_key, own_files
 
 FORMAT = 3  # raise it when the form of the file changes
 
-_CODE = ("exact", "values", "data", "problem", "geometry", "topics")  # the packages that the data depend on
+_CODE = ("exact", "values", "data", "problem", "geometry")  # the packages that the data depend on
 
 
 class DataCache(KeptFile):

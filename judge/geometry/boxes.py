@@ -13,8 +13,9 @@ from math import inf, sqrt
 from typing import Any
 
 from judge.exact.signs import two_root_sign
+from judge.geometry.crowd import PLACES
 from judge.geometry.line import Line
-from judge.geometry.sure import Sure, Words
+from judge.geometry.sure import Sure
 from judge.problem.declare import InvalidCase
 from judge.values.tree import AnyOf, Exact
 
@@ -23,9 +24,6 @@ IntPoint = tuple[int, int]
 
 _MARGIN = 1.2e-7  # of e: wider than the promise, and far wider than what doubles lose
 _LEAF = 6  # circles
-_PLACES = Words(
-    "Two circles are met almost at one place", "They must be met at exactly one, or at least 1e-7·e apart."
-)
 
 Box = tuple[Any, ...]  # least and largest x, least and largest y, then indices or None, and two boxes
 
@@ -143,7 +141,7 @@ def _first(lines: Sequence[tuple[int, Line]], sure: Sure) -> Exact:
 
     def beside(one: tuple[int, Line, int], other: tuple[int, Line, int]) -> int:
         (_, p, w), (_, q, v) = one, other
-        return sure.sign(p.b - q.b, v, q.delta, -w, p.delta, per=p.a, what=_PLACES)
+        return sure.sign(p.b - q.b, v, q.delta, -w, p.delta, per=p.a, what=PLACES)
 
     best = met[0]
     for each in met[1:]:

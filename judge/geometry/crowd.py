@@ -23,8 +23,10 @@ Point = tuple[Number, Number]
 Circle = tuple[Number, Number, Number]
 
 UNION, INTERSECTION, DIFFERENCE = -1, -2, -3
-_PLACES = Words(
-    "Two places on the ray are almost the same", "They must be exactly the same, or at least 1e-7·e apart."
+PLACES = Words(
+    "Two places on the ray are almost the same",
+    "They must be exactly the same, or at least 1e-7·e apart.",
+    ("two hits are apart", "two hits are at exactly the same place", "two hits are apart"),
 )
 
 
@@ -120,7 +122,7 @@ class Crowd:
     def _apart(self, one: Hit, other: Hit) -> int:
         """Whether two hits are at different places."""
         p, q = self.circles[one.circle], self.circles[other.circle]
-        return self.sure.sign(p.b - q.b, other.which, q.delta, -one.which, p.delta, per=p.a, what=_PLACES)
+        return self.sure.sign(p.b - q.b, other.which, q.delta, -one.which, p.delta, per=p.a, what=PLACES)
 
 
 def program_fault(program: Sequence[int], discs: int) -> str | None:

@@ -15,10 +15,12 @@ Point = tuple[Number, Number]
 _FIRST = Words(
     "In the first frame the line is almost a tangent",
     "d must differ from r by at least 1e-7·e there.",
+    ("d is below r", "d is r exactly", "d is above r"),
 )
-_THRESHOLD = Words(
+THRESHOLD = Words(
     "The distance almost equals a threshold",
     "It must equal it exactly, or differ from it by at least 1e-7·e.",
+    ("d is below a threshold", "d is a threshold exactly", "d is above a threshold"),
 )
 
 
@@ -45,7 +47,7 @@ def steady(circles: Sequence[tuple[Number, Number, Number]], O: Point, D: Point,
             shown.append(int(Sure(size).distance(k * k, r, a, zero=False, what=_FIRST) < 0))
             continue
         sure, square = Sure(size * m), k * k * m * m  # lengths are m times as long
-        low = sure.distance(square, r * (m - n), a, what=_THRESHOLD)
-        high = sure.distance(square, r * (m + n), a, what=_THRESHOLD)
+        low = sure.distance(square, r * (m - n), a, what=THRESHOLD)
+        high = sure.distance(square, r * (m + n), a, what=THRESHOLD)
         shown.append(int(high <= 0) if shown[-1] else int(low < 0))
     return shown

@@ -3,87 +3,54 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
-
-from msgspec.structs import replace
 
 from judge.problem import Case, Problem
 from judge.problem.declare import Hooks
-from judge.problem.topic import Chance, Puzzle, Shown, Topic
+from judge.problem.topic import Chance, Puzzle, Shown
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
 
-# What a case shows, by the name that it has among the figures.
-LINE, SEGMENT, CHORD, RAY, POINT, TANGENTS = "LINE", "SEGMENT", "CHORD", "RAY", "POINT", "TANGENTS"
-NORMAL, REFLECTION, SPHERE, PAIR, COMMON = "HIT", "BOUNCE", "SPHERE", "PAIR", "COMMON"
-FOOT, NORMAL_FORM, FRAMES, ROWS, MANY = "FOOT", "NORMAL", "FRAMES", "ROWS", "MANY"
-HITS, SPANS, SHADOW, OUTLINE = "HITS", "SPANS", "SHADOW", "OUTLINE"
-BALLS, WALL = "motion BALLS", "motion WALL"
-# Of the first steps, in whole numbers.
-DISTANCE, SIDE, CIRCLE, DIAMETER = "plane DISTANCE", "plane SIDE", "plane CIRCLE", "plane DIAMETER"
-CROSSING, AXIS_FOOT, SEVEN = "plane CROSSING", "plane FOOT", "SEVEN"
-_WIDTHS = {"snap": Fraction(1, 10**12), "clear": Fraction(1, 10**7)}  # of what the figures draw as touching
+# What a case shows: the names of `judge.geometry.views.VIEWS`.
+LINE, POINTS, SEGMENT, COUNT_SEGMENT, CHORD = "line", "points", "segment", "count in a segment", "chord"
+RAY, NORMAL, REFLECTION, SPHERE = "ray", "normal", "reflection", "sphere"
+POINT, TANGENTS, PAIR, COMMON = "point", "tangents", "pair", "common tangents"
+FOOT, NORMAL_FORM, HITS, SPANS, LIGHT = "foot", "normal form", "hits", "spans", "light"
+POLYGON, BALLS, WALL, FRAMES, ROWS, MANY, SEVEN = (
+    "polygon",
+    "balls",
+    "wall",
+    "frames",
+    "rows",
+    "many",
+    "seven",
+)
+TWO_POINTS, SIDE, DIAMETER, AXIS_FOOT = "two points", "side", "diameter", "foot on an axis"
 
 
-def hooks(view: str, *, promise: bool = True) -> Hooks:
-    """The hooks of a kata that shows this; without a promise nothing is too close to be a case."""
-    widths = _WIDTHS if promise else {}
-
-    def topic() -> Topic:
-        return _topic(view)
+def hooks(kind: str) -> Hooks:
+    """The hooks of a kata whose cases are of that kind; what they need is imported when it is wanted."""
 
     def picture(shown: Shown) -> Picture | None:
-        draw = topic().picture
-        return draw(replace(shown, problem=replace(shown.problem, bands=widths))) if draw else None
+        from judge.geometry.picture import compose
+        from judge.problem.module import load_module
 
-    def simpler(problem: Problem, case: Case) -> Iterable[Case]:
-        make = topic().simpler
-        return make(problem, case) if make else ()
+        return compose(kind, shown, load_module(shown.problem).solve)
+
+    def simpler(_problem: Problem, case: Case) -> Iterable[Case]:
+        from judge.geometry.simpler import simpler
+
+        return simpler(kind, case)
 
     def explore(problem: Problem, values: Mapping[str, Any] | None) -> str | None:
-        page = topic().explore
-        return page(replace(problem, bands=widths), values) if page else None
+        from judge.geometry.explore import explored
+
+        return explored(kind, problem, values)
 
     def puzzle(form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
-        make = topic().puzzle
-        return make(form, chance, solve) if make else None
+        from judge.geometry.puzzle import puzzle
+
+        return puzzle(kind, form, chance, solve)
 
     return Hooks(picture, simpler, explore, puzzle)
-
-
-def _topic(view: str) -> Topic:
-    """What draws it, imported when it is wanted: most problems are judged, not drawn."""
-    from judge.topics import circles
-
-    name, _, kind = view.partition(" ")
-    if name == "motion":
-        from judge.topics.circles import motion
-
-        moving: Topic = getattr(motion, kind)
-        return moving
-    if kind:
-        return circles.plane(circles.Kind[kind])
-    if name == "SEVEN":
-        from judge.topics.circles import seven
-
-        return seven.SEVEN
-    if name == "FRAMES":
-        from judge.topics.circles import frames
-
-        return frames.FRAMES
-    if name == "MANY":
-        from judge.topics.circles import many
-
-        return many.MANY
-    if name == "ROWS":
-        from judge.topics.circles import rows
-
-        return rows.ROWS
-    if name == "SPHERE":
-        from judge.topics import spheres
-
-        return spheres.SPHERE
-    topic: Topic = getattr(circles, name)
-    return topic

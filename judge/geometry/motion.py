@@ -15,7 +15,7 @@ from judge.exact.dyadic import integers
 from judge.exact.signs import root_sign, two_root_sign
 from judge.exact.surd import make
 from judge.geometry.quadratic import Number, Quadratic
-from judge.geometry.sure import Sure, Words
+from judge.geometry.sure import Sides, Sure, Words
 from judge.problem.declare import InvalidCase
 from judge.values.tree import Real
 
@@ -26,30 +26,51 @@ LEAST_WALL = 10_000  # a wall is a point, or at least size/LEAST_WALL long
 LEAST_SINE = 10_000  # of way and wall the sine is 0, or at least 1/LEAST_SINE
 
 
-def _words(what: str, length: str, wanted: str) -> Words:
-    return Words(what, f"{length} must equal {wanted} exactly, or differ from it by at least 1e-7·e.")
+def _words(almost: str, length: str, wanted: str, sides: Sides) -> Words:
+    must = f"{length} must equal {wanted} exactly, or differ from it by at least 1e-7·e."
+    return Words(almost, must, sides)
+
+
+def _at(almost: str, length: str, wanted: str, who: str) -> tuple[Words, Words]:
+    """The words of whether discs, or a disc and the wall, touch at t = 0, and at t = 1."""
+    start, end = (
+        _words(
+            f"{almost} at t = {t}",
+            length,
+            wanted,
+            (f"{who} overlap at t = {t}", f"{who} touch exactly at t = {t}", f"{who} are apart at t = {t}"),
+        )
+        for t in (0, 1)
+    )
+    return start, end
 
 
 _DISCS, _DISC = "The distance of the centres", "The distance of the disc's centre from the wall"
 _END = "The distance of A and of B from the line of the way"
 
 
-class _Discs(Quadratic):
+class Discs(Quadratic):
+    """One disc as seen from the other."""
+
     touch = _words(
-        "The discs almost graze each other", f"Without end both ways the least of {_DISCS.lower()}", "r + s"
+        "The discs almost graze each other",
+        f"Without end both ways the least of {_DISCS.lower()}",
+        "r + s",
+        ("the discs overlap on the way", "the discs graze exactly", "the discs pass each other"),
     )
-    ends = (
-        _words("The discs almost touch at t = 0", _DISCS, "r + s"),
-        _words("The discs almost touch at t = 1", _DISCS, "r + s"),
-    )
+    ends = _at("The discs almost touch", _DISCS, "r + s", "the discs")
 
 
-class _Cap(Quadratic):
-    touch = _words("The disc almost grazes an end of the wall", _END, "r")
-    ends = (
-        _words("The disc almost touches the wall at t = 0", _DISC, "r"),
-        _words("The disc almost touches the wall at t = 1", _DISC, "r"),
+class Cap(Quadratic):
+    """The disc as seen from an end of the wall."""
+
+    touch = _words(
+        "The disc almost grazes an end of the wall",
+        _END,
+        "r",
+        ("the disc overlaps an end", "the disc grazes an end exactly", "the disc passes an end"),
     )
+    ends = _at("The disc almost touches the wall", _DISC, "r", "disc and wall")
 
 
 def balls_meeting(P0: Point, P1: Point, r: Number, Q0: Point, Q1: Point, s: Number) -> Real | None:
@@ -65,7 +86,7 @@ def balls_meeting(P0: Point, P1: Point, r: Number, Q0: Point, Q1: Point, s: Numb
     way = (bx - ax) - (hx - gx), (by - ay) - (hy - gy)
     spans = (bx - ax, by - ay, gx - ax, gy - ay, hx - ax, hy - ay)
     sure = Sure(max(one + other, *map(abs, spans)))
-    line = _Discs((ax - gx, ay - gy), way, one + other, sure, shift=shift)
+    line = Discs((ax - gx, ay - gy), way, one + other, sure, shift=shift)
     sure.least(line.a, LEAST_MOTION, "The way of one disc as seen from the other")
     if line.side() <= 0:
         return _start(line)
@@ -104,7 +125,7 @@ def wall_meeting(P0: Point, P1: Point, r: Number, A: Point, B: Point) -> Real | 
     d, w, f = (qx - px, qy - py), (bx - ax, by - ay), (px - ax, py - ay)
     g = px - bx, py - by
     sure = Sure(max(radius, *map(abs, (*f, *g, f[0] + d[0], f[1] + d[1], g[0] + d[0], g[1] + d[1]))))
-    caps = [_Cap(each, d, radius, sure, shift=shift) for each in (f, g)]
+    caps = [Cap(each, d, radius, sure, shift=shift) for each in (f, g)]
     way, wall = caps[0].a, w[0] * w[0] + w[1] * w[1]
     sure.least(way, LEAST_MOTION, "The way")
     sure.least(wall, LEAST_WALL, "The wall")
@@ -117,7 +138,7 @@ def wall_meeting(P0: Point, P1: Point, r: Number, A: Point, B: Point) -> Real | 
         x, y = f[0] + t * d[0], f[1] + t * d[1]
         foot, k = x * w[0] + y * w[1], w[0] * y - w[1] * x
         if 0 < foot < wall:
-            return sure.distance(k * k, radius, wall, what=_Cap.ends[t])
+            return sure.distance(k * k, radius, wall, what=Cap.ends[t])
         return caps[foot > 0 and wall > 0].side(t)
 
     if apart(0) <= 0:

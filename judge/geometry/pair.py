@@ -19,9 +19,25 @@ from judge.values.tree import Real
 SHARE = 1000  # of e, that lengths which answers are divided by have at least
 
 _AWAY = "They must touch exactly, or stay at least 1e-7·e away from touching."
-_OUTER = Words("The circles almost touch from outside", _AWAY)
-_INNER = Words("The circles almost touch, one inside the other", _AWAY)
-_SAME = Words("The circles are almost the same", "Their radii must be equal, or at least 1e-7·e apart.")
+OUTER = Words(
+    "The circles almost touch from outside",
+    _AWAY,
+    ("the circles overlap", "the circles touch exactly from outside", "the circles are apart"),
+)
+INNER = Words(
+    "The circles almost touch, one inside the other",
+    _AWAY,
+    (
+        "one circle is inside the other and away from it",
+        "the circles touch exactly, one inside the other",
+        "one circle reaches out of the other",
+    ),
+)
+_SAME = Words(
+    "The circles are almost the same",
+    "Their radii must be equal, or at least 1e-7·e apart.",
+    ("r1 is less than r2", "the circles are exactly the same", "r1 is more than r2"),
+)
 
 
 class Lie(Enum):
@@ -102,8 +118,8 @@ class Pair:
         return found
 
     def _apart(self) -> Lie:
-        outer = self.sure.distance(self.square, self.r1 + self.r2, what=_OUTER)
-        inner = self.sure.distance(self.square, abs(self.r1 - self.r2), what=_INNER)
+        outer = self.sure.distance(self.square, self.r1 + self.r2, what=OUTER)
+        inner = self.sure.distance(self.square, abs(self.r1 - self.r2), what=INNER)
         if outer >= 0:
             return Lie.APART if outer else Lie.OUTER
         return (Lie.INSIDE, Lie.INNER, Lie.CROSSING)[inner + 1]

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.exact.dyadic import integers
-from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle
-from judge.geometry.sure import Sure, Words
+from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle, tangent
+from judge.geometry.sure import Sure
 from judge.problem.declare import InvalidCase
 
 Point = tuple[Number, Number]
 
-_EDGE = Words("An edge is almost a tangent", "Its line must touch exactly, or stay at least 1e-7·e away.")
+EDGE = tangent("An edge")
 _CORNER = on_circle("A corner")
 
 
 class Edge(Quadratic):
     """A circle and the line of an edge, which runs from t = 0 to t = 1."""
 
-    touch = _EDGE
+    touch = EDGE
     ends = _CORNER, _CORNER
 
 

@@ -24,14 +24,30 @@ Vector = tuple[Real, ...]
 LEAST_RADIUS = 10_000  # a radius that answers are divided by is 0, or at least size/LEAST_RADIUS
 
 
-def on_circle(point: str, figure: str = "circle") -> Words:
+def on_circle(point: str, figure: str = "the circle") -> Words:
     """The words of whether that point is on the figure."""
     return Words(
-        f"{point} is almost on the {figure}", "It must be exactly on it, or stay at least 1e-7·e away."
+        f"{point} is almost on {figure}",
+        "It must be exactly on it, or stay at least 1e-7·e away.",
+        (
+            f"{point} is inside {figure}",
+            f"{point} is exactly on {figure}",
+            f"{point} is outside {figure}",
+        ),
     )
 
 
-TANGENT = Words("The line is almost a tangent", "It must touch exactly, or stay at least 1e-7·e away.")
+def tangent(line: str, of: str = "the circle") -> Words:
+    """The words of whether that line touches."""
+    told = line[0].lower() + line[1:]
+    return Words(
+        f"{line} is almost a tangent",
+        "It must touch exactly, or stay at least 1e-7·e away.",
+        (f"{told} cuts {of}", f"{told} touches {of} exactly", f"{told} misses {of}"),
+    )
+
+
+TANGENT = tangent("The line")
 
 
 class Quadratic:
@@ -185,7 +201,7 @@ class Quadratic:
 class Sphere(Quadratic):
     """The sphere (C, r) and the ray O + t·D in space; e = max(r, |O − C|∞)."""
 
-    ends = on_circle("O", "sphere"), on_circle("O + D", "sphere")
+    ends = on_circle("O", "the sphere"), on_circle("O + D", "the sphere")
 
     def __init__(
         self, centre: Sequence[Number], radius: Number, origin: Sequence[Number], direction: Sequence[Number]

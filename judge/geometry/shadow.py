@@ -13,7 +13,7 @@ from enum import Enum
 
 from judge.exact.signs import root_sign
 from judge.geometry.crowd import Circle, Crowd, Hit, Point
-from judge.geometry.quadratic import LEAST_RADIUS, Quadratic
+from judge.geometry.quadratic import LEAST_RADIUS, Quadratic, on_circle, tangent
 from judge.geometry.sure import Root, Sure, Words
 
 GRAZE = 1_000_000  # L is at least size/GRAZE off the tangent at P
@@ -29,17 +29,17 @@ class Shade(Enum):
     BLOCKED = "blocked"  # another circle is
 
 
-_AWAY = "It must stay at least 1e-7·e away."
-_ORIGIN = Words("O is almost on a circle", _AWAY)
-_LIGHT = Words("L is almost on a circle", _AWAY)
-_HIT = Words("P is almost on another circle", _AWAY)
-_RAY = Words(
-    "The ray's line is almost a tangent", "It must stay at least 1e-7·e away from touching a circle."
+_ORIGIN, _LIGHT, _HIT = (
+    on_circle("O", "a circle"),
+    on_circle("L", "a circle"),
+    on_circle("P", "another circle"),
 )
-_WAY = Words(
-    "The line from P to L is almost a tangent", "It must stay at least 1e-7·e away from touching a circle."
+_RAY, _WAY = tangent("The ray's line", "a circle"), tangent("The line from P to L", "a circle")
+_LEVEL = Words(
+    "L is almost on the tangent at P",
+    "It must be at least 1e-6·e away.",
+    ("L is behind the tangent at P", "L is exactly on the tangent at P", "L is before the tangent at P"),
 )
-_LEVEL = Words("L is almost on the tangent at P", "It must be at least 1e-6·e away.")
 
 
 def shade(circles: Sequence[Circle], O: Point, D: Point, L: Point) -> Shade:

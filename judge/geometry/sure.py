@@ -6,6 +6,7 @@ length that is longer than the threshold by less than one part in 2**38 may be r
 
 from __future__ import annotations
 
+from decimal import Decimal
 from fractions import Fraction
 from math import isqrt
 from typing import NamedTuple
@@ -18,20 +19,31 @@ BITS = 64  # below the figure's unit: how exactly a root's length is taken
 _UNIT = 2 * BITS
 
 
+Sides = tuple[str, str, str]  # of a length below 0, 0, and above 0
+
+
 class Words(NamedTuple):
-    """What a decision is called where its length is neither 0 nor clear; both are whole sentences."""
+    """What is said of a decision: where its length is neither 0 nor clear, and what it came to."""
 
     almost: str  # without its full stop: "The line is almost a tangent"
     must: str  # "It must touch exactly, or stay at least 1e-7·e away."
+    sides: Sides  # "the line cuts the circle", "the line touches it exactly", "the line misses it"
 
     @property
     def name(self) -> str:
         """The decision in a table: "The line is a tangent"."""
         return self.almost.replace("almost ", "")
 
+    def said(self, gap: float | Decimal) -> str:
+        """What a decision with that gap came to: "the line cuts the circle by 3.1e-7·e"."""
+        below, exactly, above = self.sides
+        if not gap:
+            return exactly
+        return f"{below} by {short(-gap)}·e" if gap < 0 else f"{above} by {short(gap)}·e"
+
     def sentence(self, gap: float) -> str:
         """What InvalidCase says of that part of e."""
-        return f"{self.almost} (gap {_short(abs(gap))}·e). {self.must}"
+        return f"{self.almost} (gap {short(abs(gap))}·e). {self.must}"
 
 
 class Root(NamedTuple):
@@ -111,8 +123,8 @@ class Sure:
         `what` is the length's name, such as "The radius".
         """
         if square * share * share < self.size * self.size if square else not zero:
-            part = _short(isqrt(square << _UNIT) / ((self.size or 1) << BITS))
-            wanted = f"{'0, or ' if zero else ''}at least {_short(1 / share)}·e"
+            part = short(isqrt(square << _UNIT) / ((self.size or 1) << BITS))
+            wanted = f"{'0, or ' if zero else ''}at least {short(1 / share)}·e"
             raise InvalidCase(f"{what} is {part}·e. It must be {wanted}.")
 
     def _exactly(self, zero: bool, what: Words) -> int:
@@ -137,7 +149,7 @@ def _scaled_root(q: int, d: int) -> int:
     return root if q > 0 else -root
 
 
-def _short(part: float) -> str:
+def short(part: float | Decimal) -> str:
     """Two digits, such as 1.9e-11; 0.1 and more without a power of ten."""
     if part == 0 or part >= 0.1:
         return f"{part:.2g}"

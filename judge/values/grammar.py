@@ -5,8 +5,8 @@
           |  "(" type "," type … ")"                     a tuple of fixed parts
           |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
 
-Names are looked up in the pack's own folder `types`, in `judge/values/atoms` and in the topics' `types`; an
-argument is a word or a number, and arguments are parted by "|", ";" or ",".
+Names are looked up in the pack's own folder `types` and in `judge/values/atoms`; an argument is a
+word or a number, and arguments are parted by "|", ";" or ",".
 """
 
 from __future__ import annotations
@@ -27,7 +27,6 @@ from judge.values.type import Type
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
 _PACKAGE = Path(__file__).parent
-_TOPICS = _PACKAGE.parent / "topics"
 _DEEPEST = 12
 _LONGEST = 1_000_000_000  # of a list
 
@@ -210,23 +209,18 @@ class _Parser:
 
     def _unknown(self, name: str) -> TypeFault:
         meant = _FOREIGN.get(name) or nearest(name, names(_places(self._folder)))
-        own = names(_own_places(self._folder))  # a topic's types are for whoever knows of them
+        own = names(_places(self._folder))
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         if self._tokens == [name]:
             return TypeFault(f"{name!r} is unknown", remedy)
         return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
 
 
-def _own_places(folder: Path | None) -> Iterator[Path]:
+def _places(folder: Path | None) -> Iterator[Path]:
     """Where the types of a pack and of the language itself are."""
     if folder is not None:
         yield folder
     yield _PACKAGE / "atoms"
-
-
-def _places(folder: Path | None) -> Iterator[Path]:
-    yield from _own_places(folder)
-    yield from sorted(_TOPICS.glob("*/types"))
 
 
 def _found(name: str, folder: Path | None) -> Any:

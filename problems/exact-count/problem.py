@@ -5,7 +5,7 @@ from judge.geometry.hooks import LINE, hooks
 from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
 from judge.problem.declare import group
 
-HOOKS = hooks(LINE, promise=False)
+HOOKS = hooks(LINE)
 INT, INT_AXIS, WIDE = {**PLAIN, "numbers": "int"}, {**AXIS, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 
 

@@ -3,12 +3,12 @@
 from functools import partial
 
 from judge.geometry import plain
-from judge.geometry.hooks import OUTLINE, hooks
+from judge.geometry.hooks import POLYGON, hooks
 from judge.geometry.polygon import crossings
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(OUTLINE)
+HOOKS = hooks(POLYGON)
 FULL = {**HUGE, "size": 2**35, "move": 49}
 STARS = "in out in out", "in out out", "in in out out in", "out in out across"
 ON = "on out on in", "on in on out out", "on on on", "on out out in"

@@ -1,11 +1,11 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
-from judge.geometry.hooks import SHADOW, hooks
+from judge.geometry.hooks import LIGHT, hooks
 from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, TINY, anywhere, either, lights, shaded
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import group
 
-HOOKS = hooks(SHADOW)
+HOOKS = hooks(LIGHT)
 ANSWERS = {Shade.NOTHING: None, Shade.LIT: "lit"}
 ABOUT = {"others": (0, 2)}
 FINE = {**BIG, "size": 2**26, "move": 0, "shift": (0, -20, -40)}

@@ -11,17 +11,17 @@ from __future__ import annotations
 import random
 import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
 from judge.exact import Surd
-from judge.topics.circles.bands import Bands
-from judge.topics.circles.line import CircleLine
-from judge.values import Tolerance, parse, vector
+from judge.geometry import Line, whole
+from judge.problem.declare import InvalidCase
+from judge.values import Tolerance, parse
 
 ROUNDS = 7
 CASES = 400
-BANDS = Bands(Fraction(1, 10**12), Fraction(1, 10**7))
 TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 POINTS, COUNT = parse("points"), parse("count")
 
@@ -37,8 +37,8 @@ def formula(case: Sequence[Any]) -> int:
 
 def segment_answer(case: Sequence[Any]) -> Any:
     """The reference of the segment problem."""
-    line = CircleLine.through(*case)
-    return [vector(line.point(which), line.extent_length()) for which in BANDS.segment(line)]
+    line = Line.through(*case)
+    return [line.real_point(which) for which in line.within()]
 
 
 def segment_case(case: Sequence[Any]) -> Any:
@@ -48,7 +48,7 @@ def segment_case(case: Sequence[Any]) -> Any:
 
 def count_case(case: Sequence[Any]) -> Any:
     """The whole answer of an exact-count case."""
-    return COUNT.target(CircleLine.through(*case).count(), TOLERANCE)
+    return COUNT.target(whole.count_line(*case), TOLERANCE)
 
 
 def draw(source: random.Random, size: int, as_float: bool) -> tuple[Any, ...]:
@@ -65,8 +65,9 @@ def two_points(source: random.Random, as_float: bool) -> list[tuple[Any, ...]]:
     cases: list[tuple[Any, ...]] = []
     while len(cases) < CASES:
         case = draw(source, 10**9, as_float)
-        if len(BANDS.segment(CircleLine.through(*case))) == 2:
-            cases.append(case)
+        with suppress(InvalidCase):
+            if len(Line.through(*case).within()) == 2:
+                cases.append(case)
     return cases
 
 
@@ -101,8 +102,8 @@ def main() -> None:
         ("segment, ints to 1e9: answer and intervals", segment_case, ints, ints, 1),
         ("  of which the intervals of 4 numbers", lambda a: POINTS.target(a, TOLERANCE), answers, ints, 1),
         (
-            "promise of a segment case",
-            lambda c: BANDS.broken_segment(CircleLine.through(*c)),
+            "decisions of a segment case",
+            lambda c: Line.through(*c).within(),
             floats,
             ints,
             1,

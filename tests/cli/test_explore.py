@@ -13,12 +13,13 @@ import pytest
 from chromium import CHROMIUM, dom
 from sampling import nightly
 
-import judge.topics.circles.explore as explore
+import judge.geometry.explore as explore
 from judge.data.load import load_data
 from judge.exact.surd import Surd
+from judge.geometry import Line, Sure
+from judge.problem.declare import InvalidCase
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.topics.circles import Bands, CircleLine
 
 pytestmark = pytest.mark.slow
 
@@ -61,8 +62,7 @@ def test_a_case_of_ones_own(judge, words, kind, numbers):
     assert json.loads(line) == {"schema": 1, "problem": words[0], "out": "page.html", "bytes": len(written)}
     start = start_of(written.decode())
     assert (start["kind"], start["numbers"], start["problems"][kind]) == (kind, numbers, words[0])
-    bands = [["0", "1"]] * 2 if words[0] == "exact-count" else [["1", str(10**12)], ["1", str(10**7)]]
-    assert [start["bands"]["snap"], start["bands"]["clear"]] == bands
+    assert start["clear"] == (["0", "1"] if words[0] == "exact-count" else ["1", str(10**7)])
 
 
 def test_the_case_that_broke_a_file(judge, submit):
@@ -103,9 +103,9 @@ def values(*case):
 @pytest.mark.parametrize(
     ("problem", "case", "answer", "promise"),
     [
-        ("count", (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "between the bands"),
-        nightly("segment", (0, 0, 5, (3, 4), (3, 4)), "1 point", "keeps the promise"),
-        nightly("ray-nearest", (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "keeps the promise"),
+        ("count", (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "almost touches: not a valid input"),
+        nightly("segment", (0, 0, 5, (3, 4), (3, 4)), "1 point", "clear"),
+        nightly("ray-nearest", (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "clear"),
     ],
 )
 def test_what_it_says(tmp_path, problem, case, answer, promise):
@@ -163,9 +163,7 @@ def test_keys_fingers_and_fields_move_it(tmp_path):
 DIGITS = 24
 SCRIPT = Path(explore.__file__).with_name("exact.js")
 PAGE = """<!doctype html><meta charset="utf-8"><pre id="told"></pre><script>SCRIPT
-const bands = {snap: [1n, 10n ** 12n], clear: [1n, 10n ** 7n]};
-const none = {snap: [0n, 1n], clear: [0n, 1n]};
-const told = CASES.map(([kind, exact, texts]) => Exact.analyse(texts, kind, exact ? none : bands));
+const told = CASES.map(([kind, exact, texts]) => Exact.analyse(texts, kind, [exact ? 0n : 1n, 10n ** 7n]));
 document.getElementById("told").textContent = JSON.stringify(told);
 </script></html>"""
 PROBLEMS = {"count": "line", "segment": "segment", "ray-nearest": "ray", "exact-count": "line"}
@@ -178,7 +176,7 @@ def flat(case):
 
 
 def moved(case, chance):
-    """A case in which a number is off by so little that a band or the promise may notice."""
+    """A case in which a number is off by so little that the promise may notice."""
     numbers = [number for value in case for number in (value if isinstance(value, tuple) else (value,))]
     place = chance.randrange(7)
     size = max(map(abs, numbers)) or 1
@@ -189,7 +187,7 @@ def moved(case, chance):
 
 
 def cases():
-    """(kind, whether there are no bands, case): of the data, and each once more a little off."""
+    """(kind, whether there is no promise, case): of the data, and each once more a little off."""
     chance = random.Random(20261122)
     for name, kind in PROBLEMS.items():
         data = load_data(find_problem(name))
@@ -200,34 +198,45 @@ def cases():
                 yield kind, False, moved(case, chance)
 
 
+class Anything(Sure):
+    """Decides whatever is asked, however close."""
+
+    def distance(self, square, radius, per=1, **_):
+        return (square > radius**2 * per) - (square < radius**2 * per)
+
+
 def wanted(kind, exact, case):
     """What the page must say."""
-    build = CircleLine.ray if kind == "ray" else CircleLine.through
-    line = build(*case)
-    bands = Bands(Fraction(0), Fraction(0)) if exact else Bands(Fraction(1, 10**12), Fraction(1, 10**7))
-    found = bands.meets(line)
-    kept, least, broken = found, None, bands.broken_count(line)
-    if kind == "segment":
-        kept, broken = bands.segment(line), bands.broken_segment(line)
-    elif kind == "ray":
-        least, broken = bands.ray(line), bands.broken_ray(line)
+    line = (Line.ray if kind == "ray" else Line.through)(*case)
+    decide = {"line": line.count, "segment": line.within, "ray": line.first}[kind]
+    broken = False
+    try:
+        decide()
+    except InvalidCase:
+        broken = not exact
+    line.sure = Anything(line.sure.size)
+    found = list(line.meets())
     unit = 1 << line.shift
 
     def text(x):
         return Surd.of(x).decimal(DIGITS)
 
+    first = line.first() if kind == "ray" else None
     told = {
-        "count": bands.count(line),
-        "broken": broken is not None,
+        "count": line.count(),
+        "broken": broken,
         "delta": text(Fraction(line.delta, unit**4)),
-        "extent": text(Fraction(line.extent, unit)),
-        "all": [[which, text(line.root(which)), [text(x) for x in line.point(which)]] for which in found],
-        "least": None if least is None else text(least),
-        "kept": None if kind == "ray" else list(kept),
+        "extent": text(Fraction(line.sure.size, unit)),
+        "all": [
+            [which, text(line.time(which).x), [text(each.x) for each in line.real_point(which)]]
+            for which in found
+        ],
+        "least": None if first is None else text(line.time(first).x),
+        "kept": {"line": found, "segment": line.within(), "ray": None}[kind],
     }
-    if not line.degenerate:
-        told["foot"] = [text(line.root(0)), [text(x) for x in line.point(0)]]
-        told["distance"] = text(Surd(0, abs(line.k), line.a, line.a * unit))
+    if line.a:
+        told["foot"] = [text(line.time(0).x), [text(each.x) for each in line.real_point(0)]]
+        told["distance"] = text(Surd(0, abs(line.cross), line.a, line.a * unit))
         told["half"] = text(Surd(0, 1, line.delta * line.a, line.a * unit)) if line.delta >= 0 else None
     return told
 

@@ -120,7 +120,7 @@ def test_the_lens_shows_on_which_side_the_end_of_the_segment_is():
     marks = {mark.text: mark.at for mark in lens.marks}
     assert marks["B"] == (0, 0)
     assert marks["got"][0] < -0.4
-    assert lens.note == "B is 2.9e-7 e outside the circle"
+    assert lens.note == "B is outside the circle by 2.9e-7·e"
 
 
 def test_what_is_no_figure_of_the_topic_has_no_picture():

@@ -14,7 +14,8 @@ from judge.geometry import Root, Sure, Words
 from judge.geometry.sure import CLEAR
 from judge.problem.declare import InvalidCase, decisions
 
-WORDS = Words("The length is almost 0", "It must be 0, or at least 1e-7·e.")
+SIDES = "it is below 0", "it is 0", "it is above 0"
+WORDS = Words("The length is almost 0", "It must be 0, or at least 1e-7·e.", SIDES)
 TINY = Decimal(10) ** -250  # a number of these sizes that is nearer to 0 is 0
 SPARE = Decimal(2) ** -38  # by how much more than the threshold a length may be and yet be refused
 

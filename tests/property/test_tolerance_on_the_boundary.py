@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from judge.errors import ProblemError
 from judge.exact import Surd, rounding
-from judge.topics.circles.line import CircleLine
-from judge.values import Accepted, Real, Rejection, Tolerance, parse, vector
+from judge.geometry import Line
+from judge.values import Accepted, Real, Rejection, Tolerance, parse
 from judge.values.interval import exact_ends, measure, widths
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
@@ -107,10 +107,12 @@ def irrational_cases(count: int):
         numbers = [source.randint(-(10**9), 10**9) for _ in range(7)]
         if source.random() < 0.3:
             numbers = [source.uniform(-1e9, 1e9) for _ in range(7)]
-        line = CircleLine.through(*numbers[:2], abs(numbers[2]), tuple(numbers[3:5]), tuple(numbers[5:]))
-        if line.count() == 2 and line.root(1).q:
-            made += 1
-            yield line.point(source.choice((-1, 1)))[source.randrange(2)], line.extent_length()
+        line = Line.through(*numbers[:2], abs(numbers[2]), tuple(numbers[3:5]), tuple(numbers[5:]))
+        if line.delta > 0:
+            found = line.real_point(source.choice((-1, 1)))[source.randrange(2)]
+            if isinstance(found.x, Surd) and found.x.q:
+                made += 1
+                yield found.x, Surd.of(found.unit)
 
 
 def test_fractions_around_the_boundary_of_an_irrational_answer():
@@ -208,8 +210,7 @@ def test_doubles_next_to_the_ends():
 
 def test_a_pythagorean_boundary_is_accepted_in_every_form():
     """(6,7) and (9,16) on the circle about (6,12): rational points, exact boundaries."""
-    line = CircleLine.through(6, 12, 5, (4, 1), (5, 4))
-    points, answer = parse("points"), [vector(line.point(which), line.extent_length()) for which in (-1, 1)]
+    points, answer = parse("points"), Line.through(6, 12, 5, (4, 1), (5, 4)).points()
     tolerance = Tolerance(extent=Fraction(1, 2**20))
     target = points.target(answer, tolerance)
     width = Fraction(11, 2**20)

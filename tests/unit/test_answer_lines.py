@@ -8,12 +8,10 @@ from typing import Any
 import pytest
 
 from judge.exact import Surd
-from judge.topics.circles.line import CircleLine
 from judge.values import Accepted, Real, Rejection, Tolerance, Words, parse, vector
 
 TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12), ulps=Fraction(1))
-LINE = CircleLine.through(2, 1, 1, (0, 1), (4, 1))
-TWO = ("points", [vector(LINE.point(which), LINE.extent_length()) for which in (-1, 1)])
+TWO = ("points", [vector((1, 1), 2), vector((3, 1), 2)])
 WORDS = {
     "count": Words(meant="0, 1, 2 or none"),
     "points": Words(order="they come in the order of t along the line"),
@@ -173,7 +171,7 @@ def test_a_decimal_comma_is_told(line):
 
 POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 T_TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
-ONE = [vector(CircleLine.through(2, 1, 1, (3, 0), (3, 3)).point(0), 2)]
+ONE = [vector((3, 1), 2)]
 POINTS = parse("points", words=WORDS["points"])
 COUNT = parse("count", words=WORDS["count"])
 PARAMETER = parse("parameter", words=WORDS["parameter"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 from array import array
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -250,9 +251,12 @@ def test_a_type_is_its_text(text):
 
 
 def test_a_radius_is_never_negative():
-    circle, inside = parse("circle"), (1, 2, 0)
+    folder = Path(__file__).parents[2] / "problems" / "types"
+    circle, inside = parse("circle", folder), (1, 2, 0)
     assert circle.outside(inside, -5, 5) is None
     assert circle.outside((1, 2, -1), -5, 5) == (-1, 0, 5)
-    assert parse("[integer-circle]").outside((inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
+    assert parse("[integer-circle]", folder).outside((inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
     assert circle.fault("c", (1, 2)) == "c must be 3 numbers, not (1, 2)"
-    assert parse("integer-circle").fault("c", (1, 2, 3.0)) == "c has the float 3.0 where an int is meant"
+    assert (
+        parse("integer-circle", folder).fault("c", (1, 2, 3.0)) == "c has the float 3.0 where an int is meant"
+    )

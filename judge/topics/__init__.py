@@ -1,1 +1,0 @@
-"""What is known of one topic each; the rest of the package knows none of it."""
