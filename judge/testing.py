@@ -25,7 +25,7 @@ from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, explained, held, routine_name
-from judge.mistakes.told import aimed_groups, told_mistakes
+from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
@@ -171,7 +171,6 @@ def _lines(
 def _hints(problem: Problem, group: Group) -> Iterator[Line]:
     """The known mistakes that the failing group should catch."""
     mistakes = told_mistakes(problem)
-    (group,) = aimed_groups(problem, (group,))
     if not group.kills:
         return
     yield line()

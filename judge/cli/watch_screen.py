@@ -17,7 +17,6 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
-from judge.mistakes.told import aimed_groups
 from judge.report.groups import group_lines
 from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
@@ -184,7 +183,6 @@ class _WatchScreen:
         if group is None:
             text = f"no test group fails; judge show {problem.id} --groups lists them all"
             return lambda screen: note_text(text, screen)
-        (group,) = aimed_groups(problem, (group,))
         return lambda screen: screen.text(group_lines(problem, [group], screen.width))
 
     def picture(self) -> View:

@@ -40,9 +40,7 @@ def build(
     built = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        solved, attempts = (
-            (examples, ()) if group.builder == EXAMPLES else build_cases(problem, module, group)
-        )
+        solved, attempts = (examples, ()) if group.name == EXAMPLES else build_cases(problem, module, group)
         _check_size(problem, group, [case for case, _ in solved])
         targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
         built.append(GroupData(group, [case for case, _ in solved], targets, attempts))
@@ -66,8 +64,8 @@ def build_cases(problem: Problem, module: Module, group: Group) -> tuple[list[So
         attempts[number] = attempt
         return SeededDraw(case_seed(group, number, attempt))
 
-    what = f"group {group.name!r}: {group.drawer} fails"
-    with blaming(problem, what, lambda: group_place(problem, group.name, "parameters")):
+    what = f"group {group.name!r}: its draw fails"
+    with blaming(problem, what, lambda: group_place(problem, group.name)):
         for number in range(group.count):
             draws = partial(source, number)
             last = next(reversed(cases.items()), None)
@@ -83,7 +81,7 @@ def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
     if sent > most:
         raise ProblemError(
             f"group {group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
-            where=group_place(problem, group.name, "count"),
+            where=group_place(problem, group.name),
             remedy="raise input_mb in [limits], or make fewer or smaller cases",
         )
 
@@ -141,26 +139,22 @@ def new_case(
         try:
             case = builder(draws(attempt))
         except Rejected:
-            failures[f"rejected by {group.drawer}"] += 1
+            failures["rejected by its draw"] += 1
             continue
         if fault := validator.shape(case):
             raise ProblemError(
-                f"group {group.name!r}: {group.drawer} gives no case: {fault}",
+                f"group {group.name!r}: its draw gives no case: {fault}",
                 where=f"{problem.id}/problem.py",
                 remedy="correct what it returns",
             )
         if last is not None and changed is not None:
             case = neighbour(last[0], case, changed)
-        if (fault := validator.bounds(case)) and not problem.in_toml:
+        if fault := validator.bounds(case):
             raise ProblemError(
                 f"group {group.name!r} draws a case out of bounds: {fault}",
-                where=group_place(problem, group.name, "builder"),
+                where=group_place(problem, group.name),
                 remedy="draw smaller numbers, or widen the parameter's bounds",
             )
-        if fault:
-            failures["out of bounds"] += 1
-            latest["out of bounds"] = f" ({fault})"
-            continue
         proof = validator.promise(case)
         if proof.fault:
             failures["against the promise"] += 1
@@ -173,10 +167,10 @@ def new_case(
             return case, proof.answer
     reason, times = failures.most_common(1)[0]
     raise ProblemError(
-        f"group {group.name!r}: {group.drawer} gives no case {number} of {group.count} "
+        f"group {group.name!r}: its draw gives no case {number} of {group.count} "
         f"in {_ATTEMPTS} attempts, {times} of them {reason}{latest.get(reason, '')}",
-        where=group_place(problem, group.name, "builder"),
-        remedy="correct its parameters, or lower count",
+        where=group_place(problem, group.name),
+        remedy="draw more of them, or lower cases",
     )
 
 
@@ -185,7 +179,7 @@ def _solved_examples(problem: Problem, module: Module) -> list[SolvedCase]:
 
     They are looked at whether or not a group judges by them.
     """
-    group = next((each for each in problem.groups if each.builder == EXAMPLES), problem.groups[0])
+    group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
     validator = Validator(problem, module.solve)
     solved = []
     for example in problem.examples:

@@ -33,7 +33,7 @@ class BuilderError(ProblemError):
 def require(condition: bool, what: str) -> None:
     """Raise BuilderError unless `condition` holds; `what` says what should have been true."""
     if not condition:
-        raise BuilderError(f"its check fails: {what}", remedy="check its parameters in problem.toml")
+        raise BuilderError(f"its check fails: {what}", remedy="correct what it draws")
 
 
 class Draw(Protocol):

@@ -30,7 +30,7 @@ BUILT = 32  # cases of a series: no more than a pinned group has
 
 def _is_fresh(group: Group) -> bool:
     """Whether fresh cases of the group are worth building."""
-    return group.builder != EXAMPLES and group.size is None
+    return group.name != EXAMPLES and group.size is None
 
 
 class Series(Struct, frozen=True):
@@ -94,7 +94,7 @@ class Fresh:
         targets: list[Target] = []
         last = None
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
-        with blaming(self._problem, what, lambda: group_place(self._problem, group.name, "parameters")):
+        with blaming(self._problem, what, lambda: group_place(self._problem, group.name)):
             for place in range(BUILT):
                 case, answer = new_case(
                     self._problem, group, builder, self._validator, lambda _: draw, place + 1, (), last

@@ -5,8 +5,7 @@
 …
 }
 
-`kills` are the mistakes that the group rejects in five cases or more. A problem whose groups stand in
-problem.toml has a hashes.json: {"schema": 1, "groups": {"grid": "<hash>"}}.
+`kills` are the mistakes that the group rejects in five cases or more.
 """
 
 from __future__ import annotations
@@ -23,8 +22,6 @@ from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.reading import read_ordinary
 
-SCHEMA = 1
-
 Kills = Mapping[str, Collection[str]]  # by the group's name: the mistakes that it rejects
 _REMEDY = "write it with: judge verify {} --pin"
 
@@ -37,7 +34,7 @@ def hash_of(data: GroupData) -> str:
 
 def pins_file(problem: Problem) -> Path:
     """Where the problem's pins are."""
-    return problem.folder / ("hashes.json" if problem.in_toml else "pins.json")
+    return problem.folder / "pins.json"
 
 
 def read_pins(problem: Problem) -> dict[str, Any] | None:
@@ -57,18 +54,11 @@ def read_pins(problem: Problem) -> dict[str, Any] | None:
         raise ProblemError(f"no JSON: {error}", where=where, remedy=remedy) from None
     if not isinstance(content, dict):
         raise ProblemError("not the form of pins", where=where, remedy=remedy)
-    if not problem.in_toml:
-        return content
-    groups = content.get("groups") if content.get("schema") == SCHEMA else None
-    if not isinstance(groups, dict) or not all(isinstance(pin, str) for pin in groups.values()):
-        raise ProblemError("not the form of pinned hashes", where=where, remedy=remedy)
-    return groups
+    return content
 
 
-def pins_of(problem: Problem, groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
+def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
     """What there is to pin of each group; `kills` are the mistakes that it rejects."""
-    if problem.in_toml:
-        return {data.group.name: hash_of(data) for data in groups}
     return {
         data.group.name: {
             "hash": hash_of(data),
@@ -81,12 +71,8 @@ def pins_of(problem: Problem, groups: Sequence[GroupData], kills: Kills) -> dict
 
 def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
     """Pin the data as they are. Raises ProblemError if the file cannot be written."""
-    if problem.in_toml:
-        text = json.dumps({"schema": SCHEMA, "groups": pins}, indent=2)
-    else:
-        text = (
-            "{\n" + ",\n".join(f"{json.dumps(name)}: {json.dumps(pin)}" for name, pin in pins.items()) + "\n}"
-        )
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(pin)}" for name, pin in pins.items())
+    text = f"{{\n{rows}\n}}"
     path = pins_file(problem)
     try:
         replace_file(path, f"{text}\n".encode())

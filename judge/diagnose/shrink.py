@@ -174,7 +174,7 @@ class _Search:
         return None
 
     def _by_parameters(self) -> Finding:
-        if self._group.builder == EXAMPLES or self._trial.budget.spent:
+        if self._group.name == EXAMPLES or self._trial.budget.spent:
             return self._first
         builder = self._trial.module.draws[self._group.name]
         choices = self._choices_of(self._group, builder, self._number, self._first.case)

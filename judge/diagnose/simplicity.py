@@ -10,7 +10,6 @@ Simplicity = tuple[int, int, tuple[float, ...]]
 
 _NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
-_SPECIAL = 3  # and so does what is special in itself
 
 
 def numbers_of(case: Case) -> Iterator[Number]:
@@ -55,12 +54,9 @@ def digits(number: Number) -> int:
     return len(repr(abs(number)).removesuffix(".0").replace("e-0", "e-").replace("e+", "e"))
 
 
-def measure(case: Case, special: int = 0) -> Simplicity:
-    """What to compare two cases by; the smaller is the simpler one. An item of a list weighs as a digit does.
-
-    `special` counts what in the case is special in itself (`judge.problem.topic.Topic.special`).
-    """
-    total = _SPECIAL * special + items_of(case)
+def measure(case: Case) -> Simplicity:
+    """What to compare two cases by, the smaller being simpler; an item of a list weighs as a digit."""
+    total = items_of(case)
     negative = 0
     magnitudes = []
     for number in numbers_of(case):

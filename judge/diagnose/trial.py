@@ -149,9 +149,8 @@ class Trial:
         self._known.clear()
 
     def measure(self, case: Case) -> Simplicity:
-        """How simple the case is, to those who know the problem's topic."""
-        special = self.module.special
-        return measure(case, special(case) if special is not None else 0)
+        """How simple the case is."""
+        return measure(case)
 
     def valid(self, case: Case, group: Group) -> bool:
         """Whether the case keeps the bounds and the promise, and has an answer.

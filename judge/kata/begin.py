@@ -65,7 +65,7 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
         problem = load_problem(problems / name)
         made.append(pins_file(problem))
         data = load_data(problem, cache=False)
-        write_pins(problem, pins_of(problem, data.groups, _kills(data)))
+        write_pins(problem, pins_of(data.groups, _kills(data)))
     except OSError as fault:
         _undo(made)
         raise unwritable(Path(fault.filename or folder), fault, "name another folder") from None

@@ -3,13 +3,11 @@
     problems/skills.toml            [[skills]]
                                     name = "far from the origin"
                                     about = "Subtract first: the square of a large number drowns a small one."
-    problems/count/problem.toml     [skills]
-                                    "far from the origin" = ["offset", "offset-near"]
+    problems/count/problem.py       group("offset", …, skills="far from the origin")
 
-A problem may explain a skill of its own there too. What it names is a need, met by one run that passed all of
-these groups. A skill is shown as soon as one of its needs was met: who can do it in one problem can do it. It
-is lost where the latest run that tried a need that was met fails it. A run that passed no test group at all
-loses nothing.
+The groups of one problem that show a skill are a need, met by one run that passed all of them. A skill is
+shown as soon as one of its needs was met: who can do it in one problem can do it. It is lost where the latest
+run that tried a need that was met fails it. A run that passed no test group at all loses nothing.
 """
 
 from __future__ import annotations
@@ -28,10 +26,10 @@ from judge.kata.history import Run
 from judge.kata.tables import Table
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.problem.tomlfile import key_place
+from judge.problem.tomlfile import group_place
 
 _FILE = "skills.toml"
-_EXPLAIN = f'explain it here, {{ groups = […], about = "…" }}, or in {_FILE}'
+_EXPLAIN = f"explain it in {_FILE}"
 
 
 class Need(Struct, frozen=True):
@@ -127,10 +125,6 @@ def skills_of(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> list[S
     """
     problems = list(problems)
     abouts = _explained(extra)
-    for problem in problems:
-        for shown in problem.skills:
-            if shown.about is not None:
-                abouts.setdefault(shown.name, shown.about)
     needs: dict[str, list[Need]] = {name: [] for name in abouts}
     for problem in problems:
         for shown in problem.skills:
@@ -144,11 +138,11 @@ def unknown_skills(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> I
     known = list(_explained(extra))
     for problem in problems:
         for shown in problem.skills:
-            if shown.about is None and shown.name not in known:
+            if shown.name not in known:
                 meant = nearest(shown.name, known)
                 yield ProblemError(
                     f"no skill is called {shown.name!r}",
-                    where=key_place(problem, ("skills", shown.name)),
+                    where=group_place(problem, shown.groups[0]),
                     remedy=f"did you mean {meant!r}?" if meant else _EXPLAIN,
                 )
 

@@ -7,13 +7,11 @@ rounding = true            # chance decides which cases fail: how many do is all
 state = true               # it is one only if a case passes when it is called alone
 form = true                # the answer's form is wrong, and that is the mistake itself
 needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.mistakes.features)
-kills = ["halves"]         # groups that should catch it, beside those whose own `kills` name it
 edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right way, or after it where they
                            # assign `answer`, in each problem with these parameters; what is said of each
 
 [floor-division.in.middle] # in one problem other words, or other of the keys above
 why = "…"
-spared.odd = "…"           # why the group `odd`, which names it, need not catch all the lines that make it
 """
 
 from __future__ import annotations
@@ -23,7 +21,6 @@ from typing import Any
 
 import msgspec
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.errors import ProblemError
 from judge.mistakes.features import FEATURES
@@ -44,8 +41,6 @@ class Words(Struct, frozen=True):
     state: bool = False
     form: bool = False
     needs: tuple[str, ...] = ()
-    kills: tuple[str, ...] = ()
-    spared: Mapping[str, str] = {}
     edits: Mapping[str, str] = {}
 
     @property
@@ -67,33 +62,6 @@ def read_catalogue(problem: Problem) -> Catalogue:
     return {name: _words(name, table, problem.id, where) for name, table in tables.items()}
 
 
-def with_kills(problem: Problem, catalogue: Catalogue) -> Problem:
-    """The problem with every group's kills: those of problem.toml, and then those of mistakes.toml.
-
-    Where problem.py declares the groups, they are what was measured, by pins.json. Raises ProblemError where
-    mistakes.toml names a group that the problem does not have.
-    """
-    if not problem.in_toml:
-        return problem
-    more: dict[str, list[str]] = {group.name: [] for group in problem.groups}
-    for name, words in catalogue.items():
-        for group in words.kills:
-            if group not in more:
-                remedy = meant(group, list(more), "its groups are")
-                where = f"{problem.solutions.parent.name}/{FILE}"
-                raise ProblemError(
-                    f"[{name}] is to be caught by {group!r}, which {problem.id} lacks",
-                    where=where,
-                    remedy=remedy,
-                )
-            more[group].append(name)
-    groups = [
-        replace(group, kills=tuple(dict.fromkeys((*group.kills, *more[group.name]))))
-        for group in problem.groups
-    ]
-    return replace(problem, groups=tuple(groups))
-
-
 def _words(name: str, table: Any, problem: str, where: str) -> Words:
     if not isinstance(table, dict):
         remedy = f"begin a table: [{name}]"
@@ -112,8 +80,7 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     try:
         words = msgspec.convert(merged, Words)
     except msgspec.ValidationError as why:
-        tables = "spared and edits are tables, the others true or false"
-        remedy = f"why and advice are texts, needs and kills lists, {tables}"
+        remedy = "why and advice are texts, needs is a list, edits is a table, the others are true or false"
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
     for feature in words.needs:
         if feature not in FEATURES:

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.mistakes.catalogue import Catalogue, Words, read_catalogue, with_kills
+from judge.mistakes.catalogue import Catalogue, Words, read_catalogue
 from judge.mistakes.routes import Change, Route, Routes, read_routes
 from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
 from judge.problem import Problem
@@ -48,7 +48,7 @@ class Family:
         path = problem.solutions / MISTAKES
         self.where = f"{path.parent.name}/{MISTAKES}"
         self._routes: Routes = read_routes(read_text(path), self.where)
-        self._transforms = transforms(with_kills(problem, self.catalogue), self.catalogue)
+        self._transforms = transforms(problem, self.catalogue)
 
     @staticmethod
     def of(problem: Problem, catalogue: Catalogue | None = None) -> Family | None:

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from judge.errors import ProblemError
 from judge.mistakes.answers import Behaviour
-from judge.mistakes.catalogue import Words, read_catalogue, with_kills
+from judge.mistakes.catalogue import Words, read_catalogue
 from judge.mistakes.computed import Program
 from judge.mistakes.family import Choice, Family, Line
 from judge.problem import Problem
@@ -56,7 +56,6 @@ def read_makers(problem: Problem) -> Makers:
     family = None
     try:
         catalogue = read_catalogue(problem)
-        problem = with_kills(problem, catalogue)
         family = Family.of(problem, catalogue)
     except ProblemError as fault:
         catalogue, family, faults = {}, None, (*faults, fault)

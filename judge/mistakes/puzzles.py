@@ -19,7 +19,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
-from judge.mistakes.catalogue import with_kills
 from judge.mistakes.family import INNER
 from judge.mistakes.makers import Maker, Makers, read_makers
 from judge.problem import Group, Problem
@@ -88,7 +87,7 @@ def puzzle_called(puzzles: Sequence[Puzzle], word: str, problem: str) -> Puzzle:
 def _naming(read: Makers) -> Mapping[str, list[Group]]:
     """The groups of small cases that should catch each mistake, the easier level first."""
     found: dict[str, list[Group]] = {}
-    whole = with_kills(read.problem, read.family.catalogue) if read.family else read.problem
+    whole = read.problem
     for group in sorted(whole.groups, key=lambda group: _ease(whole, group)[0]):
         for name in group.kills if group.size is None else ():
             found.setdefault(name, []).append(group)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import read_catalogue, with_kills
-from judge.problem import Group, Problem
+from judge.mistakes.catalogue import read_catalogue
+from judge.problem import Problem
 from judge.problem.solutions import known_mistakes
 
 
@@ -29,20 +29,10 @@ def told_mistakes(problem: Problem) -> Mapping[str, Told]:
         found.setdefault(each.name, Told(each.sentence, each.advice))
     try:
         catalogue = read_catalogue(problem)
-        aimed = {name for group in with_kills(problem, catalogue).groups for name in group.kills}
+        aimed = {name for group in problem.groups for name in group.kills}
     except ProblemError:
         return found
     for name, words in catalogue.items():
         if name in aimed and words.told:
             found[name] = Told(words.why, words.told)
     return found
-
-
-def aimed_groups(problem: Problem, groups: tuple[Group, ...]) -> tuple[Group, ...]:
-    """The same groups with all that they should catch, in problem.toml and mistakes.toml."""
-    try:
-        whole = with_kills(problem, read_catalogue(problem))
-    except ProblemError:
-        return groups
-    kills = {group.name: group for group in whole.groups}
-    return tuple(kills[group.name] for group in groups)

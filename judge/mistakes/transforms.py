@@ -64,9 +64,6 @@ class Transform(Struct, frozen=True):
 
 def transforms(problem: Problem, catalogue: Catalogue) -> tuple[Transform, ...]:
     """Those that make sense for a problem's parameters and answer. Raises ProblemError."""
-    if problem.in_toml:
-        aimed = {name for group in problem.groups for name in group.kills}
-        return tuple(each for each in (*_before(problem), *_after(problem)) if each.name in aimed)
     return (*_before(problem), *_after(problem), *_kept(problem), *_of_pack(problem, catalogue))
 
 

@@ -48,9 +48,9 @@ class KeptProblem:
         return replace(problem, folder=self._folder, solutions=solutions, examples=examples)
 
     def write(self, problem: Problem) -> None:
-        """Keep a problem whose groups stand in problem.py."""
+        """Keep a problem."""
         file = self._file()
-        if file is not None and not problem.in_toml:
+        if file is not None:
             bare = replace(problem, folder=_NO_FOLDER, solutions=_NO_FOLDER)
             file.write(msgspec.to_builtins(bare, enc_hook=_encoded))
 

@@ -16,20 +16,19 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.languages import described, file_name, is_described, is_program
 from judge.problem import schema
-from judge.problem.growing import MOST_INPUT_MB, slope
 from judge.problem.kept import KeptProblem
 from judge.problem.lines import KeyPath
-from judge.problem.model import EXAMPLES, GroupLimits, Parameter, Problem, TimeRule
+from judge.problem.model import GroupLimits, Parameter, Problem, TimeRule
 from judge.problem.names import is_name
 from judge.problem.source import source_of
 from judge.problem.statement import read_statement
-from judge.problem.toml_groups import TomlGroups
 from judge.problem.tomlfile import TomlFile, meant
 from judge.values import Tolerance, Type, TypeFault, Words, parse
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _LEAST_LIMIT, _MOST_LIMIT = Fraction(1, 1000), 1_000_000  # of seconds, megabytes and multiples
 _MEGABYTE = 2**20
+MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 
 
 def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
@@ -89,36 +88,26 @@ class Reader:
             place=table.place,
             source=source_of(table.source, self.fault),
         )
-        if isinstance(table, schema.ProblemTable):
-            problem = TomlGroups(self, problem).filled(table)
+        tolerance = self._tolerance(table.tolerance)
         text, examples = read_statement(problem, _words(table))
         problem = replace(problem, statement=text, examples=examples)
-        if isinstance(table, schema.HeadTable):
-            from judge.problem.rows import with_rows  # runs problem.py: not for who reads the cache
+        from judge.problem.rows import with_rows  # runs problem.py: not for who reads the cache
 
-            return with_rows(problem, self.tolerance(table.tolerance, ("tolerance",)), self._growth(table))
-        groups = tuple(
-            replace(group, count=len(examples)) if group.builder == EXAMPLES else group
-            for group in problem.groups
-        )
-        return replace(problem, groups=groups)
+        return with_rows(problem, tolerance, self._growth(table))
 
-    def _growth(self, table: schema.HeadTable) -> float | None:
+    def _growth(self, table: schema.ProblemTable) -> float | None:
         """By how much the exponent of a submission's time may exceed the reference's."""
         if table.growth is None:
             return None
         if table.time is None:
             what = "growth is measured beside a reference solution, and there is none"
             self.fault(("growth",), what, "add a [time] table that names one")
-        return slope(self.exact(table.growth, ("growth",)), ("growth",), self.fault)
+        slope = self.exact(table.growth, ("growth",))
+        if not 0 < slope <= 3:
+            self.fault(("growth",), "the slope is no difference of exponents", "give 0.1 to 3")
+        return float(slope)
 
-    def _parameters(self, table: schema.ProblemTable | schema.HeadTable) -> tuple[Parameter, ...]:
-        if isinstance(table, schema.ProblemTable):
-            self.unique("parameters", [parameter.name for parameter in table.parameters])
-            return tuple(
-                self._parameter(each.name, each, ("parameters", at))
-                for at, each in enumerate(table.parameters)
-            )
+    def _parameters(self, table: schema.ProblemTable) -> tuple[Parameter, ...]:
         return tuple(
             self._parameter(name, row, ("parameters", name)) for name, row in table.parameters.items()
         )
@@ -152,7 +141,7 @@ class Reader:
             self.fault((*path, "smallest"), f"{name!r} holds no real numbers to be small", "remove smallest")
         return smallest
 
-    def answer(self, table: schema.ProblemTable | schema.HeadTable) -> Type:
+    def answer(self, table: schema.ProblemTable) -> Type:
         """The type of an answer."""
         if self._known_answer is None:
             own = Words(**msgspec.structs.asdict(table.words)) if table.words else Words()
@@ -215,8 +204,9 @@ class Reader:
             remedy = f"stay within {float(_LEAST_LIMIT):g} and {_MOST_LIMIT}"
             self.fault(path, f"{path[-1]} is absurdly large or small", remedy)
 
-    def tolerance(self, given: schema.ToleranceTable | None, place: KeyPath) -> Tolerance | None:
-        """The tolerance that stands at `place`, if one does; of an answer without reals there is none."""
+    def _tolerance(self, given: schema.ToleranceTable | None) -> Tolerance | None:
+        """The tolerance, if one is given; of an answer without reals there is none."""
+        place = ("tolerance",)
         assert self._known_answer is not None, "the answer's type is read first"
         if not self._known_answer.measured:
             if given is not None:
@@ -252,36 +242,23 @@ class Reader:
                 self.fault(path, f"{path[-1]} is absurdly large or small", f"stay within 1e±{_MOST_DIGITS}")
         return Fraction(value)
 
-    def unique(self, key: str, names: list[str]) -> None:
-        """Refuse a name that is there twice."""
-        for at, name in enumerate(names):
-            if name in names[:at]:
-                self.fault((key, at, "name"), f"{name!r} is there twice in {key}", "rename or remove one")
-
 
 def _is_plain_name(name: str) -> bool:
     return name.isidentifier() and name.isascii() and not keyword.iskeyword(name)
 
 
-def _words(table: schema.ProblemTable | schema.HeadTable) -> dict[str, str]:
+def _words(table: schema.ProblemTable) -> dict[str, str]:
     """What the statement's placeholders stand for: each number as the file writes it."""
     words = {"entry": table.entry, "title": table.title, "answer": table.answer}
     words |= _numbers("tolerance", table.tolerance)
     words |= _numbers("limits", table.limits)
-    rows = table.parameters
-    for name, row in rows.items() if isinstance(rows, dict) else [(each.name, each) for each in rows]:
+    for name, row in table.parameters.items():
         words |= {
             f"{name}.type": row.type,
             f"{name}.low": _written(row.low),
             f"{name}.high": _written(row.high),
         }
         words[f"{name}.smallest"] = _written(row.smallest or 0)
-    if isinstance(table, schema.ProblemTable):
-        words |= {name: _written(width) for name, width in table.bands.items()}
-        for group in table.groups:
-            words |= _numbers(f"{group.name}.tolerance", group.tolerance)
-            if group.count is not None:
-                words[f"{group.name}.count"] = _written(group.count)
     return words
 
 

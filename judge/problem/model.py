@@ -91,7 +91,7 @@ class GrowthRule(Struct, frozen=True):
 
 
 class Group(Struct, frozen=True):
-    """A test group: `count` cases from one builder, named after what they probe."""
+    """A test group: `count` cases of one draw, named after what they probe."""
 
     name: str
     about: str  # one sentence for a person: what the group probes
@@ -101,29 +101,18 @@ class Group(Struct, frozen=True):
     seed: int | str  # with which the seed text of each case begins
     kills: tuple[str, ...] = ()  # the mistakes it catches
     line: int = 0  # of problem.py, where it is declared
-    builder: str = ""  # "examples" for those of the statement; or where problem.toml declares the group,
-    parameters: dict[str, Any] = {}  # a name of BUILDERS in problem.py, and what that is given
     size: int | None = None  # n, where its cases are big
     time_limit: float | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
     level: KataLevel | None = None  # None where the problem's groups have none
 
-    @property
-    def drawer(self) -> str:
-        """What draws its cases, as a fault calls it."""
-        return f"the builder {self.builder!r}" if self.builder else "its draw"
-
 
 class ShownSkill(Struct, frozen=True):
-    """What the problem teaches: a skill's name, and the groups that show it when one run passes them all.
-
-    `about` explains a skill that the problem itself brings; of others `skills.toml` says what they are.
-    """
+    """What the problem teaches: a skill's name, and the groups that show it when one run passes them all."""
 
     name: str
     groups: tuple[str, ...]
-    about: str | None = None
 
 
 class Source(Struct, frozen=True):
@@ -143,7 +132,7 @@ class Example(Struct, frozen=True):
 
 
 class Problem(Struct, frozen=True):
-    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and hashes.json."""
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json."""
 
     id: str
     title: str
@@ -156,8 +145,6 @@ class Problem(Struct, frozen=True):
     groups: tuple[Group, ...]
     folder: Path
     solutions: Path  # solutions/<id>; need not exist
-    in_toml: bool = False  # whether its groups stand in problem.toml, not in problem.py
-    bands: dict[str, Fraction] = {}  # of such a problem: named widths that the statement and `solve` share
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in

@@ -35,16 +35,13 @@ class Module(Struct, frozen=True):
             ProblemError where the function itself fails.
         draws: how a case of each group is drawn, by the group's name; the examples are not drawn.
         hooks: what is known of its topic.
-        rows: the groups as problem.py declares them, each with its level; none where problem.toml does.
-        special: of a problem that declares its groups in problem.toml: how many things in a case are
-            special in themselves.
+        rows: the groups as problem.py declares them, each with its level.
     """
 
     solve: Callable[..., Exact]
     draws: Mapping[str, Callable[[Any], Case]] = {}
     hooks: Hooks = Hooks()
     rows: tuple[tuple[KataLevel | None, Declared], ...] = ()
-    special: Callable[[Case], int] | None = None
 
 
 def load_module(problem: Problem) -> Module:
@@ -58,10 +55,6 @@ def load_module(problem: Problem) -> Module:
         code = compile(source, str(path), "exec", dont_inherit=True)
         sys.modules[module.__name__] = module  # dataclasses look their own module up
         exec(code, module.__dict__)
-    if problem.in_toml:
-        from judge.problem.builders import module_of  # katas that declare their groups in problem.toml
-
-        return module_of(module, problem)
     rows = tuple(_rows(module, problem))
     return Module(
         _solve(module, problem), {row.name: row.draw for _, row in rows}, _hooks(module, problem), rows
@@ -104,8 +97,8 @@ def _place(error: BaseException, problem: Problem) -> str:
     return f"{problem.id}/problem.py"
 
 
-def solver(module: ModuleType, problem: Problem, **more: Any) -> Callable[..., Any]:
-    """The module's `solve`, called with a case and `more`; what it raises is blamed on its line.
+def _solver(module: ModuleType, problem: Problem) -> Callable[..., Any]:
+    """The module's `solve`; what it raises is blamed on its line.
 
     InvalidCase alone goes through. Raises ProblemError where there is no such function, or it takes other
     parameters than problem.toml names.
@@ -119,19 +112,18 @@ def solver(module: ModuleType, problem: Problem, **more: Any) -> Callable[..., A
             remedy=f"define solve({names})",
         )
     signature = inspect.signature(function)
-    more = {name: value for name, value in more.items() if name in signature.parameters}
     try:
-        signature.bind(*problem.parameters, **more)
+        signature.bind(*problem.parameters)
     except TypeError:
         raise ProblemError(
             f"solve does not take the {len(problem.parameters)} parameters of problem.toml",
             where=f"{problem.id}/problem.py:{_line(function)}",
-            remedy=f"define solve({', '.join([names, *map('*, {}'.format, more)])})",
+            remedy=f"define solve({names})",
         ) from None
 
     def solve(*case: Any) -> Any:
         try:
-            return function(*case, **more)
+            return function(*case)
         except InvalidCase:
             raise
         except (Exception, SystemExit, GeneratorExit):
@@ -142,7 +134,7 @@ def solver(module: ModuleType, problem: Problem, **more: Any) -> Callable[..., A
 
 
 def _solve(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
-    solve = solver(module, problem)
+    solve = _solver(module, problem)
 
     def exact(*case: Any) -> Exact:
         answer = solve(*case)

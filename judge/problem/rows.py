@@ -54,7 +54,6 @@ def with_rows(problem: Problem, tolerance: Tolerance | None, slope: float | None
         points=0,
         tolerance=usual,
         seed=problem.id,
-        builder=EXAMPLES,
         level=None if levels == {None} else KataLevel.INTERVIEW,
     )
     points = dict(

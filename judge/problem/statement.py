@@ -40,7 +40,7 @@ def read_statement(problem: Problem, words: Mapping[str, str]) -> tuple[str, tup
         )
         for number, call, wanted in _prompts(text)
     )
-    if not examples and any(group.builder == EXAMPLES for group in problem.groups):
+    if not examples and any(group.name == EXAMPLES for group in problem.groups):
         raise ProblemError(
             "a group wants the worked examples, and there are none",
             where=name,

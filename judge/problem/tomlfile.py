@@ -11,7 +11,7 @@ import msgspec
 from judge.errors import ProblemError, nearest
 from judge.problem.lines import KeyPath, key_lines, line_of
 from judge.problem.model import Problem
-from judge.problem.schema import HeadTable, ProblemTable, fields_at
+from judge.problem.schema import ProblemTable, fields_at
 from judge.problem.text import read_text
 from judge.problem.toml import read_toml
 
@@ -28,18 +28,19 @@ class TomlFile:
         self._name = f"{folder.name}/problem.toml"
         self._path = folder / "problem.toml"
         self._text = read_text(self._path)
-        self._form: type[ProblemTable | HeadTable] = HeadTable
 
     def fault(self, path: KeyPath, what: str, remedy: str) -> NoReturn:
         """Raise the fault of what stands at `path`."""
         line = line_of(path, key_lines(self._text))
         raise ProblemError(what, where=f"{self._name}:{line}", remedy=remedy)
 
-    def table(self) -> ProblemTable | HeadTable:
+    def table(self) -> ProblemTable:
         """The file in its shape; its values are not yet checked."""
         raw = read_toml(self._path, self._text, self._name, exact=True)
-        self._form = ProblemTable if "groups" in raw else HeadTable
-        return self.shaped(raw, self._form, ())
+        if "groups" in raw:
+            remedy = "write GROUPS = [group(name, about, draw), …] there: judge help problem-py"
+            self.fault(("groups",), "test groups are declared in problem.py now", remedy)
+        return self.shaped(raw, ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:
         """What stands at `path`, in that shape."""
@@ -67,26 +68,20 @@ class TomlFile:
         assert_never(found)
 
     def _unknown_key(self, key: str, path: KeyPath) -> NoReturn:
-        known = fields_at(path, self._form)
+        known = fields_at(path)
         self.fault((*path, key), f"unknown key {key!r}", meant(key, known, "the keys are"))
 
     def _missing_key(self, key: str, path: KeyPath, table: dict[str, Any]) -> NoReturn:
         """A key that is missing is most often there, misspelt."""
-        stray = nearest(key, set(table) - set(fields_at(path, self._form)))
+        stray = nearest(key, set(table) - set(fields_at(path)))
         if stray is not None:
             self.fault((*path, stray), f"unknown key {stray!r}", f"did you mean {key!r}?")
         self.fault(path, f"the key {key!r} is missing in {_dotted(path)}", f"add {key} = …")
 
 
-def group_place(problem: Problem, group: str, key: str) -> str:
-    """Where a group's key stands, as `id/problem.toml:12`, for faults that only building shows.
-
-    The row of problem.py, as `id/problem.py:12`, where that declares the groups.
-    """
-    if not problem.in_toml:
-        return f"{problem.id}/problem.py:{next(each.line for each in problem.groups if each.name == group)}"
-    index = next(at for at, each in enumerate(problem.groups) if each.name == group)
-    return key_place(problem, ("groups", index, key))
+def group_place(problem: Problem, group: str) -> str:
+    """Where a group is declared, as `id/problem.py:12`, for faults that only building shows."""
+    return f"{problem.id}/problem.py:{next(each.line for each in problem.groups if each.name == group)}"
 
 
 def key_place(problem: Problem, path: KeyPath) -> str:

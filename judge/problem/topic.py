@@ -1,17 +1,17 @@
-"""What a topic adds to the engine: hooks, every one optional, which a problem.py hands over as TOPIC.
+"""What passes between the engine and a topic's hooks (`judge.problem.declare.Hooks`).
 
-The engine knows no topic: what it draws or makes simpler as a whole, these functions draw or make simpler. A
-problem without a topic works in every command. It has no picture.
+The engine knows no topic: what it draws or makes simpler as a whole, the hooks draw or make simpler. A
+problem without any works in every command. It has no picture.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from msgspec import Struct
 
-from judge.problem.model import Case, Problem
+from judge.problem.model import Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
@@ -60,24 +60,3 @@ class Puzzle(Struct, frozen=True):
     answer: tuple[str, ...]
     one: bool = False
     why: str = ""
-
-
-class Topic(Struct, frozen=True):
-    """The hooks of a topic.
-
-    Attributes:
-        simpler: cases that may fail as a case does and are simpler; each is proved before it is tried.
-        special: how many things in a case are special in themselves, such as a length of 0: of two failing
-            cases the one without them is the simpler.
-        picture: a case drawn, or None where it cannot be.
-        explore: an HTML page, whole in itself, on which a person moves a case about; it begins with these
-            arguments by parameter name, or a usual case. None where there is no such page for the problem.
-        puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`, which knows the
-            answer; None for a form that it has no figures for.
-    """
-
-    simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
-    special: Callable[[Case], int] | None = None
-    picture: Callable[[Shown], Picture | None] | None = None
-    explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
-    puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None

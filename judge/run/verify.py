@@ -116,7 +116,6 @@ def verify_problem(
     update_pins: bool = False,
     progress: Progress | None = None,
     box_factory: BoxFactory | None = None,
-    made: frozenset[str] = frozenset(),
     kills: Kills | None = None,
     data: Sequence[ProblemData] = (),
     solution: str = "",
@@ -126,8 +125,8 @@ def verify_problem(
 
     Where a `solution` is named, no other is judged. A `partial` check, of some groups, lets wrong ones pass.
 
-    Solutions run in boxes of `box_factory`, where there is one. `made` are the mistakes that need no program
-    of wrong/, since mistakes.py makes them, `kills` what each group rejects of those that mistakes.py makes.
+    Solutions run in boxes of `box_factory`, where there is one. `kills` are the mistakes of mistakes.py that
+    each group rejects.
     `data` are the problem's, as `fresh_data` gives them, and those of other seeds; without it the problem's
     are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
     where the pins cannot be written, UsageError where a module is not installed that its reference needs, or
@@ -168,14 +167,11 @@ def verify_problem(
         elif not each.language and not (partial and each.kind is Kind.WRONG):
             faults += _on_other_seeds(problem, others, each, settings)
     matrix = _matrix(problem.groups, reports)
-    few = [*_few(problem, matrix)] if not partial else []
-    if problem.in_toml and not partial:
-        faults += _kill_faults(problem, reports, made)
-    elif not partial:
-        faults += few
+    if not partial:
+        faults += _few(problem, matrix)
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
     rejected = _rejected(matrix, kills or {})
-    found = pins_of(problem, pinned.groups, rejected)
+    found = pins_of(pinned.groups, rejected)
     pins, drift = _check_pins(problem, found, update_pins, partial or bool(solution))
     faults += drift
     return VerifyReport(
@@ -186,7 +182,7 @@ def verify_problem(
         solutions=tuple(reports),
         faults=tuple(faults),
         matrix=matrix,
-        warnings=(*(few if problem.in_toml else ()), *_in_vain(pinned)),
+        warnings=tuple(_in_vain(pinned)),
     )
 
 
@@ -300,8 +296,7 @@ def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matri
 def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
     """The wrong programs that hardly any case rejects."""
     for row in matrix.rows:
-        counts = [len(kill.rejected) for kill in row.kills]
-        rejecting = sum(counts) if problem.in_toml else max(counts, default=0)
+        rejecting = max((len(kill.rejected) for kill in row.kills), default=0)
         if 0 < rejecting < _enough(matrix):
             what = f"few cases reject it: {rejecting}"
             yield Fault(what, f"{problem.solutions.name}/{row.file}")
@@ -311,9 +306,9 @@ def _in_vain(data: ProblemData) -> Iterator[Fault]:
     """The groups of which more than half of the draws make no case."""
     for each in data.groups:
         group, vain = each.group, sum(each.attempts)
-        if not data.problem.in_toml and not group.neighbours and vain > group.count:
+        if not group.neighbours and vain > group.count:
             what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
-            yield Fault(what, group_place(data.problem, group.name, "builder"), "draw what can be used")
+            yield Fault(what, group_place(data.problem, group.name), "draw what can be used")
 
 
 def _on_other_seeds(
@@ -338,52 +333,6 @@ def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> 
         f"{problem.solutions.name}/{report.file}",
         "move it to the folder it belongs to, or correct it or the data",
     )
-
-
-def _kill_faults(problem: Problem, reports: Iterable[SolutionReport], made: frozenset[str]) -> list[Fault]:
-    """Hold the mistakes that the groups name against the programs that make them."""
-    wrong = [report for report in reports if report.kind is Kind.WRONG]
-    aimed = {
-        mistake: {group.name for group in problem.groups if mistake in group.kills}
-        for group in problem.groups
-        for mistake in group.kills
-    }
-    faults = [fault for report in wrong for fault in _program_faults(report, aimed, problem)]
-    for mistake, groups in aimed.items():
-        if mistake in made:
-            continue
-        programs = [report for report in wrong if report.name == mistake]
-        if not programs:
-            what = f"no wrong program makes the mistake {mistake!r} that group {min(groups)!r} names"
-            remedy = f"add {problem.solutions / 'wrong' / file_name(mistake)}"
-            faults.append(Fault(what, f"{problem.id}/problem.toml", remedy))
-            continue
-        if any(report.verdict is None for report in programs):
-            continue  # it may catch them all
-        killing = {name for report in programs for name in report.failed}
-        faults += [
-            Fault(
-                f"group {name!r} names {mistake!r} and accepts every program that makes it",
-                f"{problem.id}/problem.toml",
-                "strengthen its data, or take the name out of its kills",
-            )
-            for name in sorted(groups - killing)
-        ]
-    return faults
-
-
-def _program_faults(report: SolutionReport, aimed: dict[str, set[str]], problem: Problem) -> list[Fault]:
-    if not report.name:  # which is told
-        return []
-    faults = _name_faults(report, problem)
-    where = f"{problem.solutions.name}/{report.file}"
-    if report.name not in aimed:
-        faults.append(Fault(f"no group's kills name {report.name!r}", where, "name it where it fails"))
-    elif report.verdict is not None and report.ok and not aimed[report.name].intersection(report.failed):
-        listed = ", ".join(report.failed) or "none"
-        what = f"it fails no group that names {report.name!r}; it fails {listed}"
-        faults.append(Fault(what, where, "correct the groups' kills, or their data"))
-    return faults
 
 
 def _name_faults(report: SolutionReport, problem: Problem) -> list[Fault]:

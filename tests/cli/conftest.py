@@ -11,20 +11,15 @@ from broken_problems import FAULTS, broken
 from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
-from judge.data import load_data
-from judge.data.pins import pins_of, write_pins
 from judge.judging.isolation import keep_level
-from judge.problem.find import find_problem
 from judge.sandbox import levels
 
 
 @pytest.fixture(scope="session")
 def pack(tmp_path_factory):
-    """A pack of problems with one problem, `middle`, whose data are pinned as they are now."""
+    """A pack of problems with one problem, `middle`, whose data are pinned."""
     folder = tmp_path_factory.mktemp("pack")
     shutil.copytree(PACK, folder, dirs_exist_ok=True)
-    problem = find_problem("middle", [folder / "problems"])
-    write_pins(problem, pins_of(problem, load_data(problem, cache=False).groups, {}))
     return folder
 
 

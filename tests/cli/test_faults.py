@@ -46,7 +46,7 @@ ENDING = [
     "raise SystemExit",
     "def solve(a, b): exit(0)",
     "def solve(a, b): raise GeneratorExit",
-    "def pairs(draw, odd): exit(0)\nBUILDERS = {'pairs': pairs}",
+    "def pairs(draw, odd): exit(0)",
 ]
 
 

@@ -97,7 +97,7 @@ def test_a_history_that_is_a_pipe(judge, named_pipe):
         assert "pipe.py: the history cannot be opened (it is no ordinary file)" in ended.err
 
 
-@pytest.mark.parametrize("file", ["problem.toml", "problem.py", nightly("hashes.json")])
+@pytest.mark.parametrize("file", ["problem.toml", "problem.py", nightly("pins.json")])
 def test_a_problems_file_that_is_a_pipe(file, judge, tmp_path):
     shutil.copytree(PACK, tmp_path / "pack")
     pipe = tmp_path / "pack" / "problems" / "middle" / file

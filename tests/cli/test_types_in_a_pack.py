@@ -29,34 +29,9 @@ wall_seconds = 10
 memory_mb = 512
 output_mb = 8
 
-[[parameters]]
-name = "ns"
-type = "[integer; 1..5]"
-low = -9
-high = 9
-about = "numbers"
-
-[[parameters]]
-name = "flip"
-type = "truth"
-low = 0
-high = 0
-about = "whether the even ones are asked for"
-
-[[groups]]
-name = "examples"
-about = "The worked examples."
-builder = "examples"
-points = 40
-
-[[groups]]
-name = "drawn"
-about = "Drawn ones."
-builder = "drawn"
-seed = 1
-count = 12
-points = 60
-kills = ["mistaken"]
+[parameters]
+ns = { type = "[integer; 1..5]", low = -9, high = 9, about = "numbers" }
+flip = { type = "truth", low = 0, high = 0, about = "whether the even ones are asked for" }
 """
 STATEMENT = """\
 # Oddness
@@ -69,15 +44,18 @@ It takes {{ns.type}}, gives {{answer}}.
     [True]
 """
 MODULE = """\
+from judge.problem.declare import group
+
+
 def solve(ns, flip):
-    return [(n % 2 == 1) != flip for n in ns], None
+    return [(n % 2 == 1) != flip for n in ns]
 
 
 def drawn(draw):
     return tuple(draw.integer(-9, 9) for _ in range(draw.integer(1, 5))), draw.boolean()
 
 
-BUILDERS = {"drawn": drawn}
+GROUPS = [group("drawn", "Drawn ones.", drawn, cases=12, points=60)]
 """
 RIGHT = """\
 def oddness(ns, flip):

@@ -48,7 +48,7 @@ def faults(run: Run, ended: Ended) -> list[str]:
 
 def _foreign(run: Run, change: str) -> bool:
     """Whether nobody asked for that change: of a path that was named, of pins, of a temporary folder."""
-    if "--pin" in run.words and "hashes.json" in change:
+    if "--pin" in run.words and "pins.json" in change:
         return False
     if "TMPDIR" in run.settings and change.startswith("open "):
         return False

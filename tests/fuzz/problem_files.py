@@ -24,7 +24,7 @@ _MODULES = Path(__file__).parent / "odd" / "modules.txt"  # lines that a setter 
 _ACCEPTED, _WRONG = 2, 3  # programs of a problem that come along
 _CASES = 3  # of a group
 _SHARED = ("sets/path.toml", "sets/junior.toml", "skills.toml")
-_OWN = (*["problem.toml"] * 3, *["statement.md"] * 2, "hints.md", "hashes.json")
+_OWN = (*["problem.toml"] * 3, *["statement.md"] * 2, "hints.md", "pins.json")
 
 _DEEP = ("(" * 300 + "1" + ")" * 300, "-" * 3000 + "1", "9" * 5000, "0x" + "f" * 5000)
 _CALLS = (*pool("calls"), *(f"({deep}, 1)" for deep in _DEEP))

@@ -29,7 +29,7 @@ def test_every_group_is_as_it_was_pinned_and_another_seed_gives_full_groups_of_o
     pins = read_pins(problem)
     assert pins is not None
     kills = {group.name: group.kills for group in problem.groups}
-    assert differences(pins, pins_of(problem, data.groups, kills)) == []
+    assert differences(pins, pins_of(data.groups, kills)) == []
     for group in data.groups:
         assert len(group.cases) == len(group.targets) == group.group.count
     least = 400 if problem.parameters else len(problem.groups)  # of what is asked for nothing, one a group

@@ -92,7 +92,7 @@ def broken_promise(name: str, *case: Any) -> str | None:
 def cases_of(name: str) -> list[Any]:
     """Cases of two seeds or more that are not the pinned one, as many of every group."""
     problem = load_problem(PROBLEMS / name)
-    wanted = 2_000 if problem.in_toml else CASES
+    wanted = CASES
     seeds = max(2, -(-wanted // sum(group.count for group in problem.groups)))
     groups = [
         group for seed in range(seeds) for group in load_data(problem, seed=11 + seed, cache=False).groups
@@ -119,5 +119,5 @@ def small_cases(name: str, seeds: Iterable[int | None]) -> Iterator[Any]:
     module = load_module(problem)
     for seed in seeds:
         for group in problem.groups:
-            if group.size is None and group.builder != "examples":
+            if group.size is None and group.name != "examples":
                 yield from islice(build_cases(problem, module, reseeded(group, seed))[0], 12)

@@ -37,10 +37,7 @@ from jsonschema.exceptions import best_match
 
 from judge import __version__
 from judge.cli import main
-from judge.data import load_data
-from judge.data.pins import pins_of, write_pins
 from judge.judging.isolation import keep_level
-from judge.problem.find import find_problem
 from judge.sandbox import levels
 from judge.schema import schema_of
 from transcripts.steady import steadied
@@ -165,12 +162,10 @@ def _place(script: Transcript, world: Path) -> Iterator[None]:
 
 
 def _pack(world: Path) -> Path:
-    """The pack of small problems, pinned, and a cache that knows this machine's isolation."""
+    """The pack of small problems, and a cache that knows this machine's isolation."""
     problems = world / "pack" / "problems"
     if not problems.exists():
         shutil.copytree(_PACK, world / "pack")
-        problem = find_problem("middle", [problems])
-        write_pins(problem, pins_of(problem, load_data(problem, cache=False).groups, {}))
         keep_level(next(level.name for level in levels() if level.available))
     return problems
 

@@ -21,7 +21,7 @@ WORDS = Words(answer="t", meant="0, 1, 2 or none")
 
 
 def make_group(name="one", points=100):
-    return Group(name, "", len(CASES), points, Tolerance(), 1, builder="examples")
+    return Group(name, "", len(CASES), points, Tolerance(), 1)
 
 
 def make_problem(groups, answer="count", limits=LIMITS):

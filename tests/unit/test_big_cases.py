@@ -16,8 +16,7 @@ from judge.data import load_data
 from judge.data.load import _from_plain
 from judge.errors import ProblemError
 from judge.problem import Verdict
-from judge.problem.growing import MOST_INPUT_MB
-from judge.problem.load import load_problem
+from judge.problem.load import MOST_INPUT_MB, load_problem
 from judge.run import run_submission
 from judge.sandbox.inside import wire
 from judge.schema import schema_of
@@ -47,11 +46,11 @@ def judged(data, solution, problem=None):
     return run_submission(problem or data.problem, data, path.read_bytes(), path.name)
 
 
-def changed(tmp_path, *changes, name="inversions"):
-    """The folder of a problem whose problem.toml reads otherwise."""
+def changed(tmp_path, *changes, name="inversions", file="problem.toml"):
+    """The folder of a problem whose file reads otherwise."""
     folder = tmp_path / "problems" / name
     shutil.copytree(PACK / "problems" / name, folder, dirs_exist_ok=True)
-    path = folder / "problem.toml"
+    path = folder / file
     text = path.read_text(encoding="utf-8")
     for old, new in changes:
         assert old in text
@@ -60,27 +59,29 @@ def changed(tmp_path, *changes, name="inversions"):
     return folder
 
 
-GROUPS = 'groups = ["n-2000", "n-6000"]'
 TIME = '[time]\nlimit = 1000\nfunction = "tree.py"\nprogram = "program.py"\n'
-REFUSED = {  # what is changed, the line at fault, words of the complaint and of the remedy
-    "unknown": ([(GROUPS, 'groups = ["n-2000", "n-600"]')], 20, "no group 'n-600'", "did you mean 'n-6000'?"),
-    "no size": ([("size = 2000\n", "")], 45, "group 'n-2000' grows and has no size", "add size = …"),
-    "one size": ([(GROUPS, 'groups = ["n-2000"]')], 20, "groups of two different sizes", "name more"),
-    "slope": ([("slope = 0.4", "slope = 0")], 21, "no difference of exponents", "give 0.1 to 3"),
-    "time alone": ([(TIME, "")], 61, "time is measured beside a reference", "add a [time] table"),
-    "size": ([("size = 2000", "size = 0")], 53, "group 'n-2000' has the size 0", "give 1 to"),
-    "room": ([("input_mb = 1", "input_mb = 100")], 12, "no room for 100 MB", f"at most {MOST_INPUT_MB}"),
+REFUSED = {  # the file, what is changed there, the line at fault, words of the complaint and of the remedy
+    "slope": ("toml", ("growth = 0.4", "growth = 0"), 6, "no difference of exponents", "give 0.1 to 3"),
+    "time alone": ("toml", (TIME, ""), 6, "growth is measured beside a reference", "add a [time] table"),
+    "size": ("py", ("size=2000", "size=0"), 35, "group 'n-2000' has the size 0", "give 1 to"),
+    "room": (
+        "toml",
+        ("input_mb = 1", "input_mb = 100"),
+        13,
+        "no room for 100 MB",
+        f"at most {MOST_INPUT_MB}",
+    ),
 }
 
 
 @pytest.mark.parametrize("fault", sorted(REFUSED))
 def test_a_wrong_key_is_refused_with_its_line(fault, tmp_path):
-    changes, line, what, remedy = REFUSED[fault]
+    file, change, line, what, remedy = REFUSED[fault]
     with pytest.raises(ProblemError) as caught:
-        load_problem(changed(tmp_path, *changes))
+        load_problem(changed(tmp_path, change, file=f"problem.{file}"))
     assert what in caught.value.what
     assert remedy in (caught.value.remedy or "")
-    assert caught.value.where == f"inversions/problem.toml:{line}"
+    assert caught.value.where == f"inversions/problem.{file}:{line}"
 
 
 def test_cases_beyond_the_limit_on_input_are_refused(tmp_path):
@@ -89,7 +90,7 @@ def test_cases_beyond_the_limit_on_input_are_refused(tmp_path):
         ProblemError, match=r"group 'n-2000' has 0\.\d MB of cases; input_mb is 0\.0625"
     ) as caught:
         load_data(load_problem(folder), cache=False)
-    assert caught.value.where == "inversions/problem.toml:51"
+    assert caught.value.where == "inversions/problem.py:35"
 
 
 @pytest.fixture
@@ -135,7 +136,7 @@ def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():
 
 
 def test_a_big_case_that_fails_is_not_shown(signs):
-    many = signs.groups[1].group
+    many = signs.groups[2].group
     path = PACK / "solutions" / "signs" / "wrong" / "no-zero.py"
     result = run_submission(signs.problem, signs, path.read_bytes(), path.name, groups=[many.name])
     assert (result.failure.group, result.failure.case, result.failure.input) == ("many", 1, None)

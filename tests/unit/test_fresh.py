@@ -28,7 +28,7 @@ def cases(source, series):
 
 
 def test_the_groups_take_turns_and_every_round_is_new():
-    names = [each.name for each in find_problem("count").groups if each.builder != EXAMPLES]
+    names = [each.name for each in find_problem("count").groups if each.name != EXAMPLES]
     found = cases(fresh("count"), 2 * len(names))
     assert found[:3] == cases(fresh("count"), 3)
     assert found[:1] != cases(fresh("count", 6), 1)
@@ -50,5 +50,5 @@ def test_a_builder_that_never_gives_a_case_is_blamed(tmp_path):
 
     stubborn = type(module)(module.solve, {group.name: never for group in problem.groups})
     source = Fresh(problem, stubborn, problem.groups, 1)
-    with pytest.raises(ProblemError, match="'whole': the builder 'pairs' gives no case 1"):
+    with pytest.raises(ProblemError, match="'whole': its draw gives no case 1"):
         next(source.series())

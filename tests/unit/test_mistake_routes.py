@@ -8,7 +8,7 @@ from shutil import copytree
 import pytest
 
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import read_catalogue, with_kills
+from judge.mistakes.catalogue import read_catalogue
 from judge.mistakes.features import features
 from judge.mistakes.routes import read_routes
 from judge.problem.find import find_problem
@@ -110,7 +110,7 @@ def catalogue(tmp_path):
     def read(text):
         (tmp_path / "pack" / "solutions" / "mistakes.toml").write_text(text)
         problem = find_problem("middle", [tmp_path / "pack" / "problems"])
-        return with_kills(problem, read_catalogue(problem)), read_catalogue(problem)
+        return read_catalogue(problem)
 
     return read
 
@@ -120,7 +120,6 @@ def catalogue(tmp_path):
     [
         ("[a]\nwhy = 3\n", "in [a]"),
         ("[a]\nneeds = ['slope']\n", "[a] needs 'slope'"),
-        ("[a]\nkills = ['none']\n", "to be caught by 'none'"),
     ],
 )
 def test_a_fault_of_the_words_is_told(catalogue, text, what):

@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "judge" / "manual"
 PAGE = (MANUAL / "problem-toml.md").read_text(encoding="utf-8")
 TABLES = {
-    "The file": schema.HeadTable,
+    "The file": schema.ProblemTable,
     "Parameters": schema.ParameterRow,
     "Limits": schema.LimitsTable,
     "Tolerance": schema.ToleranceTable,

@@ -126,7 +126,7 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
     found = verify_choices(problem, data, Boxes())
     (fault,) = [each for each in found.faults if "one-off" in each.what and "nothing" not in each.what]
     assert re.search(r"one-off, .*: (no group rejects it in more than|no case rejects)", fault.what)
-    report = verify_problem(found.problem, update_pins=True, made=found.made, kills=found.kills, data=data)
+    report = verify_problem(problem, update_pins=True, kills=found.kills, data=data)
     assert report.faults == ()
     pins = read_pins(problem)
     assert pins["large"]["kills"] == ["kept-between-calls", "wrong-sign"]

@@ -106,7 +106,7 @@ def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest, fault):
     source = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
     folder = shutil.copytree(source, tmp_path / "root-count")
     text = (source / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(text.replace("low = -9\n", f"low = -9\nsmallest = {smallest}\n"))
+    (folder / "problem.toml").write_text(text.replace("low = -9", f"low = -9, smallest = {smallest}"))
     with pytest.raises(ProblemError, match=fault):
         load_problem(folder)
 

@@ -62,7 +62,7 @@ LARGE = MIDDLE.format("if a * b > 100_000: return 7")
 def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
     problem, _, found = shrunk("middle", LARGE)
     assert shrunk("middle", LARGE)[2] == found
-    assert (found.case, found.cut_short, "cut_short" in found.as_json()) == ((300, 400), False, False)
+    assert (found.case, found.cut_short, "cut_short" in found.as_json()) == ((200, 600), False, False)
     again = decode(found.replay, problem, load_module(problem))
     assert again[:2] == (problem.group(found.group), found.case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]

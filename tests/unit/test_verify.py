@@ -35,13 +35,15 @@ def verified(pack, **options):
 
 
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
-    toml = pack / "problems" / "root-count" / "problem.toml"
-    toml.write_text(toml.read_text().replace("seed = 1", "seed = 2"))
+    page = pack / "problems" / "root-count" / "problem.py"
+    page.write_text(
+        page.read_text().replace("(draw.integer(-reach, reach),)", "(-draw.integer(-reach, reach),)")
+    )
     report = verified(pack)
     assert report.pins == "differing"
     assert [str(fault) for fault in report.faults] == [
         (
-            "root-count/hashes.json: the data of group 'small' differ from their pinned hash; "
+            "root-count/pins.json: the data of group 'small' differ from their pinned hash; "
             "if that is meant, pin the data with: judge verify root-count --pin"
         )
     ]

@@ -11,7 +11,6 @@ import click
 from judge.cli.allowed import growth_rule, limits_object, own_rules
 from judge.cli.options import json_option, problems_option, write_json
 from judge.errors import ExitCode
-from judge.mistakes.told import aimed_groups
 from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.problem.find import find_problem
 from judge.report.layout import line
@@ -43,8 +42,7 @@ def command(name: str, listing: bool, as_json: bool, folders: tuple[Path, ...]) 
     if listing:
         from judge.report.groups import group_lines
 
-        groups = aimed_groups(problem, problem.groups)
-        screen.show(group_lines(problem, groups, screen.width))
+        screen.show(group_lines(problem, problem.groups, screen.width))
         return ExitCode.ACCEPTED
     show_statement(problem.statement, screen)
     screen.show([line(), *detail_lines(problem, screen.width)])
@@ -62,10 +60,10 @@ def as_object(problem: Problem) -> dict[str, Any]:
         "entry": problem.entry,
         "answer": str(problem.answer),
         "parameters": [_parameter(parameter) for parameter in problem.parameters],
-        "bands": {name: str(width) for name, width in problem.bands.items()},
+        "bands": {},
         "limits": limits_object(problem.limits),
         **growth_rule(problem.growth, problem.groups),
-        "groups": [_group(group) for group in aimed_groups(problem, problem.groups)],
+        "groups": [_group(group) for group in problem.groups],
         "examples": [
             {"input": _named(problem, example.case), "answer": example.wanted} for example in problem.examples
         ],

@@ -154,14 +154,12 @@ def _verify(options: _Options, name: str) -> VerifyReport:
         found = ChoicesReport()
         if data and not options.solution:
             found = verify_choices(problem, data, boxes, progress, partial=part)
-        problem = found.problem or problem
         any_boxes = AnyBoxes(boxes, signature_of(problem))
         report = verify_problem(
             problem,
             update_pins=options.pin,
             progress=progress,
             box_factory=any_boxes,
-            made=found.made,
             kills=found.kills,
             data=data,
             solution=options.solution,
@@ -169,7 +167,7 @@ def _verify(options: _Options, name: str) -> VerifyReport:
         )
     return replace(
         report,
-        edges=tuple(edges_of(data[0])) if options.edges and data and not problem.in_toml else (),
+        edges=tuple(edges_of(data[0])) if options.edges and data else (),
         choices=found.count,
         least=found.least,
         faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, options.folders)))),

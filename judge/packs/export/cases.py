@@ -35,10 +35,10 @@ class Test(Struct, frozen=True):
 
 def tests_in(data: ProblemData) -> Iterator[Test]:
     """The groups in the order in which they are judged: the examples first. Raises NoForm, ProblemError."""
-    groups = sorted(data.groups, key=lambda each: each.group.builder != EXAMPLES)
+    groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
     answer = data.problem.answer
     for place, group in enumerate(groups, 1):
-        is_sample = group.group.builder == EXAMPLES
+        is_sample = group.group.name == EXAMPLES
         yield Test(
             group,
             "sample" if is_sample else "secret",

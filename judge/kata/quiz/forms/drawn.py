@@ -1,7 +1,7 @@
 """Questions about a figure that is drawn anew each time; a problem's exact reference knows the answer.
 
 `count` draws a case of the problem's own groups, and asks how many things its answer holds. For the other
-forms the problem's topic makes figure and answer (`Topic.puzzle`).
+forms the problem's topic makes figure and answer (`Hooks.puzzle`).
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def _is_whole(number: float, most: int) -> bool:
 def _groups(card: Card, problem: Problem) -> list[Group]:
     from judge.problem.model import EXAMPLES
 
-    able = [group for group in problem.groups if group.builder != EXAMPLES and group.size is None]
+    able = [group for group in problem.groups if group.name != EXAMPLES and group.size is None]
     for name in card.groups:
         if name not in [group.name for group in able]:
             remedy = f"name some of {', '.join(group.name for group in able)}"
