@@ -39,7 +39,7 @@ class TomlFile:
         raw = read_toml(self._path, self._text, self._name, exact=True)
         if "groups" in raw:
             remedy = "write GROUPS = [group(name, about, draw), …] there: judge help problem-py"
-            self.fault(("groups",), "test groups are declared in problem.py now", remedy)
+            self.fault(("groups", 0), "test groups are declared in problem.py now", remedy)
         return self.shaped(raw, ProblemTable, ())
 
     def shaped(self, raw: Any, shape: type[T], path: KeyPath) -> T:

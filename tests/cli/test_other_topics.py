@@ -135,7 +135,7 @@ def test_the_report_shows_what_went_wrong_and_draws_nothing(judge, submit):
 # The kata, its file, what is written there instead of what, and what is told.
 SLIPS = [
     ("divisors", "toml", "[int; 1..240]", "[int; 1..3]", "4 items where 1 to 3 are meant"),
-    ("divisors", "py", "== 0], None", "== 0] + [n / 2] * (n > 6), None", "where an int is meant"),
+    ("divisors", "py", "== 0]", "== 0] + [n / 2] * (n > 6)", "and a float is not exact"),
     ("unit-vector", "toml", "relative = 1e-9", "relative = 1e-30", "the example contradicts solve: "),
     ("larger-fraction", "toml", "less|equal|more", "less|equal", "'more' where less or equal is meant"),
     ("root-enclosed", "py", "Fraction(1, 10", "-Fraction(1, 10", "no interval has a negative width"),

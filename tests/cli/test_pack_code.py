@@ -1,4 +1,4 @@
-"""Which commands run the code of a pack of problems; the others only read it. the manual says the same."""
+"""Which commands run the code of a pack of problems, and which do so once at most. The manual says the same."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from judge.manual import page
 
 pytestmark = pytest.mark.slow
 
-READ = {  # those that only read it, in the ways that could make a difference
+READ = {  # those that read what is kept of it, in the ways that could make a difference
     "list": ["list --json"],
     "show": ["show middle", "show middle --groups"],
     "init": ["init middle new.py", "init middle other.py --force"],
@@ -67,7 +67,7 @@ def mark(tmp_path, monkeypatch):
 
 @pytest.fixture
 def practised(judge, mark, submit, tmp_path, monkeypatch):
-    """`middle`, whose problem.py leaves a mark: a kata in hand with a history, and nothing in the cache.
+    """`middle`, whose problem.py leaves a mark: a kata in hand with a history, and no data in the cache.
 
     The id of a case that fails.
     """
@@ -83,9 +83,17 @@ def practised(judge, mark, submit, tmp_path, monkeypatch):
     for words in ("init middle other.py", "hint middle"):
         judge(*words.split())
     run = judge("run", "middle", "floor.py", "--json")
-    shutil.rmtree(tmp_path / "cache")
+    shutil.rmtree(tmp_path / "cache" / "data")
     mark.unlink()
     return json.loads(run.out)["counterexample"]["replay"]
+
+
+def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path):
+    shutil.rmtree(tmp_path / "cache")
+    assert judge("list").status == 0
+    mark.unlink()
+    assert judge("list").status == 0
+    assert not mark.exists()
 
 
 def test_these_commands_only_read_it(judge, practised, mark):
@@ -114,7 +122,8 @@ def test_watch_runs_it(practised, mark):
     assert mark.exists()
 
 
-def test_completion_only_reads(practised, mark, process):
+def test_completion_only_reads(practised, mark, process, tmp_path):
+    shutil.rmtree(tmp_path / "cache")
     asked = {"_JUDGE_COMPLETE": "bash_complete", "COMP_WORDS": "judge run mid", "COMP_CWORD": "2"}
     assert "middle" in process(**asked).out
     assert not mark.exists()

@@ -20,9 +20,9 @@ pytestmark = pytest.mark.slow
 START = datetime(2026, 3, 1, 9, tzinfo=UTC)
 SET = 'title = "Means"\nabout = "The middle of two numbers."\n'
 SKILL = """
-[skills."no floor"]
+[[skills]]
+name = "no floor"
 about = "Half of an odd number is no integer."
-groups = ["half"]
 """
 
 
@@ -33,8 +33,11 @@ def own_pack(pack, tmp_path, monkeypatch):
     shutil.copytree(pack, tmp_path / "pack")
     (folder / "sets").mkdir()
     (folder / "sets" / "means.toml").write_text(SET)
+    (folder / "skills.toml").write_text(SKILL)
     text = (folder / "middle" / "problem.toml").read_text()
-    (folder / "middle" / "problem.toml").write_text(f'sets = ["means"]\n{text}{SKILL}')
+    (folder / "middle" / "problem.toml").write_text(f'sets = ["means"]\n{text}')
+    page = folder / "middle" / "problem.py"
+    page.write_text(page.read_text().replace("points=50", 'points=50, skills="no floor"'))
     monkeypatch.setenv("JUDGE_PROBLEMS", str(folder))
     return folder
 

@@ -40,7 +40,7 @@ def test_cases_and_targets_of_every_group():
     examples, small = data.groups
     assert examples.cases == [(4,), (-1,)]
     assert examples.targets == [2, 0]
-    assert len(set(small.cases)) == 5
+    assert len(set(small.cases)) == 12
     assert small.targets == [(c > 0) - (c < 0) + 1 for (c,) in small.cases]
     assert data.notes == ()
     answer, tolerance = data.exact((9,), small.group)
