@@ -1,4 +1,4 @@
-"""Which commands run the code of a pack of problems, and which do so once at most. The manual says the same."""
+"""Which commands run the code of a pack, and which do so once at most. The manual says the same."""
 
 from __future__ import annotations
 
