@@ -1,7 +1,6 @@
 """Drawing any Picture: as SVG, and in braille characters for a terminal.
 
 shapes.py     what a drawing is made of
-frame.py      from exact numbers of any size to a panel
 clip.py       cutting to a panel
 labels.py     placing labels
 lengths.py    lengths as a person reads them

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from judge.drawing.shapes import Panel, Picture, Role
 
-_ANSWERS = (Role.WANTED, Role.GOT, Role.BAND)
+_ANSWERS = (Role.WANTED, Role.GOT)
 
 
 def unanswered(picture: Picture) -> Picture:

@@ -17,7 +17,6 @@ class Role(Enum):
     SHAPE = "shape"  # a closed figure
     LINE = "line"
     BEYOND = "beyond"  # where the line goes on beyond its ends
-    BAND = "band"  # what counts as if it were exact
     CASE = "case"  # a point of the input
     WANTED = "wanted"
     GOT = "got"

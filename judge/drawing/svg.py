@@ -32,7 +32,6 @@ _LIGHT = {
     ".circle-area": "fill:#1d4ed8;fill-opacity:.07",
     ".line": "stroke:#18181b;stroke-width:1.8;fill:none",
     ".beyond": "stroke:#a1a1aa;stroke-width:1.2;stroke-dasharray:5 4;fill:none",
-    ".band-area": "fill:#ca8a04;fill-opacity:.22",
     ".head-line": "fill:#18181b",
     ".case": "fill:#18181b",
     ".wanted": "stroke:#15803d;stroke-width:2.6;fill:none",
@@ -52,7 +51,6 @@ _DARK = {
     ".circle-area": "fill:#93c5fd;fill-opacity:.1",
     ".line": "stroke:#f4f4f5",
     ".beyond": "stroke:#71717a",
-    ".band-area": "fill:#facc15;fill-opacity:.2",
     ".head-line,.case": "fill:#f4f4f5",
     ".wanted": "stroke:#4ade80",
     ".got": "stroke:#fb923c",
@@ -182,7 +180,7 @@ def _drawing(panel: Panel) -> Iterator[str]:
 _CLASSES = {role: role.value for role in Role} | {Role.SHAPE: "circle"}  # as published pictures have it
 _KEY = 8.0  # pixels of a letter in the legend
 _ROLE_TEXT = {Role.WANTED: "t-wanted", Role.GOT: "t-got"} | dict.fromkeys(
-    (Role.CASE, Role.SHAPE, Role.LINE, Role.BEYOND, Role.BAND), ""
+    (Role.CASE, Role.SHAPE, Role.LINE, Role.BEYOND), ""
 )
 
 

@@ -170,6 +170,12 @@ def _whole(view: View, frame: Frame) -> Panel:
     return Panel("True scale", _strokes(view, frame), _marks(view, frame, beyond=True), (bar,))
 
 
+def bare(view: View) -> Picture:
+    """The figure at true scale alone, without a word but the names of its points."""
+    panel = _whole(view, _window(view))
+    return Picture("", "", "", replace(panel, title="", bars=()), None, ())
+
+
 def _strokes(view: View, frame: Frame) -> tuple[Any, ...]:
     rings = [stroke for ring in view.rings for stroke in frame.ring(ring)]
     return (*rings, *(stroke for way in view.ways for stroke in frame.way(way)))

@@ -6,18 +6,18 @@ two things happen nearly together, or a line nearly touches, are drawn anew: a p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Callable, Sequence
+from decimal import Decimal
 from itertools import pairwise
-from math import cos, hypot, pi, sin
+from math import hypot
 from typing import Any
 
 from msgspec import Struct
 
-from judge.drawing.clip import polygon, polyline
-from judge.drawing.frame import Frame, direction
-from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
+from judge.drawing import Picture
 from judge.exact import Surd
+from judge.geometry.picture import bare
+from judge.geometry.view import Ring, View, Way
 from judge.problem.declare import InvalidCase
 from judge.problem.topic import Chance, Puzzle
 from judge.values import Real
@@ -31,7 +31,6 @@ _TRIES = 2_000
 _APART = 0.5  # between two events along the line, and between a line and a touch
 _REACH = (7, 5)  # of the centres
 _FAR = 9  # of the origin
-_MARGIN = Fraction(11, 10)
 _TAGS = {"i": "in", "o": "out", "t": "touch"}
 _LETTERS = {"enter": "i", "exit": "o", "touch": "t"}
 
@@ -221,28 +220,15 @@ def _told(events: Sequence[_Event]) -> str:
 
 
 def _picture(figure: _Figure, names: tuple[str, str], *, ray: bool) -> Picture:
-    (x, y), (u, v) = figure.start, figure.along
-    xs = [x, x + u, *(ring.x + side * ring.r for ring in figure.rings for side in (-1, 1))]
-    ys = [y, y + v, *(ring.y + side * ring.r for ring in figure.rings for side in (-1, 1))]
-    side = max(max(xs) - min(xs), max(ys) - min(ys))
-    middle = Fraction(min(xs) + max(xs), 2), Fraction(min(ys) + max(ys), 2)
-    frame = Frame(*middle, Fraction(side, 2) * _MARGIN)
-    begin, step = frame.place(x, y), direction(u, v)
-    back = 0.0 if ray else 4.0
-    ends = (
-        (begin[0] - step[0] * back, begin[1] - step[1] * back),
-        (begin[0] + step[0] * 4, begin[1] + step[1] * 4),
-    )
-    strokes = [stroke for ring in figure.rings for stroke in _ring(frame, ring)]
-    strokes += [Stroke(part, Role.LINE, arrow=True) for part in polyline(ends)]
-    marks = [Mark(frame.place(ring.x, ring.y), Role.CASE, ring.label) for ring in figure.rings]
-    places: Mapping[str, Dot] = {names[0]: begin, names[1]: frame.place(x + u, y + v)}
-    marks += [Mark(at, Role.CASE, name) for name, at in places.items() if name]
-    return Picture("", "", "", Panel("", tuple(strokes), tuple(marks), ()), None, ())
-
-
-def _ring(frame: Frame, ring: _Ring) -> list[Stroke]:
-    (x, y), size = frame.place(ring.x, ring.y), float(ring.r / frame.unit)
-    dots = tuple((x + size * cos(pi * step / 60), y + size * sin(pi * step / 60)) for step in range(121))
-    fill = Stroke(polygon(dots[:-1]), Role.SHAPE, filled=True)
-    return [fill, *(Stroke(part, Role.SHAPE) for part in polyline(dots))]
+    view = View()
+    for ring in figure.rings:
+        x, y, r = map(Decimal, (ring.x, ring.y, ring.r))
+        view.rings.append(Ring(x, y, r))
+        view.name((x, y), ring.label)
+    (x, y), along = map(Decimal, figure.start), (Decimal(figure.along[0]), Decimal(figure.along[1]))
+    way = Way((x, y), along, 0 if ray else None, None)
+    view.ways.append(way)
+    for at, name in ((way.start, names[0]), (way.at(1), names[1])):
+        if name:
+            view.name(at, name)
+    return bare(view)

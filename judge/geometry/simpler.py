@@ -232,9 +232,7 @@ def _built(laid: _Laid, round_: Callable[[Decimal, bool], Decimal], floats: bool
 
     def plain(value: Decimal, *, along: bool = False) -> Number:
         value = round_(value, along)
-        if value == 0 or (value == value.to_integral_value() and not floats):
-            return int(value)
-        return float(value)
+        return float(value) if floats and value else int(value.to_integral_value())
 
     places, ways = (
         [(plain(x, along=True), plain(y)) for x, y in each] for each in (laid.points, laid.vectors)

@@ -70,7 +70,7 @@ const Drawing = (start, state) => {
     for (const [x, axis] of lines(cx, view.x, W)) {
       const [px] = place([x, 0]);
       board.append(svg("line", { x1: px, x2: px, y1: 0, y2: h, class: axis ? "axis" : "grid" }));
-      board.append(number(cx + x, { x: px, y: h - 6, "text-anchor": "middle" }));
+      if (px > 20 && px < W - 20) board.append(number(cx + x, { x: px, y: h - 6, "text-anchor": "middle" }));
     }
     for (const [y, axis] of lines(cy, view.y, h)) {
       const [, py] = place([0, y]);
