@@ -22,10 +22,9 @@ from judge.problem.module import load_module
 
 _FOLDER = Path(__file__).parent
 _KINDS = {
-    "count in a segment": "segment",
     **dict.fromkeys(("line", "points", "chord"), "line"),
-    "segment": "segment",
-    "ray": "ray",
+    **dict.fromkeys(("segment", "count in a segment"), "segment"),
+    **dict.fromkeys(("ray", "normal", "reflection"), "ray"),
 }
 _PROBLEMS = {"line": "count", "segment": "segment", "ray": "ray-nearest"}  # for `judge try` of another kind
 _USUAL = {
