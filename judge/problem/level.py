@@ -6,7 +6,7 @@ nobody speaks of it. How a submission is held while it runs is its isolation, wh
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from enum import Enum
 
 
@@ -25,24 +25,6 @@ class KataLevel(Enum):
 
 
 LEVELS = tuple(level.value for level in KataLevel)
-
-
-def level_fault(groups: Sequence[tuple[str, KataLevel | None]]) -> tuple[int, str, str] | None:
-    """What is wrong with the levels of groups, given by name: which group's place, what, and what to do.
-
-    Either every group has a level or none has one; and where they have, there are groups of both.
-    """
-    there = levels_among(level for _, level in groups)
-    if not there:
-        return None
-    for at, (name, level) in enumerate(groups):
-        if level is None:
-            remedy = " or ".join(f'level = "{known}"' for known in LEVELS)
-            return at, f"group {name!r} has no level, though others have one", f"add {remedy}"
-    if len(there) < len(KataLevel):
-        what = f"every group is of the level {there[0].value!r}"
-        return 0, what, "give some the other one, or none a level"
-    return None
 
 
 def levels_among(found: Iterable[KataLevel | None]) -> tuple[KataLevel, ...]:

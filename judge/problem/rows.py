@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from judge.errors import ProblemError
 from judge.problem.declare import Declared
-from judge.problem.level import KataLevel, level_fault
+from judge.problem.level import KataLevel
 from judge.problem.model import EXAMPLES, Group, GroupLimits, GrowthRule, Problem, ShownSkill
 from judge.problem.module import load_module
 from judge.problem.names import is_name
@@ -38,8 +38,9 @@ def with_rows(problem: Problem, tolerance: Tolerance | None, slope: float | None
     checks = _Rows(problem, tolerance)
     groups = [checks.group(level, row) for level, row in rows]
     levels = {level for level, _ in rows}
-    if mixed := level_fault([(row.name, level) for level, row in rows]):
-        checks.fault(rows[mixed[0]][1], *mixed[1:])
+    if len(levels) == 1 and None not in levels:
+        what = f"every group is in {' and '.join(level.name for level in levels if level)}"
+        checks.fault(rows[0][1], what, "declare groups of both, or all of them in GROUPS")
     if not problem.examples:
         raise ProblemError(
             "there are no worked examples",

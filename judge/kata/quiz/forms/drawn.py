@@ -7,6 +7,7 @@ forms the problem's topic makes figure and answer (`Hooks.puzzle`).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -20,13 +21,13 @@ _TRIES = 1_000  # cases that are looked at for one of small numbers
 
 if TYPE_CHECKING:
     from judge.data.draw import Draw
+    from judge.drawing import Picture
     from judge.problem import Group, Problem
 
 
 def _count(card: Card, sources: Sources, draw: Draw) -> Question:
     from judge.data.build import new_case
     from judge.data.validate import Validator
-    from judge.drawing.hidden import unanswered
     from judge.problem.module import blaming
     from judge.problem.topic import Shown
 
@@ -52,9 +53,15 @@ def _count(card: Card, sources: Sources, draw: Draw) -> Question:
         many,
         partial(_counted, many),
         given=(", ".join(f"{name}={_plain(value)}" for name, value in values.items()),),
-        picture=unanswered(drawn) if drawn else None,
+        picture=_bare(drawn) if drawn else None,
         why=card.back,
     )
+
+
+def _bare(drawn: Picture) -> Picture:
+    """The figure at true scale alone, and no words but the names of its points."""
+    whole = replace(drawn.whole, title="", note="")
+    return replace(drawn, heading="", description="", whole=whole, lens=None, facts=())
 
 
 def _numbers(value: Any) -> Iterator[float]:
