@@ -259,6 +259,7 @@ def _bar(unit: Decimal, way: str, *, upright: bool = False) -> Bar:
 
 def _error(view: View, window: Frame) -> _Sight | None:
     """The worst of the given points that are nearly, but not quite, the wanted ones, each in its turn."""
+    e = view.size or Decimal(1)
     right = [spot for spot in view.spots if spot.role is Role.WANTED and spot.text != "common point"]
     told = [spot for spot in view.spots if spot.role is Role.GOT]
     if not told or len(right) != len(told):
@@ -266,10 +267,10 @@ def _error(view: View, window: Frame) -> _Sight | None:
     errors = [length(minus(got.at, spot.at)) for got, spot in zip(told, right, strict=True)]
     worst = max(errors)
     crossed = max(length(minus(got.at, spot.at)) for got, spot in zip(told, reversed(right), strict=True))
-    if not 0 < worst <= 4 * _CLOSE * window.along or crossed < worst or worst < view.size * Decimal("1e-15"):
+    if not 0 < worst <= 4 * _CLOSE * window.along or crossed < worst or worst < e * Decimal("1e-15"):
         return None
     at = errors.index(worst)
-    note = f"{told[at].text or 'got'} is {short(worst / view.size)} e from where it should be"
+    note = f"{told[at].text or 'got'} is {short(worst / e)} e from where it should be"
     return _Sight(worst, told[at].at, "the answer's error", note)
 
 

@@ -23,7 +23,8 @@ from judge.values.tree import AnyOf, Real, Run
 Place = tuple[Decimal, Decimal]
 Plain = Any  # of an answer: None, a word, a Decimal, or a list of those
 
-_MOST = 256  # elements of a submission's list that are read
+_MOST, _MOST_INSIDE = 256, 8  # elements of a submission's list that are read, and of a list inside it
+_DEPTH = 3  # lists in lists
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,10 +203,11 @@ def wanted(exact: Any) -> Plain:
     return exact if isinstance(exact, str) else None
 
 
-def given(raw: Any, depth: int = 4) -> Plain:
-    """A submission's answer in decimals, JSON of any shape whatever."""
+def given(raw: Any, depth: int = _DEPTH) -> Plain:
+    """A submission's answer in decimals, JSON of any shape whatever: only the beginning of long lists."""
     if type(raw) in (list, tuple):
-        return [given(each, depth - 1) for each in raw[:_MOST]] if depth else []
+        most = _MOST if depth == _DEPTH else _MOST_INSIDE
+        return [given(each, depth - 1) for each in raw[:most]] if depth else []
     said = word(raw)
     if said is not None:
         return said

@@ -1,4 +1,4 @@
-"""What a picture says and shows of a case: what decides, where the lens looks, which of a sequence is drawn."""
+"""What a picture says and shows: what decides, where the lens looks, which of a sequence is drawn."""
 
 from __future__ import annotations
 
