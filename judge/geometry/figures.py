@@ -82,8 +82,8 @@ def circle_and_ray(cx, cy, r, O, D, **_: Any) -> View:
     return view
 
 
-def _shoot(view: View, O: Place, D: Place, *, tip: bool = True) -> None:
-    decides = on_circle("O")
+def _shoot(view: View, O: Place, D: Place, *, tip: bool = True, of: str = "the circle") -> None:
+    decides = on_circle("O", of)
     if any(D):
         view.ways.append(Way(O, D, 0, None, beyond=True, decides=True))
         view.name(O, "O", decides=decides)
@@ -102,7 +102,7 @@ def sphere_and_ray(C, r, O, D, **_: Any) -> View:
     view = View(about="the plane through C and the ray")
     _disc(view, _NONE, _NONE, r)
     view.size = max(r, *map(abs, f))
-    _shoot(view, (x, high), (size, _NONE))
+    _shoot(view, (x, high), (size, _NONE), of="the sphere")
     up = [part - x * along / (size or 1) for part, along in zip(f, D, strict=True)]
     view.frame = [[along / (size or 1) for along in D], [part / (high or 1) for part in up]]
     return view

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -30,13 +31,16 @@ TWO_POINTS, SIDE, DIAMETER, AXIS_FOOT = "two points", "side", "diameter", "foot 
 
 
 def hooks(kind: str) -> Hooks:
-    """The hooks of a kata whose cases are of that kind; what they need is imported when it is wanted."""
+    """The hooks of a kata whose cases are of that kind; what they need is imported when it is wanted.
+
+    They ask the `solve` of the problem.py that calls this: it is not run again for a picture.
+    """
+    page = sys._getframe(1).f_globals
 
     def picture(shown: Shown) -> Picture | None:
         from judge.geometry.picture import compose
-        from judge.problem.module import load_module
 
-        return compose(kind, shown, load_module(shown.problem).solve)
+        return compose(kind, shown, page["solve"])
 
     def simpler(_problem: Problem, case: Case) -> Iterable[Case]:
         from judge.geometry.simpler import simpler
@@ -46,7 +50,7 @@ def hooks(kind: str) -> Hooks:
     def explore(problem: Problem, values: Mapping[str, Any] | None) -> str | None:
         from judge.geometry.explore import explored
 
-        return explored(kind, problem, values)
+        return explored(kind, problem, values, page["solve"])
 
     def puzzle(form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
         from judge.geometry.puzzle import puzzle

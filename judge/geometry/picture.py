@@ -96,12 +96,16 @@ def _deciding(view: View, made: list[Decided]) -> list[Contact]:
     found = [
         replace(each, gap=Decimal(0)) if abs(each.gap) < tiny() * e else each for each in _contacts(view)
     ]
-    asked = [each for each in found if any(_same(float(each.gap / e), one) for one in made)]
+    asked = [each for each in found if any(_same(each, e, one) for one in made)]
     return sorted(asked or found, key=lambda each: abs(each.gap))
 
 
-def _same(gap: float, one: Decided) -> bool:
-    return abs(abs(gap) - abs(one.gap)) <= 1e-6 * abs(gap)
+def _same(contact: Contact, e: Decimal, one: Decided) -> bool:
+    """Whether that decision was made there: by its gap, or where it is exact by its name."""
+    if not contact.gap:
+        return not one.gap and one.what == contact.words.name
+    gap = abs(float(contact.gap / e))
+    return abs(gap - abs(one.gap)) <= 1e-6 * gap
 
 
 def _contacts(view: View) -> Iterator[Contact]:

@@ -10,7 +10,7 @@ import hashlib
 import json
 import re
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,6 @@ from typing import Any
 from judge.geometry.sure import CLEAR
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase
-from judge.problem.module import load_module
 
 _FOLDER = Path(__file__).parent
 _KINDS = {
@@ -35,7 +34,9 @@ _USUAL = {
 _PLACEHOLDER = re.compile(r"\{\{(\w+)\}\}")
 
 
-def explored(view: str, problem: Problem, values: Mapping[str, Any] | None) -> str | None:
+def explored(
+    view: str, problem: Problem, values: Mapping[str, Any] | None, solve: Callable[..., Any]
+) -> str | None:
     """The page that begins with that case, by parameter name, or with a usual one; None for other figures."""
     kind = _KINDS.get(view)
     if kind is None or [each.type.width for each in problem.parameters] != [1, 1, 1, 2, 2]:
@@ -44,7 +45,7 @@ def explored(view: str, problem: Problem, values: Mapping[str, Any] | None) -> s
     start = {
         "kind": kind,
         "numbers": numbers,
-        "clear": ("1", str(CLEAR)) if _promises(kind, problem) else ("0", "1"),
+        "clear": ("1", str(CLEAR)) if _promises(kind, solve) else ("0", "1"),
         "problems": {**_PROBLEMS, kind: problem.id},
         "called": "As it was opened" if values is None else "The case it was opened with",
     }
@@ -73,12 +74,12 @@ def _flat(values: Mapping[str, Any]) -> list[Any]:
     ]
 
 
-def _promises(kind: str, problem: Problem) -> bool:
+def _promises(kind: str, solve: Callable[..., Any]) -> bool:
     """Whether what almost touches is no valid input: not where whole numbers of any size decide."""
     size = 10**9
     far = (1, 0) if kind == "ray" else (size, size + 1)
     try:
-        load_module(problem).solve(0, 0, size, (-size, size + 1), far)
+        solve(0, 0, size, (-size, size + 1), far)
     except InvalidCase:
         return True
     return False
