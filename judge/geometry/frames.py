@@ -12,7 +12,7 @@ from judge.problem.declare import InvalidCase
 Number = int | float
 Point = tuple[Number, Number]
 
-_FIRST = Words(
+FIRST = Words(
     "In the first frame the line is almost a tangent",
     "d must differ from r by at least 1e-7·e there.",
     ("d is below r", "d is r exactly", "d is above r"),
@@ -44,7 +44,7 @@ def steady(circles: Sequence[tuple[Number, Number, Number]], O: Point, D: Point,
             raise ValueError("a radius is negative")
         k, size = dx * (oy - y) - dy * (ox - x), max(r, abs(ox - x), abs(oy - y))
         if not shown:
-            shown.append(int(Sure(size).distance(k * k, r, a, zero=False, what=_FIRST) < 0))
+            shown.append(int(Sure(size).distance(k * k, r, a, zero=False, what=FIRST) < 0))
             continue
         sure, square = Sure(size * m), k * k * m * m  # lengths are m times as long
         low = sure.distance(square, r * (m - n), a, what=THRESHOLD)

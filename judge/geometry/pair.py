@@ -33,7 +33,7 @@ INNER = Words(
         "one circle reaches out of the other",
     ),
 )
-_SAME = Words(
+SAME = Words(
     "The circles are almost the same",
     "Their radii must be equal, or at least 1e-7·e apart.",
     ("r1 is less than r2", "the circles are exactly the same", "r1 is more than r2"),
@@ -125,7 +125,7 @@ class Pair:
         return (Lie.INSIDE, Lie.INNER, Lie.CROSSING)[inner + 1]
 
     def _about_one_centre(self) -> Lie:
-        if self.sure.sign(self.r1 - self.r2, what=_SAME):
+        if self.sure.sign(self.r1 - self.r2, what=SAME):
             return Lie.INSIDE
         return Lie.SAME if self.r1 else Lie.POINT
 

@@ -35,7 +35,7 @@ _ORIGIN, _LIGHT, _HIT = (
     on_circle("P", "another circle"),
 )
 _RAY, _WAY = tangent("The ray's line", "a circle"), tangent("The line from P to L", "a circle")
-_LEVEL = Words(
+LEVEL = Words(
     "L is almost on the tangent at P",
     "It must be at least 1e-6·e away.",
     ("L is behind the tangent at P", "L is exactly on the tangent at P", "L is before the tangent at P"),
@@ -87,7 +87,7 @@ class _Scene:
             per=(own.r * own.a) ** 2,
             share=GRAZE,
             zero=False,
-            what=_LEVEL,
+            what=LEVEL,
         )
         views = [
             self._blocks(circle, outside[index])

@@ -5,20 +5,20 @@ from __future__ import annotations
 import json
 import random
 import re
-from fractions import Fraction
 from html import unescape
 from pathlib import Path
 
+import msgspec
 import pytest
 from chromium import CHROMIUM, dom
 from sampling import nightly
 
 import judge.geometry.explore as explore
-from judge.data.load import load_data
-from judge.exact.surd import Surd
-from judge.geometry import Line, Sure
-from judge.problem.declare import InvalidCase
-from judge.problem.find import find_problem
+from judge.data.build import build_cases
+from judge.errors import ProblemError
+from judge.geometry.views import VIEWS
+from judge.problem.declare import InvalidCase, Real, decisions
+from judge.problem.find import all_problems, find_problem
 from judge.problem.module import load_module
 
 pytestmark = pytest.mark.slow
@@ -41,6 +41,7 @@ def test_it_writes_one_file_that_loads_nothing(judge):
     )
     assert "default-src 'none'" in page
     assert start_of(page)["kind"] == "line"
+    assert start_of(page)["cases"][0][0] == "Example 1"
     assert judge("explore", "count").status == 0  # over its own page
 
 
@@ -61,8 +62,13 @@ def test_a_case_of_ones_own(judge, words, kind, numbers):
     written = Path("page.html").read_bytes()
     assert json.loads(line) == {"schema": 1, "problem": words[0], "out": "page.html", "bytes": len(written)}
     start = start_of(written.decode())
-    assert (start["kind"], start["numbers"], start["problems"][kind]) == (kind, numbers, words[0])
-    assert start["clear"] == (["0", "1"] if words[0] == "exact-count" else ["1", str(10**7)])
+    assert (start["kind"], start["problem"], start["cases"][0][0]) == (
+        kind,
+        words[0],
+        "The case it was opened with",
+    )
+    assert list(explore._flat([each["value"] for each in start["args"]])) == numbers
+    assert (start["clear"], start["whole"]) == ((0, True) if words[0] == "exact-count" else (10**7, False))
 
 
 def test_the_case_that_broke_a_file(judge, submit):
@@ -73,7 +79,18 @@ def test_the_case_that_broke_a_file(judge, submit):
     assert judge("explore", found["replay"]).status == 0
     start = start_of(Path("judge-explore.html").read_text(encoding="utf-8"))
     case = found["input"]
-    assert [float(x) for x in start["numbers"]] == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
+    numbers = explore._flat([each["value"] for each in start["args"]])
+    assert list(map(float, numbers)) == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
+
+
+def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):
+    ended = judge("explore", "sphere")
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err == "judge: sphere has no page to explore; 'judge explore count' shows one that has\n"
+    rays = ", ".join(f"(({x}, 0), (1, 0))" for x in range(200))
+    ended = judge("explore", "nearest", f"[(0, 0, 1)], [{rays}]")
+    assert (ended.status, ended.out) == (2, "")
+    assert "the case has 803 numbers, and a page has 600 at most" in ended.err
 
 
 # -- in a browser --------------------------------------------------------------------------------------------
@@ -103,9 +120,14 @@ def values(*case):
 @pytest.mark.parametrize(
     ("problem", "case", "answer", "promise"),
     [
-        ("count", (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)), "0 points", "almost touches: not a valid input"),
-        nightly("segment", (0, 0, 5, (3, 4), (3, 4)), "1 point", "clear"),
-        nightly("ray-nearest", (0, 0, 1, (-3, 0), (2, 0)), "t = 1", "clear"),
+        (
+            "count",
+            (0, 0, 1, (-1, 1 + 1e-9), (1, 1 + 1e-9)),
+            "0 points",
+            "The line is almost a tangent: not a valid input",
+        ),
+        nightly("segment", (0, 0, 5, (3, 4), (3, 4)), "1 point", "A is exactly on the circle"),
+        nightly("ray-nearest", (0, 0, 1, (-3, 0), (2, 0)), "a hit at t = 1", "clear"),
     ],
 )
 def test_what_it_says(tmp_path, problem, case, answer, promise):
@@ -121,27 +143,28 @@ const handle = name => document.querySelector(`[data-handle="${name}"]`);
 const press = (name, key, more = {}) =>
   handle(name).dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, ...more}));
 document.getElementById("step").value = "0.1";
-press("A", "ArrowUp"); press("A", "ArrowLeft", {shiftKey: true}); press("R", "ArrowRight");
+press("p1", "ArrowUp"); press("p1", "ArrowLeft", {shiftKey: true}); press("r0", "ArrowRight");
 document.getElementById("step").value = "1e-13";
-press("B", "ArrowDown");
+press("p2", "ArrowDown");
 const keyed = document.getElementById("case").textContent;
 const scene = document.getElementById("scene"), box = scene.getBoundingClientRect();
-const grip = handle("C").querySelector(".grip").getBoundingClientRect();
+const grip = handle("p0").querySelector(".grip").getBoundingClientRect();
 scene.setPointerCapture = () => {};
 document.getElementById("step").value = "1";
 const point = (kind, x, y, target) => target.dispatchEvent(new PointerEvent(kind,
   {bubbles: true, pointerId: 1, pointerType: "touch", clientX: x, clientY: y}));
 const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
-point("pointerdown", x, y, handle("C").querySelector(".reach"));
+point("pointerdown", x, y, handle("p0").querySelector(".reach"));
 point("pointermove", x + box.width / 4, y, scene);
 point("pointerup", x + box.width / 4, y, scene);
 const dragged = document.getElementById("case").textContent;
-document.querySelector('input[value="ray"]').click();
-const turned = document.getElementById("case").textContent;
+const examples = document.getElementById("examples");
+examples.value = "1"; examples.dispatchEvent(new Event("change"));
+const example = document.getElementById("case").textContent;
 const field = document.querySelector('#numbers input');
 field.value = "1e999"; field.dispatchEvent(new Event("input"));
 const invalid = field.getAttribute("aria-invalid");
-document.getElementById("said").textContent = JSON.stringify([keyed, dragged, turned, invalid]);
+document.getElementById("said").textContent = JSON.stringify([keyed, dragged, example, invalid]);
 """
 
 
@@ -149,136 +172,148 @@ document.getElementById("said").textContent = JSON.stringify([keyed, dragged, tu
 @pytest.mark.nightly
 def test_keys_fingers_and_fields_move_it(tmp_path):
     page = shown(tmp_path, "count", values(0, 0, 5, (-7, -1), (6, 4)), MOVES)
-    keyed, dragged, turned, invalid = json.loads(text_of(page, "said"))
+    keyed, dragged, example, invalid = json.loads(text_of(page, "said"))
     assert keyed == 'judge try count "0, 0, 5.1, (-8, -0.9), (6, 3.9999999999999)"'
     moved = re.fullmatch(r'judge try count "(\d+), 0, 5\.1, \(-8, -0\.9\), \(6, 3\.9999999999999\)"', dragged)
     assert moved is not None, dragged
     assert int(moved[1]) in range(3, 12)
-    assert turned.startswith(f'judge try ray-nearest "{moved[1]}, 0, 5.1, (-8, -0.9), (14, 4.8999999')
+    assert example == 'judge try count "0, 0, 5, (-6, 3), (-5, 3)"'
     assert invalid == "true"
 
 
-# -- the page's exact arithmetic against the reference ---------------------------------------------------
+# -- what the page decides against each kata's `solve` ------------------------------------------------------
 
-DIGITS = 24
-SCRIPT = Path(explore.__file__).with_name("exact.js")
-PAGE = """<!doctype html><meta charset="utf-8"><pre id="told"></pre><script>SCRIPT
-const told = CASES.map(([kind, exact, texts]) => Exact.analyse(texts, kind, [exact ? 0n : 1n, 10n ** 7n]));
+FOLDER = Path(explore.__file__).parent
+PAGE = """<!doctype html><meta charset="utf-8"><pre id="told"></pre><script>EXACT
+FIGURES
+const shortened = text => text;
+const told = CASES.map(([start, texts, args]) => {
+  const { broken, decisions, rows, answer } = figure(start.kind, start, Exact.arithmetic(texts), args);
+  return [broken, decisions.map(each => [each.almost, each.gap]), rows.flatMap(each => each[1]), answer];
+});
 document.getElementById("told").textContent = JSON.stringify(told);
 </script></html>"""
-PROBLEMS = {"count": "line", "segment": "segment", "ray-nearest": "ray", "exact-count": "line"}
-EACH = 150
-
-
-def flat(case):
-    """The seven numbers of a case as Python writes them."""
-    return [repr(number) for value in case for number in (value if isinstance(value, tuple) else (value,))]
+CASES = 2  # of each group, and each of them once more a little off
+WORDS = {  # how what is said of an answer begins, where it is no real number
+    "line": str,
+    "count in a segment": lambda answer: f"{answer} point",
+    "frames": lambda answer: " ".join(map(str, answer)),
+    "rows": lambda answer: " ".join(map(str, answer)),
+    "light": str,
+}
+CUT = {"rows", "many"}  # kinds whose `solve` asks only where doubles leave a doubt
 
 
 def moved(case, chance):
-    """A case in which a number is off by so little that the promise may notice."""
-    numbers = [number for value in case for number in (value if isinstance(value, tuple) else (value,))]
-    place = chance.randrange(7)
-    size = max(map(abs, numbers)) or 1
-    numbers[place] = float(numbers[place]) + size * 10.0 ** chance.uniform(-17, -5) * chance.choice((-1, 1))
-    numbers[2] = abs(numbers[2])
-    cx, cy, r, ax, ay, bx, by = numbers
-    return cx, cy, r, (ax, ay), (bx, by)
+    """The case with one number off by so little that the promise may notice."""
+    flat, integers = list(explore._flat(case)), all(isinstance(x, int) for x in explore._flat(case))
+    place, size = chance.randrange(len(flat)), max(map(abs, flat)) or 1
+    off = (
+        chance.choice((-1, 1))
+        if integers
+        else size * 10.0 ** chance.uniform(-17, -5) * chance.choice((-1, 1))
+    )
+    found = iter([x + off if at == place and x else x for at, x in enumerate(flat)])
+
+    def rebuilt(value):
+        return tuple(map(rebuilt, value)) if isinstance(value, tuple) else next(found)
+
+    return rebuilt(case)
 
 
-def cases():
-    """(kind, whether there is no promise, case): of the data, and each once more a little off."""
-    chance = random.Random(20261122)
-    for name, kind in PROBLEMS.items():
-        data = load_data(find_problem(name))
-        every = [case for group in data.groups for case in group.cases]
-        for case in chance.sample(every, EACH):
-            yield kind, name == "exact-count", case
-            if name != "exact-count":
-                yield kind, False, moved(case, chance)
+def merged(case):
+    """The case with one of its points at the place of the one before."""
+    for at in range(1, len(case)):
+        if case[at - 1] != case[at] and all(
+            isinstance(each, tuple) and len(each) == 2 for each in case[at - 1 : at + 1]
+        ):
+            yield (*case[:at], case[at - 1], *case[at + 1 :])
+            return
 
 
-class Anything(Sure):
-    """Decides whatever is asked, however close."""
-
-    def distance(self, square, radius, per=1, **_):
-        return (square > radius**2 * per) - (square < radius**2 * per)
-
-
-def wanted(kind, exact, case):
-    """What the page must say."""
-    line = (Line.ray if kind == "ray" else Line.through)(*case)
-    decide = {"line": line.count, "segment": line.within, "ray": line.first}[kind]
-    broken = False
-    try:
-        decide()
-    except InvalidCase:
-        broken = not exact
-    line.sure = Anything(line.sure.size)
-    found = list(line.meets())
-    unit = 1 << line.shift
-
-    def text(x):
-        return Surd.of(x).decimal(DIGITS)
-
-    first = line.first() if kind == "ray" else None
-    told = {
-        "count": line.count(),
-        "broken": broken,
-        "delta": text(Fraction(line.delta, unit**4)),
-        "extent": text(Fraction(line.sure.size, unit)),
-        "all": [
-            [which, text(line.time(which).x), [text(each.x) for each in line.real_point(which)]]
-            for which in found
-        ],
-        "least": None if first is None else text(line.time(first).x),
-        "kept": {"line": found, "segment": line.within(), "ray": None}[kind],
-    }
-    if line.a:
-        told["foot"] = [text(line.time(0).x), [text(each.x) for each in line.real_point(0)]]
-        told["distance"] = text(Surd(0, abs(line.cross), line.a, line.a * unit))
-        told["half"] = text(Surd(0, 1, line.delta * line.a, line.a * unit)) if line.delta >= 0 else None
-    return told
+def asked():
+    """(kata, kind, what the page starts with, case, its answer or InvalidCase, what was decided)."""
+    chance = random.Random(20261127)
+    for problem in all_problems():
+        module = load_module(problem)
+        page = module.hooks and module.hooks.explore and module.hooks.explore(problem, None)
+        if not page:
+            continue
+        start = start_of(page)
+        for group in problem.groups[1:]:
+            if group.size is not None or sum(1 for _ in explore._flat(problem.examples[0].case)) > 600:
+                continue
+            drawn, _ = build_cases(problem, module, msgspec.structs.replace(group, count=CASES))
+            for case, _answer in drawn:
+                if sum(1 for _ in explore._flat(case)) > 120:
+                    continue
+                for each in (case, moved(case, chance), *merged(case)):
+                    with decisions() as made:
+                        try:
+                            found = module.solve(*each)
+                        except InvalidCase as broken:
+                            found = broken
+                        except ProblemError:  # a radius below 0
+                            continue
+                    yield problem, start, each, found, made
 
 
-def said(kind, found):
-    """The page's answer in the same form."""
-    told = {
-        "count": found["count"],
-        "broken": found["broken"] is not None,
-        "delta": found["delta"],
-        "extent": found["extent"],
-        "all": [[each["which"], each["t"], each["point"]] for each in found["all"]],
-        "least": found.get("least"),
-        "kept": None if kind == "ray" else found["kept"],
-    }
-    if not found["lone"]:
-        told["foot"] = [found["foot"]["t"], found["foot"]["point"]]
-        told["distance"], told["half"] = found["distance"], found["half"]
-    return told
+def numbers_of(answer):
+    """The real numbers of an exact answer."""
+    if isinstance(answer, Real):
+        yield float(answer.x)
+    elif isinstance(answer, list | tuple):
+        for each in answer:
+            yield from numbers_of(each)
 
 
-def in_the_browser(tmp_path, asked):
-    page = tmp_path / "exact.html"
-    plain = json.dumps([[kind, exact, flat(case)] for kind, exact, case in asked])
-    text = PAGE.replace("SCRIPT", SCRIPT.read_text(encoding="utf-8"), 1).replace("CASES", plain, 1)
-    page.write_text(text, encoding="utf-8")
-    (found,) = re.findall(r'<pre id="told">(.*?)</pre>', dom(page), re.DOTALL)
-    return json.loads(unescape(found))
+def close(x, y):
+    return abs(x - y) <= 1e-6 * max(abs(x), abs(y))
 
 
 @browser
-def test_it_answers_as_the_reference_does(tmp_path):
-    asked = list(cases())
-    assert len(asked) >= 1_000
-    found = in_the_browser(tmp_path, asked)
-    assert len(found) == len(asked)
-    differing = []
-    broken = 0
-    for (kind, exact, case), each in zip(asked, found, strict=True):
-        right = wanted(kind, exact, case)
-        broken += right["broken"]
-        if said(kind, each) != right:
-            differing.append((kind, case, said(kind, each), right))
-    assert differing[:3] == []
-    assert broken > 30  # or the edges of the promise were not asked for
+def test_it_decides_as_the_reference_does(tmp_path):
+    cases = list(asked())
+    plain = [
+        [start, list(map(repr, explore._flat(case))), explore._texts(case)] for _, start, case, _, _ in cases
+    ]
+    text = PAGE.replace("EXACT", (FOLDER / "exact.js").read_text(encoding="utf-8"), 1)
+    figures = "\n".join((FOLDER / name).read_text(encoding="utf-8") for name in ("plane.js", "figures.js"))
+    text = text.replace("FIGURES", figures, 1)
+    page = tmp_path / "exact.html"
+    page.write_text(text.replace("CASES", json.dumps(plain), 1), encoding="utf-8")
+    (told,) = re.findall(r'<pre id="told">(.*?)</pre>', dom(page), re.DOTALL)
+    faults, broken, kinds = [], 0, set()
+    for (problem, start, case, answer, made), (refused, decided, rows, said) in zip(
+        cases, json.loads(unescape(told)), strict=True
+    ):
+        kinds.add(start["kind"])
+        if isinstance(answer, InvalidCase):
+            broken += 1
+            if refused is None or not (refused in str(answer) or refused.endswith(("small", "0", "solid"))):
+                faults.append((problem.id, case, str(answer), refused))
+            continue
+        if refused is not None:
+            faults.append((problem.id, case, "valid", refused))
+        if start["kind"] not in CUT:
+            gaps = [float(gap) for _, gap in decided]
+            faults += [
+                (problem.id, case, each, decided)
+                for each in made
+                if not any(close(each.gap, gap) for gap in gaps)
+            ]
+            asked_for = [each.gap for each in made]
+            if made:
+                faults += [
+                    (problem.id, case, f"not asked: {name} {gap}")
+                    for name, gap in decided
+                    if not any(close(float(gap), each) for each in asked_for)
+                ]
+        shown = list(map(float, rows))
+        missing = [x for x in numbers_of(answer) if not any(close(x, y) for y in shown)]
+        words = WORDS.get(start["kind"], lambda answer: "")(answer)
+        if missing or not said.startswith(words):
+            faults.append((problem.id, case, answer, said, missing))
+    assert faults[:3] == []
+    assert broken > 60  # or the edges of the promise were not asked for
+    assert kinds == VIEWS.keys() - {"sphere"}

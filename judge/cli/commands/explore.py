@@ -11,8 +11,8 @@ import click
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.target import OutFile
 from judge.data.given import read_case
-from judge.errors import ExitCode, ProblemError, UsageError
-from judge.problem.find import find_problem, sound_problems
+from judge.errors import ExitCode, UsageError
+from judge.problem.find import find_problem
 from judge.problem.module import load_module
 from judge.report.layout import Link, Span, line
 from judge.report.names import shown_name
@@ -55,10 +55,10 @@ def command(
     """Write a page on which a case can be moved about.
 
     Drag the figure in your browser, by mouse, finger or keyboard: what is decided, and every number on the
-    way, is shown exactly, beside what the usual formula makes of it in doubles. The page is one file that
-    loads nothing. It begins with the CASE, written as for 'judge try', or with that of a replay ID, which
-    'judge run' shows beside a failing case. Without a PROBLEM the kata in hand is meant, or the first that
-    has such a page.
+    way, is shown exactly, beside what the same formulas make of it in doubles. Every kata of two dimensions
+    has a page, which is one file that loads nothing. It begins with the CASE, written as for 'judge try', or
+    with that of a replay ID, which 'judge run' shows beside a failing case. Without a PROBLEM the kata in
+    hand is meant, or the first that has such a page.
 
     Exit status: 0 written, 2 usage, 3 a fault of a problem.
     """
@@ -86,7 +86,7 @@ def _page(name: str | None, case: str, folders: Sequence[Path], db: Path | None)
         return _replayed(name, case, folders)
     problem = find_problem(name, folders)
     values = problem.named(read_case(problem, case)) if case else None
-    return problem, _explored(problem, values, folders)
+    return problem, _explored(problem, values)
 
 
 def _replayed(replay: str, case: str, folders: Sequence[Path]) -> tuple[Problem, str]:
@@ -96,7 +96,7 @@ def _replayed(replay: str, case: str, folders: Sequence[Path]) -> tuple[Problem,
         raise UsageError("a replay ID is a case already", remedy="leave one of them out")
     problem = find_problem(problem_name(replay), folders)
     found = decode(replay, problem, load_module(problem))
-    return problem, _explored(problem, problem.named(found.case), folders)
+    return problem, _explored(problem, problem.named(found.case))
 
 
 def _usual(folders: Sequence[Path], db: Path | None) -> tuple[Problem, str]:
@@ -114,12 +114,10 @@ def _usual(folders: Sequence[Path], db: Path | None) -> tuple[Problem, str]:
     raise UsageError("no problem has a page to explore", remedy="name a folder of problems with --problems")
 
 
-def _explored(problem: Problem, values: Mapping[str, Any] | None, folders: Sequence[Path]) -> str:
+def _explored(problem: Problem, values: Mapping[str, Any] | None) -> str:
     page = _page_of(problem, values)
     if page is None:
-        others = [each.id for each in sound_problems(folders)[0] if _has_page(each)]
-        have = "have one" if others[1:] else "has one"
-        remedy = f"{', '.join(others) or 'no problem'} {have}"
+        remedy = "'judge explore count' shows one that has"
         raise UsageError(f"{problem.id} has no page to explore", remedy=remedy)
     return page
 
@@ -127,13 +125,6 @@ def _explored(problem: Problem, values: Mapping[str, Any] | None, folders: Seque
 def _page_of(problem: Problem, values: Mapping[str, Any] | None = None) -> str | None:
     explore = load_module(problem).hooks.explore
     return explore(problem, values) if explore else None
-
-
-def _has_page(problem: Problem) -> bool:
-    try:
-        return _page_of(problem) is not None
-    except ProblemError:  # of a problem that nobody asked for
-        return False
 
 
 def _open(path: Path) -> None:
