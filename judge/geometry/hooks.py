@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem
 from judge.problem.declare import Hooks
-from judge.problem.topic import Chance, Puzzle, Shown
+from judge.problem.topic import Puzzle, Shown
 
 if TYPE_CHECKING:
+    from judge.data.draw import Draw
     from judge.drawing import Picture
 
 # What a case shows: the names of `judge.geometry.views.VIEWS`.
@@ -52,9 +53,9 @@ def hooks(kind: str) -> Hooks:
 
         return explored(kind, problem, values, page["solve"])
 
-    def puzzle(form: str, chance: Chance, solve: Callable[..., Any]) -> Puzzle | None:
+    def puzzle(form: str, draw: Draw, _solve: Callable[..., Any]) -> Puzzle | None:
         from judge.geometry.puzzle import puzzle
 
-        return puzzle(kind, form, chance, solve)
+        return puzzle(kind, form, draw)
 
     return Hooks(picture, simpler, explore, puzzle)

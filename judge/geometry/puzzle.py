@@ -1,234 +1,107 @@
 """Small figures for quiz cards: a few circles in whole numbers, and a ray or a line across them.
 
-A reference for one circle answers for each of them; what comes first is compared exactly. Figures in which
-two things happen nearly together, or a line nearly touches, are drawn anew: a person should see the answer.
+A scene of test data draws them, and `Crowd` decides. Where two things happen nearly together, or a line
+nearly touches, the figure is drawn anew: a person should see the answer.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from decimal import Decimal
 from itertools import pairwise
-from math import hypot
-from typing import Any
 
-from msgspec import Struct
-
+from judge.data.draw import Draw, Rejected
 from judge.drawing import Picture
-from judge.exact import Surd
+from judge.geometry.crowd import Crowd, Hit
 from judge.geometry.picture import bare
+from judge.geometry.quadratic import TANGENT
+from judge.geometry.scenes.crowds import anywhere
 from judge.geometry.view import Ring, View, Way
-from judge.problem.declare import InvalidCase
-from judge.problem.topic import Chance, Puzzle
-from judge.values import Real
+from judge.problem.declare import decisions
+from judge.problem.topic import Puzzle
 
 IntPoint = tuple[int, int]
-Solve = Callable[..., Any]
-_UNCLEAR = object()
+IntCircle = tuple[int, int, int]
 
+_FORMS = {"ray": ("first-hit", "order"), "points": ("tags",), "hits": ("tags",)}
 _LABELS = "ABCD"
-_TRIES = 2_000
-_APART = 0.5  # between two events along the line, and between a line and a touch
-_REACH = (7, 5)  # of the centres
-_FAR = 9  # of the origin
+_TRIES = 5_000
+_APART = 0.5  # what decides is exact, or at least so long
+_CENTRES = 2  # how far apart they are at least, in x or in y
+_BACK = 30  # where a line is taken to begin, in lengths of PQ
 _TAGS = {"i": "in", "o": "out", "t": "touch"}
-_LETTERS = {"enter": "i", "exit": "o", "touch": "t"}
+_drawn = anywhere(7, (2, 4), (1, 3))
 
 
-class _Ring(Struct, frozen=True):
-    """A circle of the figure."""
-
-    label: str
-    x: int
-    y: int
-    r: int
-
-    @property
-    def words(self) -> str:
-        return f"circle {self.label}: centre ({self.x}, {self.y}), radius {self.r}"
-
-
-class _Event(Struct, frozen=True):
-    """Something that happens along the line: where, by what grows with t, and to whom."""
-
-    at: Surd
-    ring: str
-    tag: str
-
-
-class _Figure(Struct, frozen=True):
-    rings: tuple[_Ring, ...]
-    start: IntPoint
-    along: IntPoint
-
-    @property
-    def clear(self) -> bool:
-        """Whether the line touches each circle exactly or by no means, and the start is on none."""
-        (x, y), (u, v) = self.start, self.along
-        for ring in self.rings:
-            gap = abs(u * (ring.y - y) - v * (ring.x - x)) / hypot(u, v) - ring.r
-            touching = (u * (ring.y - y) - v * (ring.x - x)) ** 2 == ring.r**2 * (u * u + v * v)
-            if not touching and abs(gap) < _APART:
-                return False
-            if abs(hypot(ring.x - x, ring.y - y) - ring.r) < _APART:
-                return False
-        return True
-
-
-def puzzle(kind: str, form: str, chance: Chance, solve: Solve) -> Puzzle | None:
+def puzzle(kind: str, form: str, draw: Draw) -> Puzzle | None:
     """A figure for that form of cards, about cases of that kind; None where there is none."""
-    make = {"ray": _ray_puzzle, "points": _line_puzzle, "line": _line_puzzle, "hits": _hits_puzzle}.get(kind)
-    return make(form, chance, solve) if make else None
-
-
-def _ray_puzzle(form: str, chance: Chance, solve: Solve) -> Puzzle | None:
-    """Which circle a ray meets first, or all of them in their order."""
-    if form not in ("first-hit", "order"):
+    if form not in _FORMS.get(kind, ()):
         return None
     for _ in range(_TRIES):
-        figure = _figure(chance, 4)
-        found = _hits(figure, solve) if figure.clear else None
-        if found is None or len(found) < (1 if form == "first-hit" else 2):
+        try:
+            circles, O, D = _drawn(draw)
+        except Rejected:
             continue
-        answer = tuple(event.ring for event in found)
-        words = {ring.label: "" for ring in figure.rings}
-        one = form == "first-hit"
-        shown = answer[:1] if one else answer
-        return Puzzle(_given(figure), _picture(figure, ("O", ""), ray=True), words, shown, one, _told(found))
+        line = kind == "points"
+        start = (O[0] - _BACK * D[0], O[1] - _BACK * D[1]) if line else O
+        crowd = Crowd(circles, start, D)
+        hits = _seen(crowd, circles)
+        order = tuple(dict.fromkeys(_LABELS[hit.circle] for hit in hits))
+        if len(order) < (1 if form == "first-hit" else 2):
+            continue
+        given = (*map(_words, _LABELS, circles), _way(O, D, line=line))
+        picture = _picture(circles, O, D, line=line)
+        first = {hit.circle: hit for hit in reversed(hits)}
+        told = hits if form == "tags" else sorted(first.values(), key=hits.index)
+        why = ", ".join(_event(crowd, hit, line=line, tagged=form == "tags") for hit in told)
+        if form == "tags":
+            return Puzzle(given, picture, _TAGS, tuple("ito"[hit.which + 1] for hit in hits), why=f"{why}.")
+        words, one = dict.fromkeys(_LABELS[: len(circles)], ""), form == "first-hit"
+        return Puzzle(given, picture, words, order[:1] if one else order, one, f"The ray meets {why}.")
     return None
 
 
-def _line_puzzle(form: str, chance: Chance, solve: Solve) -> Puzzle | None:
-    """Where a line enters circles, leaves them, and touches them, in the order of its direction."""
-    if form != "tags":
-        return None
-    for _ in range(_TRIES):
-        figure = _figure(chance, 3)
-        found = _crossings(figure, solve) if figure.clear else None
-        if not found:
-            continue
-        (x, y), (u, v) = figure.start, figure.along
-        last = f"the line from P = ({x}, {y}) through Q = ({x + u}, {y + v})"
-        given = (*(ring.words for ring in figure.rings), last)
-        answer = tuple(event.tag for event in found)
-        why = ", ".join(f"{event.ring} {_TAGS[event.tag]}" for event in found)
-        return Puzzle(given, _picture(figure, ("P", "Q"), ray=False), _TAGS, answer, why=f"{why}.")
-    return None
+def _seen(crowd: Crowd, circles: Sequence[IntCircle]) -> list[Hit]:
+    """Every hit in order; none where a person could not tell."""
+    for number, (x, y, _) in enumerate(circles):
+        if any(max(abs(x - u), abs(y - v)) < _CENTRES for u, v, _ in circles[:number]):
+            return []
+    with decisions() as made:
+        hits = crowd.hits()
+    if any(
+        abs(each.gap) * crowd.sure.size < _APART and (each.gap or each.what != TANGENT.name) for each in made
+    ):
+        return []
+    places = [float(crowd.time(hit).x) for hit in hits]
+    length = float(crowd.circles[0].a) ** 0.5
+    return hits if all((after - before) * length >= _APART for before, after in pairwise(places)) else []
 
 
-def _hits_puzzle(form: str, chance: Chance, solve: Solve) -> Puzzle | None:
-    """Where a ray enters circles, leaves them, and touches them; `solve` answers for all circles at once."""
-    if form != "tags":
-        return None
-    for _ in range(_TRIES):
-        figure = _figure(chance, 4)
-        found = _every_hit(figure, solve) if figure.clear else None
-        if not found or len(found) < 2:
-            continue
-        answer = tuple(event.tag for event in found)
-        why = ", ".join(f"{event.ring} {_TAGS[event.tag]} at t = {float(event.at):.3g}" for event in found)
-        picture = _picture(figure, ("O", ""), ray=True)
-        return Puzzle(_given(figure), picture, _TAGS, answer, why=f"{why}.")
-    return None
+def _words(label: str, circle: IntCircle) -> str:
+    return f"circle {label}: centre ({circle[0]}, {circle[1]}), radius {circle[2]}"
 
 
-def _given(figure: _Figure) -> tuple[str, ...]:
-    """The circles and the ray in words."""
-    (x, y), (u, v) = figure.start, figure.along
-    return (*(ring.words for ring in figure.rings), f"the ray from O = ({x}, {y}) along D = ({u}, {v})")
+def _way(O: IntPoint, D: IntPoint, *, line: bool) -> str:
+    if line:
+        return f"the line from P = {O} through Q = ({O[0] + D[0]}, {O[1] + D[1]})"
+    return f"the ray from O = {O} along D = {D}"
 
 
-def _figure(chance: Chance, most: int) -> _Figure:
-    wide, high = _REACH
-    rings: list[_Ring] = []
-    for label in _LABELS[: chance.integer(2, most)]:
-        x, y = chance.integer(-wide, wide), chance.integer(-high, high)
-        rings.append(_Ring(label, x, y, chance.integer(1, 3)))
-    start = chance.integer(-_FAR, _FAR), chance.integer(-high, high)
-    along = chance.integer(-3, 3), chance.integer(-3, 3)
-    near = any(
-        max(abs(one.x - other.x), abs(one.y - other.y)) < 2
-        for place, one in enumerate(rings)
-        for other in rings[:place]
-    )
-    return _Figure(tuple(rings), start, along) if any(along) and not near else _figure(chance, most)
+def _event(crowd: Crowd, hit: Hit, *, line: bool, tagged: bool) -> str:
+    word = f" {_TAGS['ito'[hit.which + 1]]}" if tagged else ""
+    place = "" if line else f" at t = {float(crowd.time(hit).x):.3g}"
+    return f"{_LABELS[hit.circle]}{word}{place}"
 
 
-def _answer(solve: Solve, *case: Any) -> Any:
-    """The exact answer; _UNCLEAR where the case breaks the problem's promise."""
-    try:
-        return solve(*case)
-    except InvalidCase:
-        return _UNCLEAR
-
-
-def _hits(figure: _Figure, solve: Solve) -> list[_Event] | None:
-    """The first hit of each circle that the ray meets, in order; None where two are too close to tell."""
-    events = []
-    for ring in figure.rings:
-        answer = _answer(solve, ring.x, ring.y, ring.r, figure.start, figure.along)
-        if not isinstance(answer, Real | None):
-            return None
-        if answer is not None:
-            events.append(_Event(Surd.of(answer.x), ring.label, ""))
-    return _in_order(events, hypot(*figure.along))
-
-
-def _crossings(figure: _Figure, solve: Solve) -> list[_Event] | None:
-    """What happens on the line, in order; None where two things are too close to tell, or the answers are
-    no points.
-    """
-    (x, y), (u, v) = figure.start, figure.along
-    axis = 0 if abs(u) >= abs(v) else 1
-    forward, length = (1 if (u, v)[axis] > 0 else -1), hypot(u, v) / abs((u, v)[axis])
-    events = []
-    for ring in figure.rings:
-        answer = _answer(solve, ring.x, ring.y, ring.r, (x, y), (x + u, y + v))
-        if not isinstance(answer, list):
-            return None
-        tags = ("t",) if len(answer) == 1 else ("i", "o")
-        for point, tag in zip(answer, tags, strict=False):
-            events.append(_Event(Surd.of(point[axis].x) * forward, ring.label, tag))
-    return _in_order(events, length)
-
-
-def _every_hit(figure: _Figure, solve: Solve) -> list[_Event] | None:
-    """Every hit of the ray, in order; None where two of them are too close to tell."""
-    circles = [(ring.x, ring.y, ring.r) for ring in figure.rings]
-    answer = _answer(solve, circles, figure.start, figure.along)
-    if answer is _UNCLEAR or any(not isinstance(hit, tuple) for hit in answer):  # a run of hits at one place
-        return None
-    events = [
-        _Event(Surd.of(place.x), figure.rings[index].label, _LETTERS[tag]) for place, index, tag in answer
-    ]
-    return _in_order(events, hypot(*figure.along))
-
-
-def _in_order(events: Sequence[_Event], scale: float) -> list[_Event] | None:
-    """The events by place; `scale` makes a length of what they are placed by."""
-    found = sorted(events, key=lambda event: event.at)
-    gaps = [float(after.at) - float(before.at) for before, after in pairwise(found)]
-    return found if all(gap * scale >= _APART for gap in gaps) else None
-
-
-def _told(events: Sequence[_Event]) -> str:
-    hits = ", ".join(f"{event.ring} at t = {float(event.at):.3g}" for event in events)
-    return f"The ray meets {hits}."
-
-
-# -- the picture -------------------------------------------------------------------------------------------
-
-
-def _picture(figure: _Figure, names: tuple[str, str], *, ray: bool) -> Picture:
+def _picture(circles: Sequence[IntCircle], O: IntPoint, D: IntPoint, *, line: bool) -> Picture:
     view = View()
-    for ring in figure.rings:
-        x, y, r = map(Decimal, (ring.x, ring.y, ring.r))
+    for label, circle in zip(_LABELS, circles, strict=False):
+        x, y, r = map(Decimal, circle)
         view.rings.append(Ring(x, y, r))
-        view.name((x, y), ring.label)
-    (x, y), along = map(Decimal, figure.start), (Decimal(figure.along[0]), Decimal(figure.along[1]))
-    way = Way((x, y), along, 0 if ray else None, None)
+        view.name((x, y), label)
+    way = Way((Decimal(O[0]), Decimal(O[1])), (Decimal(D[0]), Decimal(D[1])), None if line else 0, None)
     view.ways.append(way)
-    for at, name in ((way.start, names[0]), (way.at(1), names[1])):
-        if name:
-            view.name(at, name)
+    view.name(way.start, "P" if line else "O")
+    if line:
+        view.name(way.at(1), "Q")
     return bare(view)

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from msgspec import Struct
 
 from judge.problem.model import Case, Problem
-from judge.problem.topic import Chance, Puzzle, Shown
+from judge.problem.topic import Puzzle, Shown
 from judge.values.tolerance import Tolerance
 from judge.values.tree import AnyOf, Judged, Real
 
@@ -77,7 +77,7 @@ class Hooks(Struct, frozen=True):
     picture: Callable[[Shown], Picture | None] | None = None
     simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
     explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
-    puzzle: Callable[[str, Chance, Callable[..., Any]], Puzzle | None] | None = None
+    puzzle: Callable[[str, Any, Callable[..., Any]], Puzzle | None] | None = None
 
 
 class Declared(NamedTuple):

@@ -7,7 +7,7 @@ problem without any works in every command. It has no picture.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -15,14 +15,6 @@ from judge.problem.model import Problem
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
-
-
-class Chance(Protocol):
-    """A source of chance; every `judge.data.draw.Draw` is one."""
-
-    def integer(self, low: int, high: int) -> int:
-        """An int from low to high, both included."""
-        ...
 
 
 class Shown(Struct, frozen=True):

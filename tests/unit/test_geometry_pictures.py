@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
+from judge.data.draw import SeededDraw
 from judge.drawing.shapes import Role
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
@@ -104,3 +107,37 @@ def test_a_moving_disc_is_seen_at_its_start_at_its_end_and_at_each_answer():
     assert rings.count(Role.WANTED) == rings.count(Role.GOT) == 2
     assert Role.SHAPE in rings
     assert Role.BEYOND in rings
+
+
+def plain(words, start, along, *, line):
+    """What a plain program finds: (t, circle, tag) of every hit, from the words of a quiz card."""
+    found = []
+    for label, x, y, r in re.findall(r"circle (\w): centre \((-?\d+), (-?\d+)\), radius (\d+)", words):
+        fx, fy = start[0] - int(x), start[1] - int(y)
+        a, b = along[0] ** 2 + along[1] ** 2, fx * along[0] + fy * along[1]
+        delta = b * b - a * (fx * fx + fy * fy - int(r) ** 2)
+        roots = [] if delta < 0 else [0] if delta == 0 else [-(delta**0.5), delta**0.5]
+        tags = "t" if delta == 0 else "io"
+        found += [((root - b) / a, label, tag) for root, tag in zip(roots, tags, strict=False)]
+    return sorted(each for each in found if line or each[0] >= 0)
+
+
+@pytest.mark.parametrize(
+    ("kata", "form"),
+    [("ray-nearest", "first-hit"), ("ray-nearest", "order"), ("line-points", "tags"), ("enter-exit", "tags")],
+)
+def test_a_quiz_figure_has_the_answer_that_a_plain_program_finds(kata, form):
+    module = load_module(find_problem(kata))
+    seen = set()
+    for seed in range(60):
+        made = module.hooks.puzzle(form, SeededDraw(f"quiz {seed}"), module.solve)
+        *_, way = made.given
+        x, y, u, v = map(int, re.findall(r"-?\d+", way))
+        line = kata == "line-points"
+        hits = plain("\n".join(made.given), (x, y), (u - x, v - y) if line else (u, v), line=line)
+        labels = tuple(dict.fromkeys(label for _, label, _ in hits))
+        right = {"first-hit": labels[:1], "order": labels, "tags": tuple(tag for *_, tag in hits)}[form]
+        assert made.answer == right, made.given
+        seen.add(right)
+    assert len(seen) >= 4
+    assert module.hooks.puzzle("no such form", SeededDraw("quiz"), module.solve) is None
