@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import runpy
 from collections.abc import Iterator
-from decimal import Context, Decimal, localcontext
+from decimal import Context, Decimal
 from functools import partial
 from math import inf, nextafter
 from pathlib import Path
@@ -17,7 +17,8 @@ from judge.exact import Surd
 from judge.packs.export.forms import accepted_form, answer_form
 from judge.run.program import ProgramRunner
 from judge.sandbox.boundary import Limits, ProgramResult, Stop, Usage
-from judge.values import Accepted
+from judge.values import Accepted, show
+from judge.values.lines import check_line
 
 WIDE = Context(prec=1200)  # of its own: every other test in this process has what it had
 VALIDATOR = runpy.run_path(str(Path(export.__file__).parent / "validators" / "output_validator.py"))
@@ -72,11 +73,6 @@ def rows(kind: Any, wanted: Any, rng: random.Random) -> list[str | Slot]:
     if name == "real":
         a, b, c, d, r, s = wanted if len(wanted) == 6 else (wanted[0], 0, wanted[1], 0, 0, wanted[2])
         return [Slot(Surd(a, b, r, s), Surd(c, d, r, s))]
-    if name == "enclosure":
-        (p, q, r, s), width = wanted
-        if rng.randrange(2):
-            return widest(Surd(p, q, r, s), width, rng)
-        return [Slot(Surd(p, q, r, s), Surd(p, q, r, s))] * 2
     if name == "tuple":
         return [token for part, each in zip(kind[1], wanted, strict=True) for token in rows(part, each, rng)]
     if name == "list":
@@ -86,15 +82,6 @@ def rows(kind: Any, wanted: Any, rng: random.Random) -> list[str | Slot]:
             items += rng.sample(run, len(run)) if rng.randrange(3) else rng.choices(run, k=len(run))
         return [str(len(items)), *(token for each in items for token in rows(kind[1], each, rng))]
     return [str(wanted)]
-
-
-def widest(x: Surd, width: list[int], rng: random.Random) -> list[str | Slot]:
-    """Two decimals around x as far apart as may be, or a little farther."""
-    with localcontext(WIDE):
-        most = Decimal(width[0]) / Decimal(width[1])
-        low = Decimal(x.decimal(60)) - most * rng.randrange(9) / 8
-        high = low + most + rng.choice((0, 0, Decimal("1e-300"), Decimal("-1e-300")))
-        return [f"{low:f}", f"{high:f}"]
 
 
 def middle(slot: Slot) -> str:
@@ -192,9 +179,9 @@ def disagreements(
             case, target = group.cases[at], group.targets[at]
             exact = data.exact(case, group.group)
             wanted = accepted_form(data.problem.answer, *exact)
-            right = data.problem.answer.line(target)
+            right = show.line(data.problem.answer, target)
             for line in lines(kind, wanted, right, rng, each):
-                outcome = data.problem.answer.check_line(line, target, lambda exact=exact: exact)
+                outcome = check_line(data.problem.answer, line, target, lambda exact=exact: exact)
                 ours = isinstance(outcome, Accepted)
                 decided, accepted = decided + 1, accepted + ours
                 if ours != theirs(kind, line, wanted):
@@ -244,7 +231,7 @@ def validated(data: ProblemData, group: GroupData, output: bytes) -> bool:
 
 def outputs(data: ProblemData, group: GroupData) -> list[bytes]:
     """Outputs for a whole group: the right one, and such whose lines or their ends are odd."""
-    right = [data.problem.answer.line(target) for target in group.targets]
+    right = [show.line(data.problem.answer, target) for target in group.targets]
     plain = "".join(f"{line}\n" for line in right).encode()
     return [
         plain,

@@ -23,7 +23,7 @@ from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.model import EXAMPLES
 from judge.problem.module import Module, blaming
 from judge.problem.tomlfile import group_place
-from judge.values import Exact, Rejection, Target
+from judge.values import Exact, Rejection, Target, check
 
 _ATTEMPTS = 1_000  # for one case
 
@@ -197,7 +197,7 @@ def _check_example(
     problem: Problem, example: Example, answer: Exact, tolerance: Tolerance, where: str
 ) -> None:
     target = target_of(problem, answer, tolerance)
-    outcome = problem.answer.check(_as_json(example.wanted), target, lambda: (answer, tolerance))
+    outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
     if isinstance(outcome, Rejection):
         raise ProblemError(
             f"the example contradicts solve: {outcome.message}",
@@ -209,7 +209,7 @@ def _check_example(
 def target_of(problem: Problem, answer: Exact, tolerance: Tolerance) -> Target:
     """What an answer is held against. Raises ProblemError where `solve` gave one of another type."""
     try:
-        return problem.answer.target(answer, tolerance)
+        return check.target(problem.answer, answer, tolerance)
     except Exception:
         with blaming(problem, "solve's answer cannot be used"):
             raise

@@ -20,6 +20,7 @@ from typing import Any
 from judge.errors import UsageError, nearest
 from judge.problem import Case, Parameter, Problem
 from judge.problem.model import tupled
+from judge.values import parameters
 
 _LONGEST = 20_000  # characters of a case
 _MOST_BITS = 4_000  # of an int that a power makes
@@ -54,7 +55,7 @@ def read_case(problem: Problem, text: str) -> Case:
 def line_of(problem: Problem, case: Case) -> str:
     """The line that a program reads for a case."""
     pairs = zip(problem.parameters, case, strict=True)
-    return " ".join(word for parameter, value in pairs for word in parameter.type.tokens(value))
+    return " ".join(word for parameter, value in pairs for word in parameters.tokens(parameter.type, value))
 
 
 def call_of(problem: Problem) -> str:
@@ -84,7 +85,7 @@ def _from_words(problem: Problem, parameter: Parameter, words: Iterator[str]) ->
             yield word
 
     try:
-        return parameter.type.from_tokens(watched())
+        return parameters.from_tokens(parameter.type, watched())
     except (StopIteration, RuntimeError):  # the latter where a generator of ours has met the end
         raise _unreadable(problem, f"the line ends before {parameter.name} is whole") from None
     except (ValueError, OverflowError):

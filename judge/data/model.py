@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from judge.problem import Case, Group, Problem, Tolerance
 from judge.problem.model import EXAMPLES
-from judge.values.tree import within
+from judge.values.answers import within
 
 if TYPE_CHECKING:
     from judge.problem.module import Module

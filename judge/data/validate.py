@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from judge.errors import ProblemError
 from judge.problem import Case, Number, Problem
 from judge.problem.declare import InvalidCase
+from judge.values import parameters
 
 if TYPE_CHECKING:
-    from judge.values.tree import Exact
+    from judge.values.answers import Exact
 
 
 class Proof(NamedTuple):
@@ -40,19 +41,19 @@ class Validator:
         if type(case) is not tuple or len(case) != len(self._parameters):
             return f"a case must be a tuple of {len(self._parameters)} arguments"
         for parameter, value in zip(self._parameters, case, strict=True):
-            if fault := parameter.type.fault(parameter.name, value):
+            if fault := parameters.fault(parameter.type, parameter.name, value):
                 return fault
         return None
 
     def bounds(self, case: Case) -> str | None:
         """Whether every number of a well-shaped case lies within its parameter's bounds, none too small."""
         for parameter, (low, high), value in zip(self._parameters, self._bounds, case):  # noqa: B905  # as above
-            found = parameter.type.outside(value, low, high)
+            found = parameters.outside(parameter.type, value, low, high)
             if found is not None:
                 number, low, high = found
                 return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
         for place, type_, smallest in self._fine:
-            for number in type_.reals(case[place]):
+            for number in parameters.reals(type_, case[place]):
                 if number and -smallest < number < smallest:
                     parameter = self._parameters[place]
                     least = float(parameter.smallest)

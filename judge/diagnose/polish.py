@@ -17,6 +17,7 @@ from judge.diagnose.simplicity import items_of, numbers_of, with_numbers
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group, Problem
 from judge.problem.model import Number
+from judge.values import parameters
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first
@@ -94,7 +95,7 @@ def _steps(problem: Problem, case: Case) -> Iterator[Case]:
 def fewer(problem: Problem, case: Case) -> Iterator[Case]:
     """The case with a shorter list, or a simpler word, in one place."""
     for place, (parameter, value) in enumerate(zip(problem.parameters, case, strict=True)):
-        for other in islice(parameter.type.simpler(value), _MOST):
+        for other in islice(parameters.simpler(parameter.type, value), _MOST):
             yield (*case[:place], other, *case[place + 1 :])
 
 

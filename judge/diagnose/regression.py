@@ -19,7 +19,7 @@ from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
 from judge.languages import language_of
 from judge.reading import read_ordinary_text
-from judge.values import Target, Type
+from judge.values import Target, Type, check, parameters, show
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
 _HEAD = f'''{_MARK}
@@ -87,11 +87,13 @@ def _case(place: str, data: ProblemData, found: Counterexample) -> str:
     group = problem.group(found.group)
     assert group is not None
     answer, tolerance = data.exact(found.case, group)
-    target = problem.answer.target(answer, tolerance)
+    target = check.target(problem.answer, answer, tolerance)
     if language_of(place) is not None or _is_decided(target):
         return _REPLAYED.format(command=f"judge replay {found.replay}", replay=found.replay, place=place)
     values = zip(problem.parameters, found.case, strict=True)
-    arguments = "".join(f"        {parameter.type.literal(value)},\n" for parameter, value in values)
+    arguments = "".join(
+        f"        {parameters.literal(parameter.type, value)},\n" for parameter, value in values
+    )
     conditions = _asserts(problem.answer, target)
     lines = [
         f"    # judge replay {found.replay}",
@@ -121,7 +123,7 @@ def _free_name(place: str, found: Counterexample, content: str) -> str:
 
 
 def _asserts(answer: Type, target: Target) -> list[str]:
-    conditions = answer.asserts("answer", target)
+    conditions = show.asserts(answer, "answer", target)
     return [f"    assert {condition}" for condition in conditions]
 
 

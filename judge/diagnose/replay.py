@@ -18,6 +18,7 @@ from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.module import Module
+from judge.values import parameters
 
 if TYPE_CHECKING:
     from judge.values import Exact
@@ -37,7 +38,7 @@ class Decoded(NamedTuple):
 def encode(problem: Problem, group: Group, case: Case) -> str:
     """The id of a case under that group's tolerance."""
     values = zip(problem.parameters, case, strict=True)
-    words = ",".join(word for parameter, value in values for word in parameter.type.tokens(value))
+    words = ",".join(word for parameter, value in values for word in parameters.tokens(parameter.type, value))
     return f"{problem.id}:{group.name}:v{words}:{_check(case)}"
 
 
@@ -80,7 +81,7 @@ def _parts(replay: str) -> tuple[str, str, str, str, str]:
 def _from_values(payload: str, problem: Problem) -> Case | None:
     words = iter(payload.split(",") if payload else ())
     try:
-        case = tuple([parameter.type.from_tokens(words) for parameter in problem.parameters])
+        case = tuple([parameters.from_tokens(parameter.type, words) for parameter in problem.parameters])
     except (ValueError, StopIteration):
         return None
     return case if next(words, None) is None else None

@@ -32,6 +32,7 @@ from judge.run.group import named_input
 from judge.run.result import Failure
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
+from judge.values.outline import right
 
 SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
@@ -97,8 +98,7 @@ def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
     """
     if problem.answer.lengths > _SORTS:
         return True
-    right = problem.answer.right
-    sorts = {sort_of(right(target)) for group in data.groups for target in group.targets}
+    sorts = {sort_of(right(problem.answer, target)) for group in data.groups for target in group.targets}
     return len(sorts) > _SORTS
 
 

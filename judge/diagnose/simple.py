@@ -16,7 +16,8 @@ from msgspec import Struct
 from judge.data.draw import Draw
 from judge.problem import Case, Problem
 from judge.problem.model import Number, Parameter
-from judge.values.tuples import is_pair
+from judge.values import parameters
+from judge.values.types import is_pair
 
 _POOL = 3
 
@@ -51,7 +52,7 @@ class Rung(Struct, frozen=True):
             return self._typed(value)
 
         return tuple(
-            parameter.type.simple(draw, number, positive=parameter.low >= 0)
+            parameters.simple(parameter.type, draw, number, positive=parameter.low >= 0)
             for parameter in problem.parameters
         )
 

@@ -23,8 +23,8 @@ from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
-from judge.values import Exact, Outline, Raw, Rejection, Target
-from judge.values.tree import within
+from judge.values import Exact, Outline, Raw, Rejection, Target, outline
+from judge.values.answers import within
 
 Clock = Callable[[], float]
 
@@ -314,7 +314,10 @@ class Trial:
 
     def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
         way = _way(
-            self.problem.answer.right(target), self._runner.outline(answer), outcome, coarse=self._coarse
+            outline.right(self.problem.answer, target),
+            self._runner.outline(answer),
+            outcome,
+            coarse=self._coarse,
         )
         texts = outcome.wanted, outcome.got, outcome.message
         return Finding(case, group, self.measure(case), Verdict.WA, *texts, way, self._runner.raw(answer))

@@ -1,8 +1,7 @@
 """From integers to doubles: to nearest (half to even), down and up, subnormals and overflow included.
 
 A magnitude x >= 0 is given as `(m, k, exact)`: m = floor(x·2**k), `exact` where nothing was cut off, and m at
-least 55 bits long unless x = 0. The functions over a range take integers v0 <= v1 that enclose x·2**k and
-return None where the two ends do not round alike: the caller then comes back with a finer enclosure.
+least 55 bits long unless x = 0.
 """
 
 from __future__ import annotations
@@ -83,33 +82,4 @@ def upward(m: int, k: int, exact: bool) -> float:
     top = -(-m >> cut)
     if not exact and top << cut == m:
         top += 1
-    return scaled(top, cut - k)
-
-
-def enclose(p: int, q: int, s: int, k: int, root: int) -> tuple[int, int]:
-    """Integers below and above (p + q·√d)/s·2**k, given root = floor(√d·2**k) and s > 0."""
-    total = (p << k) + q * root
-    low = (total if q > 0 else total + q) // s  # √d·2**k lies in [root, root + 1)
-    return low, low + abs(q) // s + 2
-
-
-def range_up(v0: int, v1: int, k: int) -> float | None:
-    """The least double >= x for all x in [v0, v1]·2**-k; None where they differ or precision lacks.
-
-    Sound although the grid is that of v0: where v1 lies in another binade the two never agree, except on
-    the power of two between them, which is a double of both.
-    """
-    cut = v0.bit_length() - 53
-    top = -(-v0 >> cut) if cut > 0 else None
-    if top is None or top != -(-v1 >> cut) or cut - k < LEAST_EXPONENT:
-        return None
-    return scaled(top, cut - k)
-
-
-def range_down(v0: int, v1: int, k: int) -> float | None:
-    """The greatest double <= x for all x in [v0, v1]·2**-k; None where they differ or precision lacks."""
-    cut = v1.bit_length() - 53
-    top = v1 >> cut if cut > 0 else None
-    if top is None or top != v0 >> cut or cut - k < LEAST_EXPONENT:
-        return None
     return scaled(top, cut - k)

@@ -17,7 +17,7 @@ from judge.geometry.crowd import PLACES
 from judge.geometry.line import Line
 from judge.geometry.sure import Sure
 from judge.problem.declare import InvalidCase
-from judge.values.tree import AnyOf, Exact
+from judge.values.answers import AnyOf, Exact
 
 IntCircle = tuple[int, int, int]
 IntPoint = tuple[int, int]

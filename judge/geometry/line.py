@@ -12,7 +12,7 @@ from judge.exact.dyadic import integers
 from judge.exact.surd import Surd, make
 from judge.geometry.quadratic import LEAST_RADIUS, Number, Quadratic, Vector, on_circle
 from judge.geometry.sure import Sure
-from judge.values.tree import Real
+from judge.values.answers import Real
 
 Point = tuple[Number, Number]
 

@@ -17,7 +17,7 @@ from judge.exact.surd import make
 from judge.geometry.quadratic import Number, Quadratic
 from judge.geometry.sure import Sides, Sure, Words
 from judge.problem.declare import InvalidCase
-from judge.values.tree import Real
+from judge.values.answers import Real
 
 Point = tuple[Number, Number]
 

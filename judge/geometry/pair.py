@@ -14,7 +14,7 @@ from judge.exact.dyadic import integers
 from judge.exact.surd import Surd
 from judge.geometry.quadratic import Number, Vector
 from judge.geometry.sure import Sure, Words
-from judge.values.tree import Real
+from judge.values.answers import Real
 
 SHARE = 1000  # of e, that lengths which answers are divided by have at least
 

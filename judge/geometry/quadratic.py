@@ -16,7 +16,7 @@ from judge.exact.dyadic import integers
 from judge.exact.signs import root_sign
 from judge.exact.surd import make
 from judge.geometry.sure import Sure, Words
-from judge.values.tree import Real
+from judge.values.answers import Real
 
 Number = int | float
 Vector = tuple[Real, ...]

@@ -17,8 +17,8 @@ from judge.exact.dyadic import integers
 from judge.exact.surd import Surd
 from judge.geometry.quadratic import TANGENT
 from judge.geometry.sure import Words
-from judge.values.decode import Fault, Written, number, word
-from judge.values.tree import AnyOf, Real, Run
+from judge.values.answers import AnyOf, Real, Run
+from judge.values.wire import Fault, Written, number, word
 
 Place = tuple[Decimal, Decimal]
 Plain = Any  # of an answer: None, a word, a Decimal, or a list of those

@@ -6,6 +6,7 @@ Nothing here needs a promise; InvalidCase is raised only where a statement keeps
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 
 from msgspec import Struct
 
@@ -13,7 +14,7 @@ from judge.exact.dyadic import integers
 from judge.exact.signs import sign
 from judge.exact.surd import Surd
 from judge.problem.declare import InvalidCase
-from judge.values.tree import Real
+from judge.values.answers import Judged, Real
 
 Number = int | float
 Whole = tuple[int, int]
@@ -99,6 +100,23 @@ def discriminant(*seven: Number) -> Discriminant:
     right, left = dx * fy, dy * fx
     reach = radius * radius * (dx * dx + dy * dy)
     return Discriminant(reach, right - left, abs(right) + abs(left), Fraction(1, 1 << 4 * shift))
+
+
+def enclosure(x: Fraction, width: Fraction) -> Judged:
+    """Any (lo, hi) with lo <= x <= hi and hi - lo <= width."""
+    ends = Surd.of(x).round_down(), Surd.of(x).round_up()
+    return Judged(partial(_no_enclosure, x, width), tuple(Real(Fraction(end)) for end in ends))
+
+
+def _no_enclosure(x: Fraction, width: Fraction, ends: tuple[Number, Number], _group: str) -> str | None:
+    low, high = map(Fraction, ends)
+    if low > high:
+        return "lo is above hi"
+    if not low <= x <= high:
+        return f"{'lo is above' if low > x else 'hi is below'} the exact number, {float(x)!r}"
+    if high - low > width:
+        return f"it is {float(high - low):.3g} wide, {float(width):.3g} is allowed"
+    return None
 
 
 def count_line(cx: int, cy: int, r: int, a: Whole, b: Whole) -> int | None:

@@ -20,7 +20,7 @@ from judge.run.result import Failure
 from judge.run.runner import Runner
 from judge.run.tried import Said, Tried
 from judge.sandbox.boundary import Reply, Stop, Usage
-from judge.values import Exact, Rejection, decode
+from judge.values import Exact, Rejection, show, wire
 
 _SHOWN = 400  # characters of an answer
 
@@ -78,7 +78,7 @@ def _said(runner: Runner, tried: Tried, reply: Reply, isolation: str) -> Said:
     given = runner.raw(reply.answer)
     if isinstance(outcome, Rejection):
         return Said(Verdict.WA, outcome.got, outcome.message, isolation, runner.mode, given)
-    shown = tried.problem.answer.shown(given) if runner.calls else decode.shown(reply.answer)[1:-1]
+    shown = show.shown(tried.problem.answer, given) if runner.calls else wire.quoted(reply.answer)[1:-1]
     return Said(Verdict.AC, shown[:_SHOWN], "", isolation, runner.mode, given)
 
 

@@ -11,6 +11,7 @@ from judge.languages.model import Language
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import signature_of
 from judge.problem import Example, Problem
+from judge.values import parameters
 
 _WIDTH = 88
 
@@ -56,6 +57,6 @@ def _comments(lines: list[str], language: Language) -> Iterator[str]:
 def _example(problem: Problem, entry: str, example: Example) -> str:
     values = zip(problem.parameters, example.case, strict=True)
     arguments = ", ".join(
-        f"{parameter.name} = {parameter.type.literal(value)}" for parameter, value in values
+        f"{parameter.name} = {parameters.literal(parameter.type, value)}" for parameter, value in values
     )
     return f"    {entry}: {arguments}  gives  {example.wanted!r}"

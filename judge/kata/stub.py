@@ -17,6 +17,7 @@ from judge.errors import ProblemError
 from judge.kata.contract import contract_lines
 from judge.languages import file_name as program_name
 from judge.problem import Example, Problem
+from judge.values import parameters
 
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
@@ -63,8 +64,8 @@ def _head(problem: Problem) -> str:
     title = _wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES))
     docstring = f"{_QUOTES}{_quoted([*title, '', *about])}\n{_QUOTES}"
     signature = _signature(problem)
-    types = [problem.answer, *(parameter.type for parameter in problem.parameters)]
-    meanings = {name: meant for type_ in types for name, meant in type_.aliases().items()}
+    named = [problem.answer, *(parameter.type for parameter in problem.parameters)]
+    meanings = {name: meant for type_ in named for name, meant in type_.aliases().items()}
     aliases = [
         f"{name} = {meant}"
         for name, meant in sorted(meanings.items())
@@ -82,7 +83,7 @@ def _rounding(problem: Problem) -> str:
     name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
     return "\n".join(
         [
-            f"def rounded({name}: {answer.annotation}) -> {answer.rounded_as or answer.annotation}:",
+            f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:",
             f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""',
             *_returned(answer.rounded.format(name)),
         ]
@@ -169,11 +170,11 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     wanted: Any = example.wanted
     if problem.answer.rounded and _settled(problem):
         opened, closed = "rounded(", ")"
-        wanted = problem.answer.round(wanted)
+        wanted = parameters.rounded(problem.answer, wanted)
     if wanted is None:
         opened, closed = f"print({opened}", f"{closed})"
     values = zip(problem.parameters, example.case, strict=True)
-    arguments = [parameter.type.literal(value) for parameter, value in values]
+    arguments = [parameters.literal(parameter.type, value) for parameter, value in values]
     if not _settled(problem):
         return list(_filled(f"{problem.entry}(", arguments, f") may return {wanted!r}"))
     call = list(_filled(f"{opened}{problem.entry}(", arguments, f"){closed}"))

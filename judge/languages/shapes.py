@@ -9,15 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from judge.values.atoms.array import ArrayType
-from judge.values.atoms.enclosure import EnclosureType
-from judge.values.atoms.int import IntType
-from judge.values.atoms.real import RealType
-from judge.values.atoms.word import WordType
-from judge.values.lists import ListType
-from judge.values.optional import OptionalType
-from judge.values.tuples import TupleType
-from judge.values.type import Type
+from judge.values.atoms import IntType, RealType, WordType
+from judge.values.base import LONGEST, Type
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
@@ -56,15 +50,14 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
     if isinstance(type_, WordType):
         return Shape("word")
     if isinstance(type_, ArrayType):
-        return Shape("list", (Shape("real" if type_.measured else "int"),), packed=True)
-    if isinstance(type_, EnclosureType):
-        return Shape("tuple", (Shape("real"), Shape("real")), ("lo", "hi"), "Enclosure")
+        return Shape("list", (Shape("real"),), packed=True)
     if isinstance(type_, OptionalType):
         return Shape("optional", (shape_of(type_.inner, big=big),))
     if isinstance(type_, ListType):
-        return Shape("list", (shape_of(type_.item, big=big),), most=type_.high)
+        item = shape_of(type_.item, big=big)
+        return Shape("list", (item,), most=type_.high, packed=type_.most > LONGEST and not item.parts)
     if isinstance(type_, TupleType):
-        parts = tuple(shape_of(part, big=big) for part in type_.parts)
+        parts = tuple(shape_of(part, big=big) for part in type_.fixed)
         return Shape("tuple", parts, _fields(type_), _name(type_, parts))
     raise Unsupported(type_.text)
 
@@ -90,7 +83,7 @@ def _tuples(shape: Shape) -> Iterator[Shape]:
 
 def _fields(type_: TupleType) -> tuple[str, ...]:
     named = all(name.isidentifier() for name in type_.names)
-    return type_.names if named else _ORDINALS[: len(type_.parts)]
+    return type_.names if named else _ORDINALS[: len(type_.fixed)]
 
 
 def _name(type_: TupleType, parts: Iterable[Shape]) -> str:

@@ -20,8 +20,8 @@ import math
 from collections.abc import Sequence
 from enum import IntEnum
 
-from judge.values import Outline, Type, Usual
-from judge.values.likeness import CLOSE, SAME, largest
+from judge.values import Outline, Type, Usual, outline
+from judge.values.outline import CLOSE, SAME, largest
 
 _ENDED = "ended"
 _SAME_POWERS = 1.5  # powers of ten between two errors of digits that pass for the same
@@ -82,7 +82,7 @@ def kind_of(given: Outline, right: Outline, answer: Type, usual: Usual) -> str:
     """What kind of wrong answer one is."""
     if is_ended(given):
         return _ENDED
-    return answer.kind(given, right, usual)
+    return outline.kind(answer, given, right, usual)
 
 
 def _same_numbers(numbers: Sequence[float], others: Sequence[float], wanted: Sequence[float]) -> bool:

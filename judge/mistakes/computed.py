@@ -21,7 +21,7 @@ from judge.mistakes.answers import Answers, Behaviour
 from judge.problem import Problem
 from judge.sandbox.encode import encode
 from judge.values import Outline
-from judge.values.rightness import wrong_outline
+from judge.values.outline import wrong_outline
 
 _PROTOCOL = 5
 

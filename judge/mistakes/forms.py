@@ -13,9 +13,8 @@ from msgspec import Struct
 
 from judge.data.model import ProblemData
 from judge.run.result import Pitfall, Result
-from judge.values import Outline
-from judge.values.likeness import only_digits
-from judge.values.type import UNREADABLE
+from judge.values import Outline, outline
+from judge.values.outline import UNREADABLE, only_digits
 
 _MOST = 0.5  # of the wrong answers, from which on a fault of form is what is wrong
 _ALL = 0.9
@@ -99,7 +98,7 @@ def _bare(result: Result, data: ProblemData) -> int:
         return 0
     targets = {each.group.name: each.targets for each in data.groups}
     return sum(
-        form.startswith("shape ") and _same(numbers, answer.right(targets[group.name][case])[1])
+        form.startswith("shape ") and _same(numbers, outline.right(answer, targets[group.name][case])[1])
         for group in result.groups
         for case, (form, numbers) in group.wrong.items()
     )

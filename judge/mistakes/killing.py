@@ -22,7 +22,7 @@ from judge.problem import Case, Problem
 from judge.problem.model import tupled
 from judge.problem.module import load_module
 from judge.sandbox.encode import encode
-from judge.values.rightness import is_right
+from judge.values.check import is_right
 
 ENOUGH = 0.9  # of a family's wrong programs
 _TOLD = 3  # of those that live, which are named

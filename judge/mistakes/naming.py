@@ -26,7 +26,7 @@ from judge.data.model import GroupData
 from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence, log_sum
 from judge.mistakes.likeness import BOTH, IN_PART, NEEDED, Likeness
-from judge.values import Outline, Type, Usual
+from judge.values import Outline, Type, Usual, outline
 
 LEAST = 0.7  # the score below which nothing is named
 
@@ -94,7 +94,9 @@ def best_match(
     if not known or not any(answers.wrong for answers in submission.values()):
         return None
     if rights is None:
-        rights = {data.group.name: [answer.right(target) for target in data.targets] for data in groups}
+        rights = {
+            data.group.name: [outline.right(answer, target) for target in data.targets] for data in groups
+        }
     usual = Usual.of(right for outlines in rights.values() for right in outlines)
     groups = [data for data in groups if data.group.name in submission]
     evidence = gather(submission, known, groups, rights, answer, usual)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.data.model import ProblemData
-from judge.values import Outline
+from judge.values import Outline, outline
 
 
 def right_outlines(data: ProblemData) -> dict[str, Sequence[Outline]]:
     """Those of every case, by the group's name."""
     answer = data.problem.answer
-    return {each.group.name: [answer.right(target) for target in each.targets] for each in data.groups}
+    return {
+        each.group.name: [outline.right(answer, target) for target in each.targets] for each in data.groups
+    }

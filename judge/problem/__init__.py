@@ -15,8 +15,8 @@ from judge.problem.model import (
     TimeRule,
 )
 from judge.problem.verdict import Verdict
-from judge.values.tolerance import Tolerance
-from judge.values.type import Number
+from judge.values.answers import Tolerance
+from judge.values.base import Number
 
 __all__ = [
     "Argument",

@@ -21,8 +21,7 @@ from msgspec import Struct
 
 from judge.problem.model import Case, Problem
 from judge.problem.topic import Puzzle, Shown
-from judge.values.tolerance import Tolerance
-from judge.values.tree import AnyOf, Judged, Real
+from judge.values.answers import AnyOf, Judged, Real, Tolerance
 
 if TYPE_CHECKING:
     from judge.drawing import Picture

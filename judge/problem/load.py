@@ -123,7 +123,7 @@ class Reader:
         type_ = self._type(table.type, (*path, "type"))
         if not type_.is_parameter:
             what = f"no parameter can be of the type {table.type}"
-            self.fault((*path, "type"), what, "an enclosure is an answer; an array is a whole parameter")
+            self.fault((*path, "type"), what, "an array is a whole parameter")
         least = table.smallest
         if least is None:
             least = Decimal("1e-30") if type_.measured else 0
@@ -145,7 +145,11 @@ class Reader:
         """The type of an answer."""
         if self._known_answer is None:
             own = Words(**msgspec.structs.asdict(table.words)) if table.words else Words()
-            self._known_answer = self._type(table.answer, ("answer",)).worded(own)
+            answer = self._type(table.answer, ("answer",))
+            if not answer.is_answer:
+                what = f"no answer can be of the type {table.answer}"
+                self.fault(("answer",), what, "an array is a parameter's; write a list, which may be one too")
+            self._known_answer = answer.worded(own)
         return self._known_answer
 
     def _type(self, text: str, path: KeyPath) -> Type:

@@ -11,9 +11,10 @@ from typing import Any
 from msgspec import Struct
 
 from judge.problem.level import KataLevel, levels_among
-from judge.values.tolerance import Tolerance as Tolerance
-from judge.values.type import Number as Number
-from judge.values.type import Type
+from judge.values import parameters
+from judge.values.answers import Tolerance as Tolerance
+from judge.values.base import Number as Number
+from judge.values.base import Type
 
 Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
@@ -174,17 +175,15 @@ class Problem(Struct, frozen=True):
 
     def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
         """The cases as a submission receives them: with lists and arrays, where a case has tuples."""
-        types = [parameter.type for parameter in self.parameters]
-        if all(type_.is_plain for type_ in types):
+        taken = [parameter.type for parameter in self.parameters]
+        if all(type_.is_plain for type_ in taken):
             return cases
-        return [
-            tuple([type_.argument(value) for type_, value in zip(types, case, strict=True)]) for case in cases
-        ]
+        return [tuple(map(parameters.argument, taken, case)) for case in cases]
 
     def named(self, case: Case) -> dict[str, Any]:
         """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
         return {
-            parameter.name: parameter.type.listed(value)
+            parameter.name: parameters.listed(parameter.type, value)
             for parameter, value in zip(self.parameters, case, strict=True)
         }
 

@@ -22,7 +22,7 @@ from judge.problem.model import Case, Problem
 from judge.problem.text import read_text
 
 if TYPE_CHECKING:
-    from judge.values.tree import Exact
+    from judge.values.answers import Exact
 
 _LONGEST = 100  # characters of a case that a fault shows
 

@@ -17,7 +17,7 @@ from typing import Any
 from judge.errors import ProblemError, nearest
 from judge.problem.model import EXAMPLES, Argument, Case, Example, Problem
 from judge.problem.text import read_text
-from judge.values import Type
+from judge.values import Type, parameters
 
 _BRIEF = 80  # characters of what is wrong
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
@@ -103,7 +103,7 @@ def _call(text: str, problem: Problem, where: str) -> Case:
             "the example's arguments are no plain values", where=where, remedy=remedy
         ) from None
     for parameter, value in zip(problem.parameters, case, strict=True):
-        fault = parameter.type.fault(parameter.name, value)
+        fault = parameters.fault(parameter.type, parameter.name, value)
         if fault:
             raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
     return case
@@ -124,7 +124,7 @@ def _wanted(text: str, type_: Type, where: str) -> Any:
     except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is no plain value"
         raise ProblemError(what, where=where, remedy="write numbers, words, tuples, lists or None") from None
-    fault = type_.fault("it", _argument(answer))
+    fault = parameters.fault(type_, "it", _argument(answer))
     if fault:
         what = f"the example's answer {_brief(text)!r} is none: {fault}"
         raise ProblemError(what, where=where, remedy="correct it, or the answer that problem.toml declares")

@@ -6,6 +6,7 @@ from judge.drawing.svg import panel_svg
 from judge.problem import Problem
 from judge.problem.module import load_module
 from judge.problem.topic import Shown
+from judge.values import show
 
 FIGURE = "figure.svg"
 
@@ -21,7 +22,9 @@ def figure(problem: Problem) -> str | None:
         values = dict(zip(names, example.case, strict=True))
         exact = module.solve(*example.case)
         picture = draw(
-            Shown(problem, values, exact, str(problem.answer.exact_text(exact)), None, heading="example")
+            Shown(
+                problem, values, exact, str(show.exact_text(problem.answer, exact)), None, heading="example"
+            )
         )
         if picture is not None:
             return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"

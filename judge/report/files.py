@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from judge.data.model import GroupData, ProblemData
 from judge.problem import Problem
 from judge.run.program import render_group
-from judge.values import Exact
+from judge.values import Exact, show
 
 SCHEMA = 1
 
@@ -21,9 +21,9 @@ def group_files(data: ProblemData, group: GroupData) -> Iterator[tuple[str, str]
     """
     name = group.group.name
     answers = [data.exact(case, group.group)[0] for case in group.cases]
-    line = data.problem.answer.line
+    answer = data.problem.answer
     yield f"{name}.in", render_group(data.problem, group.cases).decode()
-    yield f"{name}.ans", "".join(f"{line(target)}\n" for target in group.targets)
+    yield f"{name}.ans", "".join(f"{show.line(answer, target)}\n" for target in group.targets)
     yield f"{name}.json", _document(data.problem, group, answers)
 
 
@@ -41,8 +41,8 @@ def _document(problem: Problem, group: GroupData, answers: list[Exact]) -> str:
         json.dumps(
             {
                 "input": dict(zip(names, case, strict=True)),
-                "expected": problem.answer.exact_text(answer),
-                "accepted": problem.answer.accepted(target),
+                "expected": show.exact_text(problem.answer, answer),
+                "accepted": show.accepted(problem.answer, target),
             }
         )
         for case, answer, target in zip(group.cases, answers, group.targets, strict=True)

@@ -13,6 +13,7 @@ from judge.report.names import shown_name
 from judge.report.results import verdict_span
 from judge.report.values import arguments
 from judge.run.tried import Said, Tried
+from judge.values import show
 
 Interval = tuple[str, float, float]  # a number's place in the answer, and the least and greatest accepted
 
@@ -25,8 +26,8 @@ def tried_lines(tried: Tried, width: int | None) -> Iterator[Line]:
     problem = tried.problem
     yield from beside(Span(problem.id, Style.STRONG), problem.title, width)
     yield line()
-    exact = problem.answer.exact_text(tried.exact)
-    intervals = list(islice(_intervals(exact, problem.answer.accepted(tried.target), ""), _MOST + 1))
+    exact = show.exact_text(problem.answer, tried.exact)
+    intervals = list(islice(_intervals(exact, show.accepted(problem.answer, tried.target), ""), _MOST + 1))
     rows = [
         ("input", arguments(problem.named(tried.case)), Style.PLAIN),
         ("as a line", line_of(problem, tried.case), Style.PLAIN),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, ClassVar
 
 from msgspec import Struct
@@ -11,7 +12,7 @@ from judge.problem import Case, Problem, TimeRule
 from judge.run.replies import Replies
 from judge.run.result import Failure, GroupResult, Mode
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
-from judge.values import ExactOf, Outcome, Outline, Raw, Target
+from judge.values import ExactOf, Outcome, Outline, Raw, Target, check, outline, show
 
 
 class FunctionRunner(Struct, frozen=True):
@@ -52,15 +53,15 @@ class FunctionRunner(Struct, frozen=True):
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
         """Compares a value that a call returned."""
-        return self.problem.answer.check
+        return partial(check.check, self.problem.answer)
 
     def wanted(self, target: Target) -> str:
         """The right answer as Python writes it."""
-        return self.problem.answer.wanted(target)
+        return show.wanted(self.problem.answer, target)
 
     def outline(self, answer: Any) -> Outline:
         """A wrong value's form and numbers."""
-        return self.problem.answer.outline(answer)
+        return outline.outline(self.problem.answer, answer)
 
     def raw(self, answer: Any) -> Raw:
         """The value itself."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, ClassVar
 
 from msgspec import Struct
@@ -19,9 +20,9 @@ from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
 from judge.run.result import Failure, GroupResult, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
-from judge.values import ExactOf, Outcome, Outline, Raw, Target
-from judge.values.tuples import is_pair
-from judge.values.type import UNREADABLE
+from judge.values import ExactOf, Outcome, Outline, Raw, Target, lines, outline, parameters, show
+from judge.values.outline import UNREADABLE
+from judge.values.types import is_pair
 
 SHOWN = 80  # characters of a line that is quoted
 _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
@@ -71,19 +72,19 @@ class ProgramRunner(Struct, frozen=True):
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
         """Compares a line of output."""
-        return self.problem.answer.check_line
+        return partial(lines.check_line, self.problem.answer)
 
     def wanted(self, target: Target) -> str:
         """The line that a perfect program prints."""
-        return self.problem.answer.line(target)
+        return show.line(self.problem.answer, target)
 
     def outline(self, answer: Any) -> Outline:
         """A wrong line's form and numbers."""
-        return self.problem.answer.line_outline(answer)
+        return outline.line_outline(self.problem.answer, answer)
 
     def raw(self, answer: Any) -> Raw:
         """What the line holds; None, too, where it holds no answer."""
-        read = self.problem.answer.read_line(answer)
+        read = lines.read_line(self.problem.answer, answer)
         return None if isinstance(read, str) else read[0]
 
     def reference(self, rule: TimeRule) -> str | None:
@@ -124,10 +125,12 @@ def wrong_form(groups: Sequence[GroupResult], source: bytes) -> str:
 
 def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
     """The standard input of a program that is judged on these cases."""
-    types = [parameter.type for parameter in problem.parameters]
+    read = [parameter.type for parameter in problem.parameters]
     lines = [str(len(cases))]
     for case in cases:
-        words = (word for type_, value in zip(types, case, strict=True) for word in type_.tokens(value))
+        words = (
+            word for type_, value in zip(read, case, strict=True) for word in parameters.tokens(type_, value)
+        )
         lines.append(" ".join(words))
     return ("\n".join(lines) + "\n").encode("ascii")
 

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.data.model import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import Mode
-from judge.values import Exact, Target
+from judge.values import Exact, Target, show
 
 
 class Tried(Struct, frozen=True):
@@ -25,7 +25,7 @@ class Tried(Struct, frozen=True):
     @property
     def wanted(self) -> str:
         """The right answer as a person would write it, its numbers correctly rounded."""
-        return self.problem.answer.wanted(self.target)
+        return show.wanted(self.problem.answer, self.target)
 
 
 class Said(Struct, frozen=True):

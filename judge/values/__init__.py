@@ -1,24 +1,22 @@
-"""Types of answers and parameters by composition: each reads, shows, decides and compares its own values.
+"""Types of answers and of parameters: deciding an answer, showing it, and telling one wrong one from another.
 
-`judge.values.tree` has the exact answers, `grammar` the language that types are written in. Nothing here
-needs exact numbers before it must ask for them.
+`answers` has what `solve` returns, `atoms` and `types` what types there are, `grammar` the language in which
+they are written. Nothing here needs exact numbers before it must ask for them.
 """
 
+from judge.values.answers import AnyOf, Exact, Judged, Real, Run, Tolerance, Words, vector
+from judge.values.base import Target, Type
+from judge.values.check import Accepted, ExactOf, Outcome, Rejection
 from judge.values.grammar import TypeFault, parse
-from judge.values.likeness import Outline, Usual
-from judge.values.outcome import Accepted, Outcome, Rejection, Words
-from judge.values.tolerance import Tolerance
-from judge.values.tree import AnyOf, Enclosure, Exact, Judged, Real, Run, vector
-from judge.values.type import ExactOf, Number, Raw, Target, Type
+from judge.values.outline import Outline, Usual
+from judge.values.wire import Raw
 
 __all__ = [
     "Accepted",
     "AnyOf",
-    "Enclosure",
     "Exact",
     "ExactOf",
     "Judged",
-    "Number",
     "Outcome",
     "Outline",
     "Raw",

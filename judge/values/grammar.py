@@ -5,30 +5,36 @@
           |  "(" type "," type … ")"                     a tuple of fixed parts
           |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
 
-Names are looked up in the pack's own folder `types` and in `judge/values/atoms`; an argument is a
-word or a number, and arguments are parted by "|", ";" or ",".
+Names are looked up here and in the pack's own folder `types`; an argument is a word or a number, and
+arguments are parted by "|", ";" or ",". A file of a pack has as its TYPE what makes the type, called with the
+arguments, or a text of the language, for which its name then stands.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from judge.errors import nearest
-from judge.values.lists import ListType
-from judge.values.optional import OptionalType
-from judge.values.outcome import NO_WORDS, Words
-from judge.values.tuples import TupleType, vector
-from judge.values.type import Type
+from judge.values.answers import NO_WORDS, Words
+from judge.values.atoms import IntType, RealType, WordType
+from judge.values.base import COORDINATES, Type
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
-_PACKAGE = Path(__file__).parent
 _DEEPEST = 12
 _LONGEST = 1_000_000_000  # of a list
+
+ATOMS: dict[str, Callable[..., Type]] = {
+    "int": IntType,
+    "real": RealType,
+    "word": WordType,
+    "array": ArrayType,
+}
 
 # Names that stand for a type of the same language.
 ALIASES = {
@@ -50,7 +56,13 @@ _FOREIGN = {
 
 
 def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
-    return lambda parser: vector([parser.named(name) for _ in range(size)], alias)
+    def made(parser: _Parser) -> Type:
+        parts = [parser.named(name) for _ in range(size)]
+        for part in parts:  # which are made for it
+            part.noun = "a coordinate"
+        return TupleType(parts, COORDINATES[:size], alias)
+
+    return made
 
 
 VECTORS = {
@@ -81,10 +93,10 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
     return found.worded(words)
 
 
-def names(places: Iterable[Path]) -> list[str]:
-    """The names of the types that those folders and this file hold, for a person to choose from."""
-    files = {path.stem.replace("_", "-") for place in places for path in place.glob("[a-z]*.py")}
-    return [*ALIASES, *VECTORS, *sorted(files)]
+def names(folder: Path | None) -> list[str]:
+    """The names of the types of the language and of a pack, for a person to choose from."""
+    files = {path.stem.replace("_", "-") for path in folder.glob("[a-z]*.py")} if folder else set()
+    return [*ALIASES, *VECTORS, *ATOMS, *sorted(files)]
 
 
 class _Parser:
@@ -195,7 +207,7 @@ class _Parser:
         if found is not None:
             type_ = found(self)
         else:
-            found = ALIASES.get(name) or _found(name, self._folder)
+            found = ALIASES.get(name) or ATOMS.get(name) or _found(name, self._folder)
             if found is None:
                 raise self._unknown(name)
             if isinstance(found, str):
@@ -208,35 +220,23 @@ class _Parser:
         return type_  # type: ignore[no-any-return]
 
     def _unknown(self, name: str) -> TypeFault:
-        meant = _FOREIGN.get(name) or nearest(name, names(_places(self._folder)))
-        own = names(_places(self._folder))
+        own = names(self._folder)
+        meant = _FOREIGN.get(name) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         if self._tokens == [name]:
             return TypeFault(f"{name!r} is unknown", remedy)
         return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
 
 
-def _places(folder: Path | None) -> Iterator[Path]:
-    """Where the types of a pack and of the language itself are."""
-    if folder is not None:
-        yield folder
-    yield _PACKAGE / "atoms"
-
-
 def _found(name: str, folder: Path | None) -> Any:
-    """What the module of that name has as its TYPE; None where there is no such module."""
-    if not re.fullmatch(r"[a-z][a-z0-9-]{0,99}", name):
+    """What a pack's module of that name has as its TYPE; None where there is no such module."""
+    if folder is None or not re.fullmatch(r"[a-z][a-z0-9-]{0,99}", name):
         return None
-    file = f"{name.replace('-', '_')}.py"
-    path = next((place / file for place in _places(folder) if (place / file).is_file()), None)
-    return None if path is None else _loaded(path)
+    path = folder / f"{name.replace('-', '_')}.py"
+    return _loaded(path) if path.is_file() else None
 
 
 def _loaded(path: Path) -> Any:
-    if path.parent == _PACKAGE / "atoms":
-        from importlib import import_module
-
-        return import_module(f"judge.values.atoms.{path.stem}").TYPE
     module = ModuleType(f"judge_type_{path.stem}_{abs(hash(path)):x}")
     module.__file__ = str(path)
     try:

@@ -1,68 +1,98 @@
-"""The tokens of a line of output, read strictly."""
+"""An answer as a line of a program's output: decided, and read strictly."""
 
 from __future__ import annotations
 
-import re
+from math import inf
 
-from judge.values.decode import Fault, Written, decimal, shown
-from judge.values.outcome import Unreadable
-
-_INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
-_FOREIGN = re.compile(r"[^\t -~]")
-
-
-def tokens_of(line: str) -> list[str]:
-    """The tokens between blanks; raises Unreadable for what is not plain ASCII text."""
-    line = line.removesuffix("\r")
-    foreign = _FOREIGN.search(line)
-    if foreign:
-        name = "a NUL" if foreign[0] == "\0" else f"the character {foreign[0]!a}"
-        raise Unreadable(f"{name} in the output: answers are plain ASCII text")
-    return line.split()
+from judge.values.answers import NO_WORDS, Words
+from judge.values.base import Atom, Target, Type
+from judge.values.check import Accepted, ExactOf, Outcome, Rejection, check
+from judge.values.show import line
+from judge.values.types import Composite, ListType, OptionalType, TupleType
+from judge.values.wire import Raw, Tokens, Unreadable, quoted
 
 
-class Tokens:
-    """A line's tokens, taken one after the other.
+def check_line(type_: Type, text: str, target: Target, exact: ExactOf) -> Outcome:
+    """Decide one line of a program's output (without its newline, whatever it holds); see `check`."""
+    answer = read_line(type_, text)
+    got = quoted(text)[1:-1]
+    if isinstance(answer, str):
+        return Rejection(answer, line(type_, target), got)
+    outcome = check(type_, answer[0], target, exact)
+    if isinstance(outcome, Accepted):
+        return outcome
+    # The answers are shown as programs write them.
+    message = outcome.message.replace("None", "none")
+    errors = outcome.where, outcome.absolute, outcome.relative, outcome.ulps
+    return Rejection(message, line(type_, target), got, *errors)
 
-    `meant` says what the whole line holds, `whole` that this is a single token; `root` is the type of it.
-    """
 
-    __slots__ = ("_at", "_words", "meant", "root", "whole")
+def read_line(type_: Type, text: str) -> tuple[Raw] | str:
+    """The answer that a line holds, in a tuple of one, or why it holds none."""
+    try:
+        words = Tokens(text, meant(type_))
+        if type_.width == 1 and words.left > 1:
+            words.next()
+            raise Unreadable(f"{quoted(words.ahead)} after the answer: one line holds {words.meant}")
+        raw = _take(type_, words, whole=True)
+        if words.left:
+            raise Unreadable(f"{quoted(words.ahead)} after the answer: one line holds {words.meant}")
+    except Unreadable as why:
+        return str(why)
+    return (raw,)
 
-    def __init__(self, words: list[str], meant: str, root: object, *, whole: bool) -> None:
-        self._words = words
-        self._at = 0
-        self.meant = meant
-        self.root = root
-        self.whole = whole
 
-    @property
-    def left(self) -> int:
-        """How many tokens are left."""
-        return len(self._words) - self._at
+def meant(type_: Type) -> str:
+    """What a line holds, in words."""
+    return type_.words.meant or hint(type_, type_.words)
 
-    @property
-    def ahead(self) -> str:
-        """The next token, which stays; empty at the end."""
-        return self._words[self._at] if self.left else ""
 
-    def next(self) -> str:
-        """Take a token; raises Unreadable at the end of the line."""
-        if not self.left:
-            raise Unreadable(f"the line ends too early: it holds {self.meant}")
-        self._at += 1
-        return self._words[self._at - 1]
+def _take(type_: Type, words: Tokens, *, whole: bool = False) -> Raw:
+    """The answer that the next tokens hold; raises Unreadable. `whole` says that it is all of the line."""
+    if isinstance(type_, OptionalType):
+        ahead = words.ahead
+        if ahead == "none":
+            words.next()
+            return None
+        if ahead.lower() in {"none", "null"}:
+            what = words.meant if whole and type_.width == 1 else hint(type_)
+            raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
+        return _take(type_.inner, words, whole=whole)
+    if isinstance(type_, Atom):
+        return type_.take(words, words.meant if whole else type_.noun)
+    assert isinstance(type_, Composite)
+    count = _count(type_, words, whole=whole) if isinstance(type_, ListType) else 0
+    return [_take(part, words) for part in type_.parts(count)]
 
-    def integer(self, meant: str) -> int:
-        """Take an integer."""
-        token = self.next()
-        if not _INTEGER.fullmatch(token):
-            raise Unreadable(f"{shown(token)} where {meant} is meant: write a plain integer")
-        return int(token)
 
-    def number(self, meant: str) -> Written:
-        """Take a decimal."""
-        read = decimal(self.next())
-        if isinstance(read, Fault):
-            raise Unreadable(f"{read.text} where {meant} is meant: {read.remedy}")
-        return read
+def _count(type_: ListType, words: Tokens, *, whole: bool) -> int:
+    """The length of the list that follows."""
+    if words.ahead.lower() == "none":
+        raise Unreadable(f'"{words.ahead}" where {hint(type_)} is meant: no {type_.several} are 0')
+    count = words.integer(f"the number of {type_.several} k")
+    if not type_.low <= count <= (inf if type_.high is None else type_.high):
+        given = str(count) if len(str(count)) <= 20 else f"{str(count)[:20]}…"
+        bounds = f"{type_.low} or more" if type_.high is None else f"{type_.low} to {type_.high}"
+        bounds = str(type_.low) if type_.low == type_.high else bounds
+        raise Unreadable(f"k = {given} where {bounds} {type_.several} are meant")
+    width = type_.item.width
+    if width is not None and whole and words.left != count * width:
+        noun = "coordinates" if type_.one == "point" else "more"
+        raise Unreadable(f"k = {count} needs {count * width} {noun}, {words.left} given")
+    if count > words.left:
+        raise Unreadable(f"the line ends too early: it holds {words.meant}")
+    return count
+
+
+def hint(type_: Type, words: Words = NO_WORDS) -> str:
+    """What a line holds, in words, as far as the type says it."""
+    if isinstance(type_, OptionalType):
+        return f"{hint(type_.inner, words)} or none"
+    if isinstance(type_, TupleType):
+        return " ".join(type_.names) if type_.is_vector else ", ".join(map(hint, type_.fixed))
+    if isinstance(type_, ListType):
+        if isinstance(type_.item, TupleType) and type_.item.is_vector:
+            return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"
+        item = hint(type_.item)
+        return f"k and then k times ({item})" if type_.item.depth else f"k and then k times {item}"
+    return words.answer or type_.noun

@@ -14,46 +14,70 @@ Other types make forms of their own in the same manner. A run that ended without
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
+from math import isfinite
+from operator import sub
 from typing import Any
 
-from judge.digest import digest_of
-from judge.values import decode
-from judge.values.decode import Fault, number
-from judge.values.likeness import Outline
-from judge.values.numbers import double
-from judge.values.outcome import NO_WORDS, ROOT, Unreadable
-from judge.values.type import Question, Type
+from msgspec import Struct
 
+from judge.digest import digest_of
+from judge.values.atoms import IntType, RealType
+from judge.values.base import LONGEST, Atom, Target, Type, Value
+from judge.values.check import Ask, ExactOf, off, quick_off, read
+from judge.values.lines import read_line
+from judge.values.show import first_of, flat_runs
+from judge.values.types import Composite, ListType, TupleType, lasting
+from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
+
+Outline = tuple[str, tuple[float, ...]]
+
+CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
+SAME = 0.05  # of the larger error: numbers that differ by less are the same
+UNREADABLE = "text"  # the form of a line that holds no answer
+_FEW = 8  # different answers, up to which any other number is the mark of having none
 _MOST = 64  # numbers that are kept
 _LONGEST = 40  # characters of a foreign type's name that are kept, and of a form that is not cut
 
 
-def _never() -> Any:
-    raise AssertionError("reading an answer asks for no exact one")
-
-
-_UNASKED = Question(_never, NO_WORDS, optional=False, bounded=False)
-
-
-def outline(type_: Type, raw: Any) -> Outline:
+def outline(type_: Type, raw: Raw) -> Outline:
     """The outline of an answer, JSON of any shape whatever; never raises for one."""
     if raw is None:
         return ("none", ())
     try:
-        value = type_.read(raw, _UNASKED, ROOT)
+        return _of(type_, read(type_, raw, bounded=False))
     except Unreadable:
         return _misread(type_, raw)
-    return of_value(type_, value)
 
 
-def of_value(type_: Type, value: Any) -> Outline:
-    """The outline of an answer that was read and is not None."""
-    return short(type_.form(value)), tuple(_first(type_.flat(value)))
+def wrong_outline(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outline | None:
+    """None for a right answer, and else its outline; it is read once for both."""
+    if quick_off(type_, raw, target) is not None:
+        return None
+    try:
+        value = read(type_, raw)
+    except Unreadable:
+        return outline(type_, raw)
+    if off(type_, value, target, Ask(exact, type_.words), None) is not None:
+        return None
+    return ("none", ()) if raw is None else _of(type_, value)
 
 
-def right(type_: Type, target: Any) -> Outline:
-    """The outline of the right answer."""
-    return short(type_.form(target, target=True)), tuple(_first(type_.flat(target, target=True)))
+def line_outline(type_: Type, line: str) -> Outline:
+    """The outline of one line of a program's output."""
+    answer = read_line(type_, line)
+    return (UNREADABLE, ()) if isinstance(answer, str) else outline(type_, answer[0])
+
+
+def right(type_: Type, target: Target) -> Outline:
+    """The outline of the right answer; of several the first."""
+    return _of(type_, first_of(target), target=True)
+
+
+def _of(type_: Type, value: Value, *, target: bool = False) -> Outline:
+    numbers = islice(_flat(type_, value, target=target), _MOST)
+    return short(_form(type_, value, target=target)), tuple(numbers)
 
 
 def short(form: str) -> str:
@@ -63,36 +87,166 @@ def short(form: str) -> str:
     return f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
 
 
-def _first(numbers: Any) -> list[float]:
-    from itertools import islice
+def _parts(type_: Composite, value: Value, *, target: bool) -> Iterator[tuple[Type, Value]]:
+    found = [first_of(each) for each in flat_runs(value)] if target else value
+    return zip(type_.parts(len(found)), found, strict=True)
 
-    return list(islice(numbers, _MOST))
+
+def _form(type_: Type, value: Value, *, target: bool) -> str:
+    """The form of an answer that was read, or of a target, without its real numbers."""
+    if value is None:
+        return "none"
+    type_ = lasting(type_)
+    if isinstance(type_, Atom):
+        return type_.form(value)
+    if isinstance(type_, TupleType) and type_.is_vector:
+        return "point"
+    assert isinstance(type_, Composite)
+    forms = [
+        _form(part, each, target=target)
+        for part, each in islice(_parts(type_, value, target=target), LONGEST)
+    ]
+    if isinstance(type_, TupleType):
+        return f"({', '.join(forms)})"
+    count = len(list(flat_runs(value))) if target else len(value)
+    plain = set(forms) <= {"point", "number", "count"}
+    return f"{type_.several} {count}" if plain else f"{type_.several} {count} {' '.join(forms)}"
 
 
-def _misread(type_: Type, raw: Any) -> Outline:
-    found = decode.items(raw)
+def _flat(type_: Type, value: Value, *, target: bool) -> Iterator[float]:
+    """The numbers of an answer that was read, or of a target, as doubles."""
+    type_ = lasting(type_)
+    if value is None:
+        return
+    if isinstance(type_, Atom):
+        found = type_.double(value, target=target)
+        if found is not None:
+            yield found
+    else:
+        assert isinstance(type_, Composite)
+        for part, each in _parts(type_, value, target=target):
+            yield from _flat(part, each, target=target)
+
+
+def _misread(type_: Type, raw: Raw) -> Outline:
+    found = items(raw)
     if found is not None:
         return _shape(found)
     given = number(raw)
     if isinstance(given, Fault):
         return _wrong_type(raw)
     if type_.measured:
-        return ("number", (double(given),))
-    return ("count" if isinstance(given, int) else "type float", (double(given),))
+        return ("number", (near(given),))
+    return ("count" if isinstance(given, int) else "type float", (near(given),))
 
 
-def _shape(items: Any) -> Outline:
-    for each in items:
-        for inner in decode.items(each) or ():
-            if isinstance(number(inner), Fault) and decode.items(inner) is None:
+def _shape(found: Sequence[Raw]) -> Outline:
+    for each in found:
+        for inner in items(each) or ():
+            if isinstance(number(inner), Fault) and items(inner) is None:
                 return _wrong_type(inner)
-    given = [number(item) for item in items[:4]]
-    return (f"shape {len(items)}", tuple(double(each) for each in given if not isinstance(each, Fault)))
+    given = [number(item) for item in found[:4]]
+    return (f"shape {len(found)}", tuple(near(each) for each in given if not isinstance(each, Fault)))
 
 
 def _wrong_type(raw: Any) -> Outline:
     if type(raw) is dict and type(raw.get("type")) is str:
         return (f"type {raw['type'][:_LONGEST]}", ())
-    if decode.word(raw) is not None:
-        return ("type str", ())
-    return (f"type {type(raw).__name__}", ())
+    return ("type str" if word(raw) is not None else f"type {type(raw).__name__}", ())
+
+
+# -- kinds of wrong answers --------------------------------------------------------------------------------
+
+
+class Usual(Struct, frozen=True):
+    """What the right answers of a problem's data are like: the numbers that occur, where these are few."""
+
+    few: frozenset[float] = frozenset()
+    negative: bool = False
+
+    @classmethod
+    def of(cls, rights: Iterable[Outline]) -> Usual:
+        """That of the outlines of right answers."""
+        numbers = {number for _, found in rights for number in found}
+        few = numbers | {0.0, 1.0, 2.0}
+        return cls(frozenset(few) if len(few) <= _FEW else frozenset(), min(numbers, default=0.0) < 0.0)
+
+
+def kind(type_: Type, given: Outline, right: Outline, usual: Usual) -> str:
+    """What kind of wrong answer one is, beside the right one and what is usual in the problem."""
+    type_ = lasting(type_)
+    (form, numbers), (wanted_form, wanted) = given, right
+    if isinstance(
+        type_, IntType
+    ):  # where few are usual, one that is none of them stands for having no answer
+        unusual = not numbers or (usual.few and numbers[0] not in usual.few)
+        if form in ("count", "type float") and unusual:
+            return "sentinel"
+        return f"{numbers[0]:.0f}" if form == "count" else form
+    if isinstance(type_, RealType):
+        return _kind_of_number(given, wanted, usual)
+    if isinstance(type_, ListType):
+        return _kind_of_list(type_, given, right)
+    if form != wanted_form or len(numbers) != len(wanted):
+        return form
+    return "digits" if only_digits(numbers, wanted) else "elsewhere"
+
+
+def _kind_of_number(given: Outline, wanted: tuple[float, ...], usual: Usual) -> str:
+    form, numbers = given
+    if form == "type float":  # inf or nan
+        return "sentinel"
+    if form != "number":
+        return form
+    (t,) = numbers
+    if not wanted:
+        return "invented" if isfinite(t) and (t >= 0.0 or usual.negative) else "sentinel"
+    if not isfinite(t):
+        return "sentinel"
+    if only_digits(numbers, wanted):
+        return "digits"
+    if t < 0.0 and not usual.negative:
+        return "negative"
+    return "less" if t < wanted[0] else "more"
+
+
+def _kind_of_list(type_: ListType, given: Outline, right: Outline) -> str:
+    """Fewer or more items, the right ones in another order, other digits, others."""
+    (form, numbers), (wanted_form, wanted) = given, right
+    name = form.partition(" ")[0]
+    if name != type_.several or not wanted_form.startswith(f"{name} "):
+        return form
+    count, size = (int(each.split(" ", 2)[1]) for each in (form, wanted_form))
+    if count != size:
+        return f"{'fewer' if count < size else 'more'} {count}"
+    if len(numbers) != len(wanted):
+        return form
+    if only_digits(numbers, wanted) and form == wanted_form:
+        return "digits"
+    if reordered(numbers, wanted, count):
+        return "reordered"
+    return "elsewhere" if form == wanted_form else form
+
+
+def largest(numbers: Sequence[float], others: Sequence[float]) -> float:
+    """The largest difference of two numbers in the same place."""
+    return max(map(abs, map(sub, numbers, others)), default=0.0)
+
+
+def only_digits(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
+    """Whether numbers differ from as many wanted ones by no more than lost digits."""
+    return largest(numbers, wanted) <= CLOSE * max(map(abs, (*numbers, *wanted)), default=0.0)
+
+
+def reordered(numbers: Sequence[float], wanted: Sequence[float], count: int) -> bool:
+    """Whether the numbers of so many items are those wanted in another order."""
+    size = len(wanted) // count if count else 0
+    if count < 2 or not size or size * count != len(wanted) or len(numbers) != len(wanted):
+        return False
+    if count == 2:
+        turned = (*wanted[size:], *wanted[:size])
+        return largest(numbers, turned) <= SAME * largest(wanted, turned)
+    given, right = (
+        sorted(tuple(each[at : at + size]) for at in range(0, len(each), size)) for each in (numbers, wanted)
+    )
+    return only_digits([x for item in given for x in item], [x for item in right for x in item])

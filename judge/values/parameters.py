@@ -1,74 +1,185 @@
-"""What a type is asked of a parameter's value: whether it is one, how it is written, what would be simpler.
+"""The values of parameters, kept as plain Python: ints, floats, words, None, and tuples of those (lists too).
 
-A value is kept as plain Python: ints, floats, words and None, and tuples of them (points and lists too).
+What is asked of a value walks over its type's parts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from array import array
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from typing import Any, Protocol
+from itertools import chain, repeat
+from typing import Any
 
-Number = int | float
-
-
-class Draws(Protocol):
-    """Where the search for simple cases takes its choices from; `judge.data.draw.Draw` is one."""
-
-    def integer(self, low: int, high: int) -> int:
-        """An int from `low` to `high`."""
-        ...
+from judge.values.atoms import IntType, RealType
+from judge.values.base import Atom, Draws, Number, Type, Value
+from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
 
 
-class ParameterValues:
-    """The half of `judge.values.type.Type` that deals with the values of parameters."""
+def parts_of(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
+    """The parts of a well-shaped value with their types; an atom and None have none."""
+    inner = lasting(type_)
+    if value is not None and isinstance(inner, Composite):
+        yield from zip(inner.parts(len(value)), value, strict=True)
 
-    is_plain = True  # whether a submission receives a parameter's value as it is kept here
 
-    def fault(self, name: str, value: Any) -> str | None:
-        """What is wrong with the shape of a parameter's value, for a person, or None."""
-        raise NotImplementedError
+def fault(type_: Type, name: str, value: Any) -> str | None:
+    """What is wrong with the shape of a parameter's value, for a person, or None."""
+    if isinstance(type_, OptionalType):
+        return None if value is None else fault(type_.inner, name, value)
+    if isinstance(type_, Atom):
+        return type_.fault(name, value)
+    if isinstance(type_, TupleType):
+        if type(value) is not tuple or len(value) != len(type_.fixed):
+            return f"{name} must be {_meant(type_)}, not {value!r}"
+    elif isinstance(type_, ListType):
+        if type(value) is not tuple:
+            return f"{name} must be a tuple of {type_.several}, not {value!r}"
+        if len(value) < type_.low or (type_.high is not None and len(value) > type_.high):
+            return f"{name} has {len(value)} {type_.several} where {type_.bounds()} are meant"
+    return next((wrong for part, each in parts_of(type_, value) if (wrong := fault(part, name, each))), None)
 
-    def outside(self, value: Any, low: Fraction | int, high: Fraction | int) -> tuple[Any, Any, Any] | None:
-        """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
-        return None
 
-    def reals(self, value: Any) -> Iterator[Number]:
-        """The numbers of a well-shaped value that are of the type `real`."""
-        return iter(())
+def _meant(type_: TupleType) -> str:
+    if all(isinstance(part, IntType | RealType) for part in type_.fixed):
+        return "a pair of numbers" if len(type_.fixed) == 2 else f"{len(type_.fixed)} numbers"
+    return f"a tuple {type_.text}"
 
-    def tokens(self, value: Any) -> Iterator[str]:
-        """The value as a program reads it: numbers as `repr` writes them, a list begins with its length."""
-        raise NotImplementedError
 
-    def from_tokens(self, tokens: Iterator[str]) -> Any:
-        """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
-        raise NotImplementedError
+def leaves(type_: Type, value: Value) -> Iterator[tuple[Atom, Value]]:
+    """The atoms of a well-shaped value, each with its value."""
+    type_ = lasting(type_)
+    if value is None:
+        return
+    if isinstance(type_, Atom):
+        yield type_, value
+    elif isinstance(type_, ListType) and isinstance(type_.item, Atom):  # a million of them, perhaps
+        yield from zip(repeat(type_.item), value, strict=False)
+    else:
+        for part, each in parts_of(type_, value):
+            yield from leaves(part, each)
 
-    def listed(self, value: Any) -> Any:
-        """The value with lists for lists and arrays, as JSON can hold it."""
+
+def outside(
+    type_: Type, value: Value, low: Fraction | int, high: Fraction | int
+) -> tuple[Any, Any, Any] | None:
+    """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
+    for atom, each in leaves(type_, value):
+        if isinstance(atom, IntType | RealType):
+            least = atom.least if atom.least is not None and low < atom.least else low
+            if not least <= each <= high:
+                return each, least, high
+    return None
+
+
+def reals(type_: Type, value: Value) -> Iterator[Number]:
+    """The numbers of a well-shaped value that are of the type `real`."""
+    return (each for atom, each in leaves(type_, value) if atom.measured)
+
+
+def tokens(type_: Type, value: Value) -> Iterator[str]:
+    """The value as a program reads it: numbers as `repr` writes them, a list begins with its length."""
+    inner = lasting(type_)
+    if value is None:
+        yield "none"
+    elif isinstance(inner, Atom):
+        yield inner.text_of(value)
+    else:
+        if isinstance(inner, ListType):
+            yield str(len(value))
+        for part, each in parts_of(inner, value):
+            yield from tokens(part, each)
+
+
+def from_tokens(type_: Type, words: Iterator[str]) -> Value:
+    """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
+    if isinstance(type_, OptionalType):
+        first = next(words)
+        return None if first == "none" else from_tokens(type_.inner, chain((first,), words))
+    if isinstance(type_, Atom):
+        return type_.value_from(next(words))
+    assert isinstance(type_, Composite)
+    count = 0
+    if isinstance(type_, ListType):
+        count = int(next(words))
+        if not 0 <= count <= (type_.most if type_.high is None else type_.high):
+            raise ValueError("no such length")
+    return tuple([from_tokens(part, words) for part in type_.parts(count)])
+
+
+def listed(type_: Type, value: Value) -> Any:
+    """The value with lists for lists and arrays, as JSON can hold it."""
+    return _rebuilt(type_, value, listed)
+
+
+def _rebuilt(type_: Type, value: Value, of: Callable[[Type, Value], Any]) -> Any:
+    inner = lasting(type_)
+    if value is None or not isinstance(inner, Composite):
         return value
+    return inner.kind([of(part, each) for part, each in parts_of(inner, value)])
 
-    def argument(self, value: Any) -> Any:
-        """The value as a submission receives it."""
+
+def argument(type_: Type, value: Value) -> Any:
+    """The value as a submission receives it."""
+    inner = lasting(type_)
+    if type_.is_plain or value is None:
         return value
+    if isinstance(inner, ArrayType):
+        return array("d", value)
+    if isinstance(inner, ListType) and inner.item.is_plain:
+        return list(value)
+    return _rebuilt(inner, value, argument)
 
-    def literal(self, value: Any) -> str:
-        """The value as it is written in Python."""
+
+def literal(type_: Type, value: Value) -> str:
+    """The value as it is written in Python."""
+    inner = lasting(type_)
+    if value is None or not isinstance(inner, Composite):
         return repr(value)
+    if isinstance(inner, ArrayType):
+        return f"array('d', {list(value)!r})"
+    written = ", ".join(literal(part, each) for part, each in parts_of(inner, value))
+    return f"[{written}]" if inner.kind is list else f"({written})"
 
-    def simpler(self, value: Any) -> Iterator[Any]:
-        """Values of the same shape or a smaller one that say less: numbers are left as they are."""
-        return iter(())
 
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Any:
-        """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
-        raise NotImplementedError
+def simpler(type_: Type, value: Value) -> Iterator[Value]:
+    """Values of the same shape or a smaller one that say less: numbers are left as they are."""
+    if value is None or isinstance(type_, Atom):
+        return
+    if isinstance(type_, OptionalType):
+        yield None
+    inner = lasting(type_)
+    if isinstance(inner, ListType):  # half of the items, all but one
+        count = size = len(value)
+        while size := size // 2:
+            if count - size >= inner.low:
+                for start in range(0, count, size):
+                    yield (*value[:start], *value[start + size :])
+    if not isinstance(inner, ArrayType):
+        for at, (part, each) in enumerate(parts_of(inner, value)):
+            for other in simpler(part, each):
+                yield (*value[:at], other, *value[at + 1 :])
 
-    def round(self, value: Any) -> Any:
-        """What the expression `rounded` makes of a value."""
-        return value
 
-    def aliases(self) -> Mapping[str, str]:
-        """The names that `annotation` uses beside Python's own, with what they stand for."""
-        return {}
+def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
+    """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
+    if isinstance(type_, Atom):
+        return type_.simple(draw, number, positive=positive)
+    if isinstance(type_, OptionalType):  # None as often as not
+        return simple(type_.inner, draw, number, positive=positive) if draw.integer(0, 1) else None
+    assert isinstance(type_, Composite)
+    count = 0
+    if isinstance(type_, ListType):
+        high = type_.low + 3 if type_.high is None else min(type_.high, type_.low + 3)
+        count = draw.integer(type_.low, high)
+    elif isinstance(type_, TupleType) and type_.is_vector:  # a coordinate may always be negative
+        positive = False
+    return tuple([simple(part, draw, number, positive=positive) for part in type_.parts(count)])
+
+
+def rounded(type_: Type, value: Value) -> Any:
+    """What the expression `type.rounded` makes of a value."""
+    inner = lasting(type_)
+    if isinstance(inner, Atom):
+        return None if value is None else inner.round(value)
+    return _rebuilt(inner, value, rounded)

@@ -4,7 +4,6 @@ from judge.geometry import whole
 from judge.geometry.hooks import SEVEN, hooks
 from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, signs
 from judge.problem.declare import group
-from judge.values import Enclosure
 
 HOOKS = hooks(SEVEN)
 TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
@@ -13,7 +12,7 @@ seven = doubles.seven
 
 def solve(cx, cy, r, ax, ay, bx, by):
     found = whole.discriminant(cx, cy, r, ax, ay, bx, by)
-    return Enclosure(found.value, found.width)
+    return whole.enclosure(found.value, found.width)
 
 
 INTERVIEW = [

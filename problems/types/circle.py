@@ -1,7 +1,7 @@
 """`circle`: (x, y, r), the centre and the radius, which is not negative."""
 
-from judge.values.atoms.real import RealType
-from judge.values.tuples import TupleType
+from judge.values.atoms import RealType
+from judge.values.types import TupleType
 
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for

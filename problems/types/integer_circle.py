@@ -1,7 +1,7 @@
 """`integer-circle`: (x, y, r) in integers; the radius is not negative."""
 
-from judge.values.atoms.int import IntType
-from judge.values.tuples import TupleType
+from judge.values.atoms import IntType
+from judge.values.types import TupleType
 
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for

@@ -18,7 +18,7 @@ from typing import Any
 from judge.exact import Surd
 from judge.geometry import Line, whole
 from judge.problem.declare import InvalidCase
-from judge.values import Tolerance, parse
+from judge.values import Tolerance, check, parse, show
 
 ROUNDS = 7
 CASES = 400
@@ -43,12 +43,12 @@ def segment_answer(case: Sequence[Any]) -> Any:
 
 def segment_case(case: Sequence[Any]) -> Any:
     """The whole answer of a case, with all its acceptance intervals."""
-    return POINTS.target(segment_answer(case), TOLERANCE)
+    return check.target(POINTS, segment_answer(case), TOLERANCE)
 
 
 def count_case(case: Sequence[Any]) -> Any:
     """The whole answer of an exact-count case."""
-    return COUNT.target(whole.count_line(*case), TOLERANCE)
+    return check.target(COUNT, whole.count_line(*case), TOLERANCE)
 
 
 def draw(source: random.Random, size: int, as_float: bool) -> tuple[Any, ...]:
@@ -88,19 +88,25 @@ def main() -> None:
     targets = [segment_case(case) for case in floats]
     given = [[[number[2] for number in point] for point in target] for target in targets]
     near = [[[number * (1 + 3e-16) for number in point] for point in answer] for answer in given]
-    lines = [POINTS.line(target) for target in targets]
+    lines = [show.line(POINTS, target) for target in targets]
     surds = [answer[0][0].x for answer in answers]
 
     def never() -> Any:
         raise AssertionError("a double needs no exact answer")
 
     def judge(pair: Any) -> object:
-        return POINTS.check(pair[0], pair[1], never)
+        return check.check(POINTS, pair[0], pair[1], never)
 
     rows: list[tuple[str, Callable[[Any], object], Sequence[Any], Sequence[Any], int]] = [
         ("segment, floats to 1e9: answer and intervals", segment_case, floats, ints, 1),
         ("segment, ints to 1e9: answer and intervals", segment_case, ints, ints, 1),
-        ("  of which the intervals of 4 numbers", lambda a: POINTS.target(a, TOLERANCE), answers, ints, 1),
+        (
+            "  of which the intervals of 4 numbers",
+            lambda a: check.target(POINTS, a, TOLERANCE),
+            answers,
+            ints,
+            1,
+        ),
         (
             "decisions of a segment case",
             lambda c: Line.through(*c).within(),
@@ -115,7 +121,7 @@ def main() -> None:
         ("check a number, some ulps off", judge, list(zip(near, targets, strict=True)), ints, 4),
         (
             "check a number of text",
-            lambda pair: POINTS.check_line(pair[0], pair[1], never),
+            lambda pair: lines.check_line(POINTS, pair[0], pair[1], never),
             list(zip(lines, targets, strict=True)),
             ints,
             4,

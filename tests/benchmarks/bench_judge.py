@@ -28,6 +28,7 @@ sys.path.insert(0, str(ROOT))
 from judge.problem import Tolerance  # noqa: E402
 from judge.problem.find import find_problem  # noqa: E402
 from judge.problem.module import load_module  # noqa: E402
+from judge.values import check  # noqa: E402
 
 ROUNDS = 15
 CASES = 10_000
@@ -128,7 +129,7 @@ def answers(rounds: int) -> None:
 
     def build() -> None:
         for case in cases:
-            problem.answer.target(solve(*case)[0], tolerance)
+            check.target(problem.answer, solve(*case)[0], tolerance)
 
     def formula() -> None:
         for cx, cy, r, (ax, ay), (bx, by) in cases:

@@ -38,13 +38,14 @@ from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.lines import key_lines
 from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
+from judge.report.page.reread import reread
 from judge.run import hurdle, printed, program
 from judge.run.execute import judge_fault
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources
+from judge.values import lines
 from judge.values.grammar import TypeFault, parse
-from judge.values.reread import reread
 
 SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
 ENOUGH = 0.015  # CPU seconds from which on a time tells how it grows
@@ -201,9 +202,9 @@ def _printed(text: str) -> None:
 
 
 def _answers(text: str) -> None:
-    for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?", "enclosure"):
+    for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?"):
         type_ = parse(form)
-        type_.read_line(text)
+        lines.read_line(type_, text)
         reread(type_, text[:5000])
 
 

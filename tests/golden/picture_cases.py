@@ -8,7 +8,8 @@ from judge.drawing.svg import to_svg
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.problem.topic import Shown
-from judge.values.reread import reread
+from judge.report.page.reread import reread
+from judge.values import check, show
 
 ROOT = Path(__file__).parent.parent.parent
 FOLDER = Path(__file__).parent / "pictures"
@@ -39,7 +40,7 @@ CASES = {
 
 
 def wanted_words(problem, exact):
-    return problem.answer.wanted(problem.answer.target(exact, problem.groups[0].tolerance))
+    return show.wanted(problem.answer, check.target(problem.answer, exact, problem.groups[0].tolerance))
 
 
 def picture_of(problem, case, got, module=None, heading="a case"):

@@ -18,6 +18,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
 from judge.problem.topic import Shown
+from judge.values import check, show
 
 FOLDER = ROOT / ".github" / "katas"
 _ROW = re.compile(r"^\| ([a-z ]+): [^|]*\| !\[[^|]*\) (`[^|]*`) \|", re.MULTILINE)
@@ -91,7 +92,7 @@ def _best(problem: Problem) -> Picture | None:
     pictures = []
     for example in problem.examples:
         exact = module.solve(*example.case)
-        wanted = problem.answer.wanted(problem.answer.target(exact, problem.groups[0].tolerance))
+        wanted = show.wanted(problem.answer, check.target(problem.answer, exact, problem.groups[0].tolerance))
         picture = draw(Shown(problem, problem.named(example.case), exact, wanted, None))
         if picture is not None:
             pictures.append(picture)

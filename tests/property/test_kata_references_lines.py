@@ -190,7 +190,7 @@ def sign(*case):
 
 
 def equal_enclosure(exact, other):
-    return tuple(map(Fraction, other)) == (exact.x, exact.width)
+    return tuple(map(Fraction, other)) == exact.why_not.args
 
 
 def equal_roots(exact, other):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 from pathlib import Path
 
@@ -58,7 +57,7 @@ def make_parameter_data(values):
     """One case for each v, wanted within v ± 1."""
     group = make_group()
     problem = make_problem((group,), "parameter")
-    targets = [(v - 1.0, v + 1.0, v, 0.0, math.ulp(v)) for v in values]
+    targets = [(v - 1.0, v + 1.0, v) for v in values]
     return ProblemData(problem, (GroupData(group, [(v, (0, 0)) for v in values], targets),))
 
 

@@ -55,7 +55,7 @@ def ran(name: str, source: str, stdin: bytes = b"", limits: Limits = LIMITS, **m
 def signature(answer: str, **parameters: str) -> Signature:
     """The signature of a function `mirror_all`, its types as a problem writes them."""
     types = tuple((name, parse(type_)) for name, type_ in parameters.items())
-    return Signature("mirror_all", types, parse(answer))
+    return Signature("mirror_all", types, parse(answer, Path(__file__).parents[2] / "problems" / "types"))
 
 
 def called(name: str, source: str, given: Signature, calls: Any, **more: Any) -> Any:

@@ -12,7 +12,7 @@ from judge.data.load import load_data
 from judge.mistakes import computed as module
 from judge.mistakes.computed import Computer, Program, computed
 from judge.problem.load import load_problem
-from judge.values.rightness import wrong_outline
+from judge.values.outline import wrong_outline
 
 GROWTH = Path(__file__).parents[1] / "fixtures" / "growth" / "problems"
 

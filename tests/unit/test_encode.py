@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from judge.sandbox.encode import MOST_ITEMS, encode
-from judge.values.decode import Fault, Written, number, numbers
+from judge.values.wire import Fault, Written, number, numbers
 
 
 def through(value):

@@ -6,6 +6,7 @@ import pytest
 
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
+from judge.values import parameters
 
 CASES = {
     "count": (0.37, -1.25, 2.5, (7.125, 0.5), (-3.0, 9.75)),
@@ -38,7 +39,7 @@ def test_simpler_cases_are_cases(kata):
     assert 10 < len(found) < 1_500
     for case in found:
         for parameter, value in zip(problem.parameters, case, strict=True):
-            assert parameter.type.fault(parameter.name, value) is None
+            assert parameters.fault(parameter.type, parameter.name, value) is None
     assert min(len(repr(case)) for case in found) < len(repr(CASES[kata]))
 
 

@@ -12,10 +12,10 @@ from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import Likeness
 from judge.mistakes.naming import Known
 from judge.mistakes.nearest import nearest
-from judge.values import Usual, parse
+from judge.values import Usual, outline, parse
 
 COUNT, USUAL = parse("count"), Usual(frozenset({0.0, 1.0, 2.0}))
-RIGHTS = [COUNT.right(2)] * 40
+RIGHTS = [outline.right(COUNT, 2)] * 40
 
 
 def one(count):
@@ -84,7 +84,7 @@ def test_how_alike_wrong_answers_are(one, other, target, wanted):
     answer = parse(text)
 
     def alike(first, second):
-        return WrongAnswer(first, answer.right(doubles), answer, USUAL).alike(second)
+        return WrongAnswer(first, outline.right(answer, doubles), answer, USUAL).alike(second)
 
     assert alike(one, other) == wanted == alike(other, one)
     assert alike(one, one) == Alike.ALL
@@ -104,7 +104,7 @@ def test_how_alike_wrong_answers_are(one, other, target, wanted):
     ],
 )
 def test_outlines(kind, answer, wanted):
-    assert parse(kind).outline(answer) == wanted
+    assert outline.outline(parse(kind), answer) == wanted
 
 
 class Data:

@@ -17,7 +17,7 @@ from judge.sandbox import LEVELS, Reply, Stop, holder, open_box, outcome
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
-from judge.values.decode import number
+from judge.values.wire import number
 
 NUMBERS = [(n,) for n in range(5)]
 on_linux = pytest.mark.skipif(

@@ -26,6 +26,7 @@ from judge.report.layout import Line, line
 from judge.report.screen import Notes, Screen, note, out
 from judge.report.trying import said_lines, tried_lines
 from judge.run.tried import Said, Tried
+from judge.values import show
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
@@ -117,9 +118,9 @@ def _as_object(
         "group": group,
         "input": problem.named(tried.case),
         "line": line_of(problem, tried.case),
-        "exact": problem.answer.exact_text(tried.exact),
+        "exact": show.exact_text(problem.answer, tried.exact),
         "expected": tried.wanted,
-        "accepted": problem.answer.accepted(tried.target),
+        "accepted": show.accepted(problem.answer, tried.target),
         "said": answer,
     }
 

@@ -25,6 +25,7 @@ from judge.geometry.shadow import LEVEL
 from judge.geometry.sure import CLEAR, Words
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, decisions
+from judge.values import parameters
 
 _FOLDER = Path(__file__).parent
 _MOST = 600  # numbers that a page has fields for
@@ -69,7 +70,7 @@ def explored(
         real
         for example in problem.examples
         for parameter, value in zip(problem.parameters, example.case, strict=True)
-        for real in parameter.type.reals(value)
+        for real in parameters.reals(parameter.type, value)
     )
     start = {
         "problem": problem.id,

@@ -12,6 +12,7 @@ from judge.data.model import GroupData, ProblemData
 from judge.packs.export.forms import accepted_form
 from judge.problem.model import EXAMPLES
 from judge.run.program import render_group
+from judge.values import show
 
 
 class Test(Struct, frozen=True):
@@ -44,6 +45,6 @@ def tests_in(data: ProblemData) -> Iterator[Test]:
             "sample" if is_sample else "secret",
             f"{place:02d}-{group.group.name}",
             render_group(data.problem, group.cases),
-            "".join(f"{answer.line(target)}\n" for target in group.targets).encode(),
+            "".join(f"{show.line(answer, target)}\n" for target in group.targets).encode(),
             [accepted_form(answer, *data.exact(case, group.group)) for case in group.cases],
         )

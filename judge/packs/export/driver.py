@@ -49,8 +49,6 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
             last = len(form[1]) - 1
             parts = [written(form[1][min(at, last)], each) for at, each in enumerate(value)]
             return [token for part in parts for token in part]
-        if form[0] == "enclosure":  # the double itself: its usual decimals are another number
-            return [format(Decimal(each), "f") if type(each) is float else text(each) for each in value]
         return [text(value)]
 
     lines = sys.stdin.read().split("\\n")

@@ -12,15 +12,9 @@ from typing import Any
 from judge.exact import Surd
 from judge.problem import Parameter, Problem, Tolerance
 from judge.values import AnyOf, Exact, Judged, Run, Type
-from judge.values.atoms.array import ArrayType
-from judge.values.atoms.enclosure import EnclosureType
-from judge.values.atoms.int import IntType
-from judge.values.atoms.real import RealType
-from judge.values.atoms.word import WordType
-from judge.values.interval import exact_ends
-from judge.values.lists import ListType
-from judge.values.optional import OptionalType
-from judge.values.tuples import TupleType
+from judge.values.answers import exact_ends
+from judge.values.atoms import IntType, RealType, WordType
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]
 
@@ -38,10 +32,8 @@ def answer_form(type_: Type) -> Form:
         return ["int"]
     if kind is WordType:
         return ["word"]
-    if kind is EnclosureType:
-        return ["enclosure"]
     if isinstance(type_, TupleType):
-        return ["tuple", [answer_form(part) for part in type_.parts]]
+        return ["tuple", [answer_form(part) for part in type_.fixed]]
     if isinstance(type_, OptionalType):
         return ["optional", answer_form(type_.inner)]
     if isinstance(type_, ListType):
@@ -58,14 +50,11 @@ def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance)
     if isinstance(type_, TupleType):
-        return [accepted_form(part, each, tolerance) for part, each in zip(type_.parts, exact, strict=True)]
+        return [accepted_form(part, each, tolerance) for part, each in zip(type_.fixed, exact, strict=True)]
     if isinstance(type_, ListType):
         return [_item(type_.item, each, tolerance) for each in exact]
     if isinstance(type_, RealType):
-        return _ends(*exact_ends(Surd.of(exact.x), tolerance, Surd.of(exact.unit)))
-    if isinstance(type_, EnclosureType):
-        x = Surd.of(exact.x)
-        return [[x.p, x.q, x.d, x.s], list(Fraction(exact.width).as_integer_ratio())]
+        return _ends(*exact_ends(exact, tolerance))
     return exact
 
 
@@ -101,10 +90,10 @@ def _within(type_: Type, parameter: Parameter) -> Form:
     if isinstance(type_, WordType):
         return ["word", list(type_.samples)]
     if isinstance(type_, TupleType):
-        return ["tuple", [_within(part, parameter) for part in type_.parts]]
+        return ["tuple", [_within(part, parameter) for part in type_.fixed]]
     if isinstance(type_, OptionalType):
         return ["optional", _within(type_.inner, parameter)]
-    if isinstance(type_, ListType):
+    if isinstance(type_, ListType) and not isinstance(type_, ArrayType):
         return ["list", _within(type_.item, parameter), type_.low, type_.high]
     raise _none(type_)
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from judge.errors import UsageError
 from judge.problem import Parameter, Problem
+from judge.values.lines import meant
 
 # What LaTeX takes for a sign of its own.
 _PLAIN = {
@@ -87,7 +88,7 @@ def _as_a_program(problem: Problem) -> str:
     return (
         "\\emph{A submission is a whole program here, and not a function. It reads the number of cases"
         f" and then a line for each of them: \\texttt{{{escaped(row)}}}. It prints a line for each of them:"
-        f" \\texttt{{{escaped(problem.answer.meant)}}}.}}\n"
+        f" \\texttt{{{escaped(meant(problem.answer))}}}.}}\n"
     )
 
 

@@ -16,6 +16,7 @@ from judge.run.program import answer_lines
 from judge.run.replies import VERDICTS
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
 from judge.values import Accepted
+from judge.values.lines import check_line
 
 SLOWEST = 5  # times the slowest accepted program: the time limit, as the legacy format has it
 SURELY = 6  # times the time limit: a program that takes so long is too slow elsewhere too
@@ -72,8 +73,8 @@ def _verdict(data: ProblemData, test: Test, result: ProgramResult) -> Verdict:
     group = test.group
     if len(lines) != len(group.cases):
         return Verdict.WA
-    check = data.problem.answer.check_line
+    answer = data.problem.answer
     for line, case, target in zip(lines, group.cases, group.targets, strict=True):
-        if not isinstance(check(line, target, partial(data.exact, case, group.group)), Accepted):
+        if not isinstance(check_line(answer, line, target, partial(data.exact, case, group.group)), Accepted):
             return Verdict.WA
     return Verdict.AC

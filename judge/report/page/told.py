@@ -19,8 +19,9 @@ from judge.problem.topic import Shown
 from judge.report.names import shown_command
 from judge.report.page.parts import Drawing
 from judge.report.page.record import CaseRecord, Record
+from judge.report.page.reread import reread
 from judge.report.values import arguments, with_points
-from judge.values.reread import reread
+from judge.values import parameters
 
 _LONGEST = 2000  # characters of a submission's own words that are shown
 
@@ -90,7 +91,7 @@ def _as_called(problem: Problem | None, values: Mapping[str, Any]) -> Mapping[st
     if problem is not None and list(values) == [parameter.name for parameter in problem.parameters]:
         case = case_of(values)
         typed = zip(problem.parameters, case, strict=True)
-        if all(parameter.type.fault(parameter.name, value) is None for parameter, value in typed):
+        if all(parameters.fault(parameter.type, parameter.name, value) is None for parameter, value in typed):
             return problem.named(case)
     return with_points(values)
 

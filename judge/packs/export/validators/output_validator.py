@@ -8,7 +8,6 @@ accepted for each of its cases:
     ["real"]                 [a, b, s]: from a/s to b/s
                              [a, b, c, d, r, s]: from (a + b*sqrt(r))/s to (c + d*sqrt(r))/s
     ["int"], ["word"]        the int, the word
-    ["enclosure"]            [[a, b, r, s], [n, m]]: two numbers around (a + b*sqrt(r))/s, n/m apart at most
     ["tuple", [type, …]]     what is accepted for each part
     ["list", type, low, high]    the same for each item, of which there are low to high (null: no bound);
                              {"run": […]} stands for neighbours that may come in any order
@@ -108,8 +107,6 @@ def taken(kind: Any, tokens: Tokens) -> Any:
         if len(word) > LONGEST_WORD:
             raise Wrong("%r is no word that is meant" % word[:60])
         return word
-    if name == "enclosure":
-        return (tokens.number(), tokens.number())
     if name == "tuple":
         return [taken(part, tokens) for part in kind[1]]
     if name == "optional":
@@ -156,8 +153,6 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
         r, s = wanted[-2] if len(wanted) == 6 else 0, wanted[-1]
         if order(low[0], low[1], r, s, value) > 0 or order(high[0], high[1], r, s, value) < 0:
             raise Wrong("%s is off" % where)
-    elif name == "enclosure":
-        encloses(value, wanted, where)
     elif name == "tuple":
         for at, part in enumerate(kind[1]):
             held(part, value[at], wanted[at], "part %d of %s" % (at + 1, where))
@@ -174,18 +169,6 @@ def fits(kind: Any, value: Any, wanted: Any) -> bool:
     except Wrong:
         return False
     return True
-
-
-def encloses(value: Any, wanted: Any, where: str) -> None:
-    """Raises Wrong unless the two numbers hold the exact one and are near enough to each other."""
-    low, high = value
-    (p, q, r, s), (most, bottom) = wanted
-    if low[0] * high[1] > high[0] * low[1]:
-        raise Wrong("%s: its ends are the wrong way round" % where)
-    if order(p, q, r, s, low) < 0 or order(p, q, r, s, high) > 0:
-        raise Wrong("%s does not hold the exact number" % where)
-    if (high[0] * low[1] - low[0] * high[1]) * bottom > most * high[1] * low[1]:
-        raise Wrong("%s is too wide" % where)
 
 
 def holds_items(kind: Any, value: Any, wanted: Any, where: str) -> None:

@@ -1,7 +1,7 @@
-"""Reading the JSON form of an answer, as `judge.sandbox.encode` writes it, believing nothing.
+"""Numbers and words out of hostile JSON and lines of text, believing nothing.
 
-A number comes out as an int, a float, a Fraction or a `Written` decimal; whatever else was sent, forged or
-absurd, comes out as a `Fault` that says why it is no number.
+JSON is as `judge.sandbox.encode` writes it. A number comes out as an int, a float, a Fraction or a `Written`
+decimal; whatever else was sent, forged or absurd, comes out as a `Fault` that says why it is no number.
 
     {"word": "enter"}              a str
     {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
@@ -12,14 +12,18 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from math import inf, nextafter, ulp
+from sys import float_info
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 if TYPE_CHECKING:
     from array import array
+
+    from judge.values.answers import Real, Tolerance
 
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
@@ -33,9 +37,15 @@ ITERATORS = {
 SETS = {"set", "frozenset"}
 _SHOWN = 60
 
-_DECIMAL = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+_DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 _COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
+_INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
+_FOREIGN = re.compile(r"[^\t -~]")
+
+
+class Unreadable(Exception):  # noqa: N818 - it never reaches a person but as its text
+    """An answer of the wrong form; its text says why."""
 
 
 class Fault(Struct, frozen=True):
@@ -65,19 +75,10 @@ class Written(Struct, frozen=True):
         return Fraction(self.text)
 
 
-def written_off(given: Any, bounds: tuple[float, float, float, float, float]) -> float | None:
-    """How far off a decimal is, in ulps, where its double shows that it is accepted; None otherwise."""
-    if type(given) is not Written:
-        return None
-    lo, hi, nearest, residual, unit = bounds
-    y = given.approx
-    if not lo < y < hi:
-        return None
-    return abs((y - nearest) / unit - residual) if nearest else 0.0
-
-
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
+
+# -- JSON --------------------------------------------------------------------------------------------------
 
 
 def decimal(text: str) -> Written | Fault:
@@ -86,10 +87,10 @@ def decimal(text: str) -> Written | Fault:
         return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
     match = _DECIMAL.fullmatch(text)
     if match is None:
-        return Fault(shown(text), _why_no_decimal(text))
-    power = match[1]
+        return Fault(quoted(text), _why_no_decimal(text))
+    power = match[4]
     if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
-        return Fault(shown(text), f"its exponent is beyond ±{MOST_EXPONENT}")
+        return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
 
 
@@ -205,12 +206,8 @@ def _typed(name: str, text: str) -> Fault:
         return Fault(f"{name}, {text},", "return a plain one", name)
     if name == "float":
         return Fault(text, "it is not a finite number", name)
-    return Fault(f"the {name} {text}" if text else _unnamed(name), "", name)
-
-
-def _unnamed(name: str) -> str:
-    """A value of which nothing but its type is known."""
-    return f"a {name}" if name in (*ITERATORS, *SETS) else f"a value of type {name}"
+    unnamed = f"a {name}" if name in (*ITERATORS, *SETS) else f"a value of type {name}"
+    return Fault(f"the {name} {text}" if text else unnamed, "", name)
 
 
 def _clean(text: str) -> str:
@@ -219,7 +216,7 @@ def _clean(text: str) -> str:
     return cut if cut.isprintable() else ascii(cut)[1:-1]
 
 
-def shown(text: str) -> str:
+def quoted(text: str) -> str:
     """A token between quotation marks, cut and harmless."""
     return f'"{_clean(text)}{"…" if len(text) > _SHOWN else ""}"'
 
@@ -245,8 +242,6 @@ def show(raw: Raw, depth: int = 3) -> str:
         found = numbers(raw)
         if found is not None:
             return show(found.tolist(), depth)
-    if kind is Written:
-        return _clean(raw.text)
     read = number(raw)
     if isinstance(read, Fault):
         return read.text.rstrip(",")
@@ -262,12 +257,14 @@ def show(raw: Raw, depth: int = 3) -> str:
     return repr(read)
 
 
-def near(value: int | float | Fraction) -> float:
-    """The double next to `value`, infinite beyond the largest."""
+def near(value: Given) -> float:
+    """The double next to a number, infinite beyond the largest."""
+    if isinstance(value, Written):
+        return value.approx
     try:
         return float(value)
     except OverflowError:
-        return float("inf") if value > 0 else float("-inf")
+        return inf if value > 0 else -inf
 
 
 def collecting(type_name: str) -> str:
@@ -275,3 +272,119 @@ def collecting(type_name: str) -> str:
     if type_name in SETS:
         return "a set has no order, and list(...) gives it none; collect a list"
     return "wrap it in list(...)" if type_name in ITERATORS else ""
+
+
+# -- a number against the doubles (lo, hi, nearest) that a tolerance accepts ------------------------------
+
+Bounds = tuple[float, float, float]
+Errors = tuple[float, float | None, float | None]  # absolute, relative, in ulps
+
+
+def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Tolerance]]) -> bool:
+    """Whether it is accepted, exactly; `leaf` is asked only where doubles do not decide."""
+    lo, hi, _ = bounds
+    beyond = lo == float_info.max and hi == -float_info.max  # an interval of which rounded ends say nothing
+    if isinstance(given, Written):
+        # A decimal lies on the same side of a double as its own rounding, unless it rounds to that double.
+        if lo < given.approx < hi:
+            return True
+        if not beyond and not nextafter(lo, -inf) <= given.approx <= nextafter(hi, inf):
+            return False
+        given = given.exact()
+    if lo <= given <= hi:  # Python compares ints and Fractions with floats exactly
+        return True
+    if isinstance(given, float) or not (beyond or nextafter(lo, -inf) < given < nextafter(hi, inf)):
+        return False
+    from judge.values.answers import exact_ends
+
+    low, high = exact_ends(*leaf())
+    return low <= given <= high
+
+
+def errors(given: Given, nearest: float) -> Errors:
+    """The absolute, relative and ulp error of any number beside the nearest double; None for 0."""
+    away = abs((given.exact() if isinstance(given, Written) else Fraction(given)) - Fraction(nearest))
+    if nearest == 0:
+        return near(away), None, None
+    return near(away), near(away / abs(Fraction(nearest))), near(away / Fraction(ulp(nearest)))
+
+
+_USUAL = 6  # digits that C and C++ print by default; streams leave out zeros at the end
+_ENOUGH = 17  # significant digits that tell any double from all others
+_LEAST = 4  # digits that are no coincidence
+_HALF = Fraction(1, 2) + Fraction(1, 10**6)  # of the last digit's place: what was rounded is itself a double
+
+
+def cut_digits(given: Given, nearest: float) -> str:
+    """How a decimal was printed with too few digits, and the remedy, where that alone makes it wrong.
+
+    A decimal that is what the exact number rounds to was computed rightly, as far as it can be seen.
+    """
+    found = _DECIMAL.fullmatch(given.text) if isinstance(given, Written) else None
+    if found is None or not isinstance(given, Written):
+        return ""
+    places, power = found[3] or "", int(found[4] or 0)
+    significant = len((found[2] + places).lstrip("0"))
+    last = power - len(places)  # the place of the last digit, as a power of ten
+    if significant >= _ENOUGH:
+        return ""
+    away = abs(Fraction(nearest) - given.exact())
+    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF * Fraction(10) ** last:
+        return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
+    if significant < _LEAST:
+        return ""
+    for digits in sorted({significant, max(significant, _USUAL)}, reverse=True):
+        if away <= _HALF * Fraction(10) ** (last - (digits - significant)):
+            return f"printed with {digits} significant digits: print {_ENOUGH}"
+    return ""
+
+
+# -- lines of text -----------------------------------------------------------------------------------------
+
+
+class Tokens:
+    """A line's tokens, read strictly, one after the other. `meant` says what the whole line holds.
+
+    Raises Unreadable for what is not plain ASCII text.
+    """
+
+    def __init__(self, line: str, meant: str) -> None:
+        line = line.removesuffix("\r")
+        foreign = _FOREIGN.search(line)
+        if foreign:
+            name = "a NUL" if foreign[0] == "\0" else f"the character {foreign[0]!a}"
+            raise Unreadable(f"{name} in the output: answers are plain ASCII text")
+        self._words = line.split()[::-1]
+        self.meant = meant
+        if not self._words:
+            raise Unreadable(f"an empty line where {meant} is meant")
+
+    @property
+    def left(self) -> int:
+        """How many tokens are left."""
+        return len(self._words)
+
+    @property
+    def ahead(self) -> str:
+        """The next token, which stays; empty at the end."""
+        return self._words[-1] if self._words else ""
+
+    def next(self) -> str:
+        """Take a token; raises Unreadable at the end of the line."""
+        if not self._words:
+            raise Unreadable(f"the line ends too early: it holds {self.meant}")
+        return self._words.pop()
+
+    def integer(self, meant: str) -> int:
+        """Take an integer."""
+        token = self.next()
+        if not _INTEGER.fullmatch(token):
+            raise Unreadable(f"{quoted(token)} where {meant} is meant: write a plain integer")
+        return int(token)
+
+    def number(self, meant: str) -> Written:
+        """Take a decimal."""
+        read = decimal(self.next())
+        if isinstance(read, Fault):
+            raise Unreadable(f"{read.text} where {meant} is meant: {read.remedy}")
+        return read

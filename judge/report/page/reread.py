@@ -5,7 +5,8 @@ from __future__ import annotations
 import ast
 from typing import Any
 
-from judge.values.type import Raw, Type
+from judge.values import Raw, Type
+from judge.values.lines import read_line
 
 _LONGEST = 5000  # characters that are read
 
@@ -14,7 +15,7 @@ def reread(answer: Type, text: str | None) -> Raw:
     """The answer as it was given, by a function or in a program's line; None where the text is no answer."""
     if text is None or len(text) > _LONGEST:
         return None
-    line = answer.read_line(text.strip())
+    line = read_line(answer, text.strip())
     if not isinstance(line, str):
         return line[0]
     try:

@@ -1,0 +1,163 @@
+"""Exact answers, what a problem's `solve` returns, and the doubles that a tolerance accepts around one.
+
+An exact answer is a tree of None, ints, words (str), tuples for fixed parts, and lists or tuples for
+elements. Its leaves and wrappers:
+
+    Real(x, unit)      a number x, and the size that a tolerance's `extent` counts in
+    Run(items)         neighbouring elements of a list, in any order
+    AnyOf(answers)     any of these
+    Judged(why_not)    whatever a function of the problem accepts
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import inf, isinf
+from sys import float_info
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.errors import ProblemError
+
+if TYPE_CHECKING:
+    from judge.exact import Surd
+
+Exact = Any  # such a tree
+_LARGEST = float_info.max
+
+
+class Real(Struct, frozen=True):
+    """An exact real number; `unit` >= 0 is in the units of x.
+
+    Only a problem whose tolerance has no `extent` may have an irrational unit.
+    """
+
+    x: Surd | Fraction | int
+    unit: Surd | Fraction | int = 0
+
+
+class Run(Struct, frozen=True):
+    """Elements of the list around it that may come in any order, such as those of a tie.
+
+    The elements of a run differ in their ints or words: each given one is held against the first wanted one
+    left that accepts it.
+    """
+
+    items: Sequence[Exact]
+
+
+class AnyOf(Struct, frozen=True):
+    """Any of these answers is right; the first of them is the one that is shown."""
+
+    answers: Sequence[Exact]
+
+
+class Judged(Struct, frozen=True):
+    """Any answer of the type that the problem itself accepts, such as one of very many good ones.
+
+    `why_not(value, group)` says in a sentence why it does not accept a value, or None; it raises nothing for
+    one. The value is plain: ints, floats, Fractions, words, tuples for fixed parts and lists; a program's
+    decimal is the double next to it. `group` is the name of the test group that the
+    case is in, empty where it is in none. `sample` is an exact answer that is accepted, and `group` here is
+    filled in by who judges.
+    """
+
+    why_not: Callable[[Any, str], str | None]
+    sample: Exact
+    group: str = ""
+
+
+class Tolerance(Struct, frozen=True):
+    """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
+
+    `unit` belongs to the number and is given with it (`Real`): the size in which `extent` counts. Where x is
+    exactly 0 the bound is max(extent, zero)·unit + ulps·ulp(0).
+    """
+
+    extent: Fraction = Fraction(0)
+    relative: Fraction = Fraction(0)
+    zero: Fraction = Fraction(0)
+    ulps: Fraction = Fraction(0)
+
+
+class Words(Struct, frozen=True):
+    """A problem's own words for its answers, the table `[words]` of problem.toml; all of them optional."""
+
+    answer: str = ""  # what the number is called, such as "t"; else "the answer"
+    meant: str = ""  # what a line of output holds, such as "0, 1, 2 or none"
+    missing: str = ""  # why None is wrong where there is an answer
+    order: str = ""  # in which order the elements of a list come
+    unit: str = ""  # what a tolerance's `extent` and `zero` count in, such as "the size of the figure"
+
+
+NO_WORDS = Words()
+
+
+def within(exact: Exact, group: str) -> Exact:
+    """The exact answer to a case of that test group."""
+    return replace(exact, group=group) if isinstance(exact, Judged) else exact
+
+
+def vector(coordinates: Sequence[Surd | Fraction | int], unit: Surd | Fraction | int = 0) -> tuple[Real, ...]:
+    """A point or a vector of these exact coordinates, all with one unit."""
+    return tuple(Real(x, unit) for x in coordinates)
+
+
+def accepted_doubles(real: Real, tolerance: Tolerance) -> tuple[float, float, float]:
+    """The least and the greatest double that is accepted, and the nearest to x, all of them finite.
+
+    An interval beyond the largest double is the empty one from the largest double to its negative. Raises
+    ProblemError as `exact_ends` does.
+    """
+    from judge.exact import Surd
+
+    low, high = exact_ends(real, tolerance)
+    lo, hi, nearest = low.round_up(), high.round_down(), float(Surd.of(real.x))
+    if lo == inf or hi == -inf:
+        lo, hi = _LARGEST, -_LARGEST
+    return lo, hi, nearest if not isinf(nearest) else _LARGEST if nearest > 0 else -_LARGEST
+
+
+def exact_ends(real: Real, tolerance: Tolerance) -> tuple[Surd, Surd]:
+    """The ends of what is accepted, exactly.
+
+    Raises ProblemError where an `extent` is asked of an irrational unit: the sum of two different roots is no
+    Surd, and no problem needs it.
+    """
+    from judge.exact import Surd, root_sign
+    from judge.exact.surd import make
+
+    x, unit = Surd.of(real.x), Surd.of(real.unit)
+    ulps_n, ulps_d = tolerance.ulps.as_integer_ratio()
+    exponent = x.ulp_exponent() if ulps_n else 0
+    slack_n, slack_d = (ulps_n << exponent, ulps_d) if exponent >= 0 else (ulps_n, ulps_d << -exponent)
+    side = x.sign()
+    if side == 0:
+        reach = unit * max(tolerance.extent, tolerance.zero) + Fraction(slack_n, slack_d)
+        return -reach, reach
+    extent_n, extent_d = tolerance.extent.as_integer_ratio()
+    if extent_n and unit.q:
+        raise ProblemError(
+            "the tolerance extent needs an exact answer with a rational unit",
+            remedy="give such a unit, or the tolerance as relative, zero and ulps",
+        )
+    reach_n, reach_d = extent_n * unit.p, extent_d * unit.s
+    rel_n, rel_d = tolerance.relative.as_integer_ratio()
+    p, q, d, s = x.p, x.q, x.d, x.s
+    # Which of the two is the wider, relative·|x| or extent·unit?
+    scale = side * rel_n * reach_d
+    if root_sign(scale * p - reach_n * rel_d * s, scale * q, d) > 0:
+        low_n, high_n = rel_d - side * rel_n, rel_d + side * rel_n
+        s *= rel_d
+        low, high = (p * low_n, q * low_n), (p * high_n, q * high_n)
+    else:
+        low, high = (p * reach_d - reach_n * s, q * reach_d), (p * reach_d + reach_n * s, q * reach_d)
+        s *= reach_d
+    shift, bottom = slack_n * s, s * slack_d
+    return (
+        make(low[0] * slack_d - shift, low[1] * slack_d, d, bottom),
+        make(high[0] * slack_d + shift, high[1] * slack_d, d, bottom),
+    )
