@@ -20,9 +20,8 @@ from judge.data.neighbours import follows, may_agree, neighbour
 from judge.data.validate import Validator
 from judge.errors import ProblemError
 from judge.problem import Case, Example, Group, Problem, Tolerance
-from judge.problem.model import EXAMPLES
+from judge.problem.model import EXAMPLES, group_place
 from judge.problem.module import Module, blaming
-from judge.problem.tomlfile import group_place
 from judge.values import Exact, Rejection, Target, check
 
 _ATTEMPTS = 1_000  # for one case

@@ -20,9 +20,8 @@ from judge.data.model import GroupData
 from judge.data.validate import Validator
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
-from judge.problem.model import EXAMPLES
+from judge.problem.model import EXAMPLES, group_place
 from judge.problem.module import Module, blaming
-from judge.problem.tomlfile import group_place
 from judge.values import Target
 
 BUILT = 32  # cases of a series: no more than a pinned group has

@@ -34,8 +34,8 @@ from judge.errors import UsageError, nearest
 from judge.kata.answers import Answered
 from judge.kata.skills import SkillProgress, SkillState
 from judge.kata.standing import Standing
-from judge.kata.tables import Table
 from judge.problem.find import problem_roots
+from judge.problem.tables import TomlFile
 
 if TYPE_CHECKING:
     from judge.kata.quiz.cards import Card
@@ -153,7 +153,7 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     for root in problem_roots(extra):
         if not (root / _FILE).is_file():
             continue
-        file = Table(root / _FILE)
+        file = TomlFile(root / _FILE)
         table = file.read(_ChecklistTable)
         here: set[str] = set()
         for section in table.sections:

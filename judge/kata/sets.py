@@ -17,10 +17,9 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError
-from judge.kata.tables import Table, unlike_any
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
-from judge.problem.tomlfile import key_place
+from judge.problem.tables import TomlFile, key_place, meant
 
 USUAL = "path"  # the set that stands for all of them in order
 
@@ -59,8 +58,8 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
     if name not in files:
         files = _files(problem_roots(extra))
     if name not in files:
-        raise UsageError(f"no practice set is called {name!r}", remedy=unlike_any(name, list(files)))
-    file = Table(files[name])
+        raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
+    file = TomlFile(files[name])
     table = file.read(_SetTable)
     if table.problems is not None:
         return PracticeSet(name, table.title, table.about, tuple(_listed(file, table.problems, extra)))
@@ -84,7 +83,7 @@ def unknown_sets(problem: Problem, names: Sequence[str]) -> Iterator[ProblemErro
     """A fault for each set that the problem names and that is none of `names`."""
     for at, name in enumerate(problem.sets):
         if name not in names:
-            remedy = f"{unlike_any(name, list(names))}; a new one needs a file sets/{name}.toml"
+            remedy = f"{meant(name, list(names))}; a new one needs a file sets/{name}.toml"
             what = f"no practice set is called {name!r}"
             yield ProblemError(what, where=key_place(problem, ("sets", at)), remedy=remedy)
 
@@ -101,7 +100,7 @@ def _place(name: str) -> tuple[int, str]:
     return (_ORDER.index(name) if name in _ORDER else len(_ORDER), name)
 
 
-def _listed(file: Table, names: Sequence[str], extra: Sequence[Path]) -> Iterator[Problem]:
+def _listed(file: TomlFile, names: Sequence[str], extra: Sequence[Path]) -> Iterator[Problem]:
     """The problems that a set's file lists itself."""
     if not names:
         raise file.fault("the set holds no problem", "name at least one", "problems")
@@ -113,4 +112,4 @@ def _listed(file: Table, names: Sequence[str], extra: Sequence[Path]) -> Iterato
         except UsageError:
             known = [folder.name for folder in problem_folders(extra)]
             what = f"no problem is called {name!r}"
-            raise file.fault(what, unlike_any(name, known), "problems", place) from None
+            raise file.fault(what, meant(name, known), "problems", place) from None

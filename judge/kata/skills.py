@@ -23,10 +23,10 @@ from msgspec import Struct
 
 from judge.errors import ProblemError, nearest
 from judge.kata.history import Run
-from judge.kata.tables import Table
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.problem.tomlfile import group_place
+from judge.problem.model import group_place
+from judge.problem.tables import TomlFile
 
 _FILE = "skills.toml"
 _EXPLAIN = f"explain it in {_FILE}"
@@ -212,7 +212,7 @@ def _explained(extra: Sequence[Path]) -> dict[str, str]:
     for root in problem_roots(extra):
         if not (root / _FILE).is_file():
             continue
-        file = Table(root / _FILE)
+        file = TomlFile(root / _FILE)
         here: set[str] = set()
         for place, skill in enumerate(file.read(_SkillsTable).skills):
             if skill.name in here:

@@ -25,9 +25,9 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
+from judge.problem.tables import meant
 from judge.problem.text import read_text
 from judge.problem.toml import read_toml
-from judge.problem.tomlfile import meant
 
 FILE = "mistakes.toml"
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from judge.problem.level import KataLevel, levels_among
 from judge.values import parameters
@@ -31,6 +31,11 @@ def case_of(arguments: Mapping[str, Any]) -> Case:
 def tupled(value: Any) -> Any:
     """The value with a tuple in place of every list, at every level."""
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
+
+
+_MEGABYTE = 2**20
+MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
+Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
 
 
 class Tier(Enum):
@@ -56,25 +61,40 @@ class Parameter(Struct, frozen=True, cache_hash=True):
     smallest: Fraction = Fraction(0)
 
 
-class GroupLimits(Struct, frozen=True):
-    """The bounds of one test group: all its calls together, or its one program."""
+class GroupLimits(Struct, frozen=True, forbid_unknown_fields=True):
+    """`[limits]`: the bounds of one test group, all its calls together or its one program."""
 
-    cpu_seconds: float
-    wall_seconds: float
-    memory_bytes: int
-    output_bytes: int
-    input_bytes: int = 64 << 20  # of its cases, as a function receives them
+    cpu_seconds: Bound = 2
+    wall_seconds: Bound = 6
+    memory_mb: Bound = 256  # of 2**20 bytes
+    output_mb: Bound = 16
+    input_mb: Annotated[float, Meta(ge=1e-3, le=MOST_INPUT_MB)] = 64  # of its cases, as a function gets them
+
+    @property
+    def memory_bytes(self) -> int:
+        """The memory."""
+        return int(self.memory_mb * _MEGABYTE)
+
+    @property
+    def output_bytes(self) -> int:
+        """All that is returned or printed."""
+        return int(self.output_mb * _MEGABYTE)
+
+    @property
+    def input_bytes(self) -> int:
+        """The most that the cases may hold."""
+        return int(self.input_mb * _MEGABYTE)
 
 
-class TimeRule(Struct, frozen=True):
-    """The time limit: how many times the CPU time of a reference solution a submission may use.
+class TimeRule(Struct, frozen=True, forbid_unknown_fields=True):
+    """`[time]`: the limit, how many times the CPU time of a reference solution a submission may use.
 
     The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs.
     `needs` are the modules that they import and that do not come with Python. `references` are functions in
     other languages, by the language's id.
     """
 
-    limit: float
+    limit: Annotated[float, Meta(ge=1, le=1e6)]
     function: str
     program: str | None = None
     needs: tuple[str, ...] = ()
@@ -116,8 +136,8 @@ class ShownSkill(Struct, frozen=True):
     groups: tuple[str, ...]
 
 
-class Source(Struct, frozen=True):
-    """Where the problem comes from; what its setter says nothing of is empty."""
+class Source(Struct, frozen=True, forbid_unknown_fields=True):
+    """`[source]`: where the problem comes from; what its setter says nothing of is empty."""
 
     authors: tuple[str, ...] = ()
     license: str = ""
@@ -190,3 +210,8 @@ class Problem(Struct, frozen=True):
     def group(self, name: str) -> Group | None:
         """The group of that name, or None."""
         return next((group for group in self.groups if group.name == name), None)
+
+
+def group_place(problem: Problem, group: str) -> str:
+    """Where a group is declared, as `id/problem.py:12`, for faults that only building shows."""
+    return f"{problem.id}/problem.py:{next(each.line for each in problem.groups if each.name == group)}"

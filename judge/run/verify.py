@@ -29,10 +29,10 @@ from judge.languages.boxes import AnyBoxes
 from judge.languages.find import why_not
 from judge.languages.signature import signature_of
 from judge.problem import Group, Problem, Verdict
-from judge.problem.lines import KeyPath
+from judge.problem.model import group_place
 from judge.problem.module import load_module
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.tomlfile import group_place, key_place, meant
+from judge.problem.tables import KeyPath, key_place, meant
 from judge.run.execute import run_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs

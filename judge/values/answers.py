@@ -70,7 +70,7 @@ class Judged(Struct, frozen=True):
     group: str = ""
 
 
-class Tolerance(Struct, frozen=True):
+class Tolerance(Struct, frozen=True, forbid_unknown_fields=True):
     """How far a number may be from the exact one x, exactly: max(extent·unit, relative·|x|) + ulps·ulp(x).
 
     `unit` belongs to the number and is given with it (`Real`): the size in which `extent` counts. Where x is
@@ -83,7 +83,7 @@ class Tolerance(Struct, frozen=True):
     ulps: Fraction = Fraction(0)
 
 
-class Words(Struct, frozen=True):
+class Words(Struct, frozen=True, forbid_unknown_fields=True):
     """A problem's own words for its answers, the table `[words]` of problem.toml; all of them optional."""
 
     answer: str = ""  # what the number is called, such as "t"; else "the answer"

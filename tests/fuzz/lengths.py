@@ -35,7 +35,7 @@ from judge.mistakes.features import features
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
-from judge.problem.lines import key_lines
+from judge.problem.tables import key_lines
 from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
 from judge.report.page.reread import reread

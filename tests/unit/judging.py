@@ -10,7 +10,7 @@ from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Toleranc
 from judge.run import run_submission
 from judge.values import Words, parse
 
-LIMITS = GroupLimits(cpu_seconds=2.0, wall_seconds=10.0, memory_bytes=256 << 20, output_bytes=1 << 20)
+LIMITS = GroupLimits(cpu_seconds=2.0, wall_seconds=10.0, memory_mb=256, output_mb=1)
 CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]
 COUNTS = [1, 1, 2, 0]
 GOOD = b"def answer(n, P):\n    return int(n + P[0] + P[1])\n"

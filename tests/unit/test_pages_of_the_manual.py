@@ -9,23 +9,25 @@ from pathlib import Path
 
 import msgspec
 
-from judge.problem import schema
 from judge.problem.declare import Hooks, group
 from judge.problem.level import KataLevel
+from judge.problem.load import Head, Row
+from judge.problem.model import GroupLimits, Source, TimeRule
 from judge.sandbox.attacks import ATTACKS
+from judge.values import Tolerance, Words
 from judge.values.grammar import ALIASES, ATOMS, VECTORS
 
 ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "judge" / "manual"
 PAGE = (MANUAL / "problem-toml.md").read_text(encoding="utf-8")
 TABLES = {
-    "The file": schema.ProblemTable,
-    "Parameters": schema.ParameterRow,
-    "Limits": schema.LimitsTable,
-    "Tolerance": schema.ToleranceTable,
-    "Time": schema.TimeTable,
-    "Words": schema.WordsTable,
-    "Source": schema.SourceTable,
+    "The file": Head,
+    "Parameters": Row,
+    "Limits": GroupLimits,
+    "Tolerance": Tolerance,
+    "Time": TimeRule,
+    "Words": Words,
+    "Source": Source,
 }
 
 

@@ -70,7 +70,7 @@ LIMITS = ("cpu_seconds", "wall_seconds", "memory_mb", "output_mb")
         ("high", "9" * 5000, "^other/problem.toml: no TOML: an integer has too many digits; rep"),
         ("high", "[" * 3000 + "]" * 3000, "problem.toml: no TOML: its lists or tables are nested"),
         *(
-            (key, number, rf"other/problem.toml:\d+: {key} is absurdly large or small; stay within 0.001 and")
+            (key, number, rf"other/problem.toml:\d+: limits.{key} is .*; give a number of at (most|least)")
             for key, number in zip(LIMITS, ("1e400", "1e-400", "1000001", "0.0009"), strict=True)
         ),
     ],

@@ -22,7 +22,7 @@ from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
-from judge.problem.tomlfile import meant
+from judge.problem.tables import meant
 from judge.report.layout import line
 from judge.report.progress import stages
 from judge.report.screen import out

@@ -23,8 +23,8 @@ from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError, nearest
 from judge.kata.sets import set_names
-from judge.kata.tables import Table, unlike_any
 from judge.problem.find import problem_folders, problem_roots
+from judge.problem.tables import TomlFile, meant
 
 _FOLDER = "quiz"
 _ALWAYS = ("id", "form", "front", "back", "rows")
@@ -167,7 +167,7 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
         known = list(dict.fromkeys([*set_names(extra), *(card.deck for card in cards)]))
         what = f"the set {name!r} has no cards" if name in known else f"no set of cards is called {name!r}"
         holding = [each for each in known if each == USUAL or any(each in card.sets for card in cards)]
-        remedy = unlike_any(name, known) if name not in known else f"cards are in {', '.join(holding)}"
+        remedy = meant(name, known) if name not in known else f"cards are in {', '.join(holding)}"
         raise UsageError(what, remedy=remedy)
     return found
 
@@ -176,7 +176,7 @@ class _Reader:
     """Reads one deck; every fault has its line."""
 
     def __init__(self, path: Path, rows: Sequence[str], sets: Sequence[str]) -> None:
-        self._file = Table(path)
+        self._file = TomlFile(path)
         self._name = path.stem
         self._rows = rows
         self._sets = sets
@@ -186,7 +186,7 @@ class _Reader:
         table = self._file.read(_DeckTable)
         for place, name in enumerate(table.sets):
             if name not in self._sets:
-                remedy = unlike_any(name, list(self._sets))
+                remedy = meant(name, list(self._sets))
                 raise self._file.fault(f"no practice set is called {name!r}", remedy, "sets", place)
         if not table.cards:
             raise self._file.fault("the deck has no card", "add [[cards]]")
