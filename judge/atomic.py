@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import fcntl
 import os
 import re
 import stat
@@ -80,6 +79,8 @@ def _take_away(path: str) -> None:
             found = os.fstat(descriptor)
             ours = stat.S_ISREG(found.st_mode) and found.st_uid == os.geteuid()
             if ours and time.time() - found.st_mtime > _OLD:
+                import fcntl
+
                 fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)  # refused while its writer lives
                 os.unlink(path)  # noqa: PTH108 - which follows no link either
         finally:
@@ -95,6 +96,8 @@ def _written_beside(place: Path, content: bytes, mode: int | None) -> Iterator[P
     with os.fdopen(os.open(temporary, flags, 0o666), "wb") as file:  # less what the umask takes away
         try:
             with contextlib.suppress(OSError):  # a file system without locks: its age protects it
+                import fcntl
+
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             file.write(content)
             file.flush()

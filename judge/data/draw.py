@@ -1,7 +1,7 @@
 """Where a builder gets its choices from.
 
 A builder draws small numbers and never sees where they come from, so one description serves the seeded data
-and the search for a failing case (strategy.py). Draw the parameters of a construction, not
+and the search for a failing case (judge.diagnose.search). Draw the parameters of a construction, not
 raw coordinates.
 
 Every choice comes down to an integer, whatever the source: the number itself, an option's place, 0 or 1 for a
@@ -11,9 +11,9 @@ sign (plus, minus) and for False or True. Those integers, in order, are a case's
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from random import Random
-from typing import Never, Protocol, TypeVar
+from typing import Never, TypeVar
 
 from judge.errors import ProblemError
 
@@ -36,32 +36,34 @@ def require(condition: bool, what: str) -> None:
         raise BuilderError(f"its check fails: {what}", remedy="correct what it draws")
 
 
-class Draw(Protocol):
-    """A source of choices."""
+class Draw:
+    """A source of choices: all of them come from `integer`."""
+
+    __slots__ = ()
 
     def integer(self, low: int, high: int) -> int:
         """An int from low to high, both included; ValueError if there is none."""
-        ...
+        raise NotImplementedError
 
     def choice(self, options: Sequence[T]) -> T:
         """One of `options`; ValueError if there is none."""
-        ...
+        return options[self.integer(0, len(options) - 1)]
 
     def sign(self) -> int:
-        """Minus one or one."""
-        ...
+        """One or minus one."""
+        return -1 if self.integer(0, 1) else 1
 
     def boolean(self) -> bool:
         """False or True."""
-        ...
+        return bool(self.integer(0, 1))
 
     def reject(self) -> Never:
         """Give these choices up: nothing can be built from them."""
-        ...
+        raise Rejected
 
 
-class SeededDraw:
-    """Choices that depend on a seed text alone.
+class SeededDraw(Draw):
+    """Choices that depend on a seed text alone, all equally likely.
 
     The bits are SHA-512 of the seed and a block number, not those of `random`: pinned data must be the same
     on every version of Python.
@@ -76,33 +78,12 @@ class SeededDraw:
         self._left = 0
 
     def integer(self, low: int, high: int) -> int:
-        """An int from low to high, both included, all equally likely."""
-        span = high - low
-        if span < 0:
-            raise ValueError(f"no integer from {low} to {high}")
-        width = span.bit_length()
-        while True:  # each round succeeds with a chance above one half
-            offset = self._take(width)
-            if offset <= span:
-                return low + offset
-
-    def choice(self, options: Sequence[T]) -> T:
-        """One of `options`, all equally likely."""
-        if not options:
-            raise ValueError("nothing to choose from")
-        return options[self.integer(0, len(options) - 1)]
+        """An int from low to high, both included; ValueError if there is none."""
+        return _from_bits(self._take, low, high)
 
     def sign(self) -> int:
         """Minus one or one."""
         return 1 if self._take(1) else -1
-
-    def boolean(self) -> bool:
-        """False or True."""
-        return bool(self._take(1))
-
-    def reject(self) -> Never:
-        """Give these choices up: nothing can be built from them."""
-        raise Rejected
 
     def _take(self, width: int) -> int:
         """The next `width` bits."""
@@ -118,7 +99,7 @@ class SeededDraw:
         return taken
 
 
-class QuickDraw:
+class QuickDraw(Draw):
     """Choices of a `random.Random`, several times as quick: for data that nobody pins."""
 
     __slots__ = ("_bits",)
@@ -127,36 +108,22 @@ class QuickDraw:
         self._bits = Random(seed).getrandbits
 
     def integer(self, low: int, high: int) -> int:
-        """An int from low to high, both included, all equally likely."""
-        span = high - low
-        if span < 0:
-            raise ValueError(f"no integer from {low} to {high}")
-        width = span.bit_length()
-        offset = self._bits(width)
-        while offset > span:
-            offset = self._bits(width)
-        return low + offset
-
-    def choice(self, options: Sequence[T]) -> T:
-        """One of `options`, all equally likely."""
-        if not options:
-            raise ValueError("nothing to choose from")
-        return options[self.integer(0, len(options) - 1)]
-
-    def sign(self) -> int:
-        """Minus one or one."""
-        return 1 if self._bits(1) else -1
-
-    def boolean(self) -> bool:
-        """False or True."""
-        return self._bits(1) == 1
-
-    def reject(self) -> Never:
-        """Give these choices up: nothing can be built from them."""
-        raise Rejected
+        """An int from low to high, both included; ValueError if there is none."""
+        return _from_bits(self._bits, low, high)
 
 
-class RecordedDraw:
+def _from_bits(take: Callable[[int], int], low: int, high: int) -> int:
+    span = high - low
+    if span < 0:
+        raise ValueError(f"no integer from {low} to {high}")
+    width = span.bit_length()
+    offset = take(width)
+    while offset > span:  # each round succeeds with a chance above one half
+        offset = take(width)
+    return low + offset
+
+
+class RecordedDraw(Draw):
     """Another draw's choices, remembered."""
 
     __slots__ = ("_source", "choices")
@@ -167,26 +134,11 @@ class RecordedDraw:
 
     def integer(self, low: int, high: int) -> int:
         """As the source has it."""
-        return self._noted(self._source.integer(low, high))
-
-    def choice(self, options: Sequence[T]) -> T:
-        """As the source has it."""
-        return options[self._noted(self._source.choice(range(len(options))))]
+        self.choices.append(self._source.integer(low, high))
+        return self.choices[-1]
 
     def sign(self) -> int:
         """As the source has it."""
         sign = self._source.sign()
-        self._noted(int(sign < 0))
+        self.choices.append(int(sign < 0))
         return sign
-
-    def boolean(self) -> bool:
-        """As the source has it."""
-        return bool(self._noted(int(self._source.boolean())))
-
-    def reject(self) -> Never:
-        """As the source has it."""
-        self._source.reject()
-
-    def _noted(self, choice: int) -> int:
-        self.choices.append(choice)
-        return choice

@@ -1,4 +1,7 @@
-"""Hypothesis over a builder's parameters: from a failing case of it to the simplest that it can build."""
+"""Hypothesis over a builder's choices: from a failing case of it to the simplest that it can build.
+
+Hypothesis is imported when something is searched for: that takes longer than judging does.
+"""
 
 from __future__ import annotations
 
@@ -10,18 +13,47 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from hypothesis import Phase, Verbosity, find, settings
-from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
-from hypothesis.database import InMemoryExampleDatabase
-from hypothesis.errors import HypothesisException
-from hypothesis.internal.conjecture import providers
-
 from judge.data.draw import Draw
-from judge.data.strategy import strategy
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group
 
 _KEY = b"the failing case"
+
+
+class HypothesisDraw(Draw):
+    """Choices that Hypothesis makes: integers that shrink towards 0; `draw` is that of `composite`."""
+
+    __slots__ = ("_draw",)
+
+    def __init__(self, draw: Callable[[Any], Any]) -> None:
+        self._draw = draw
+
+    def integer(self, low: int, high: int) -> int:
+        """The integer from low to high, both included, that Hypothesis likes next; ValueError for none."""
+        from hypothesis.strategies import integers
+
+        if low > high:
+            raise ValueError(f"no integer from {low} to {high}")
+        number: int = self._draw(integers(low, high))
+        return number
+
+
+def strategy(builder: Callable[[Draw], Any]) -> Any:
+    """The cases of a builder as Hypothesis draws them; choices that make none are left out."""
+    from hypothesis import reject
+    from hypothesis.errors import HypothesisException
+    from hypothesis.strategies import composite
+
+    @composite
+    def cases(draw: Any) -> Any:
+        try:
+            return builder(HypothesisDraw(draw))
+        except HypothesisException:
+            raise
+        except Exception:  # a shrunk choice may break what the recipe counts on, as a divisor that becomes 0
+            reject()
+
+    return cases()
 
 
 class _Spent(BaseException):
@@ -35,6 +67,10 @@ def shrunk(
 
     The search is the same every time: nothing is kept, and chance has a fixed seed.
     """
+    from hypothesis import Phase, Verbosity, find, settings
+    from hypothesis.database import InMemoryExampleDatabase
+    from hypothesis.errors import HypothesisException
+
     best: list[Finding] = []
 
     def fails(case: Case) -> bool:
@@ -75,6 +111,8 @@ def shrunk(
 @contextmanager
 def _keeping_nothing() -> Iterator[None]:
     """Leave no folder `.hypothesis` wherever the person is: it would hold notes on the problem's module."""
+    from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
+
     before = storage_directory(intent_to_write=False)
     set_hypothesis_home_dir(os.devnull)
     try:
@@ -89,6 +127,8 @@ def _without_neighbours() -> Iterator[None]:
 
     Versions that do not look for them have no such function.
     """
+    from hypothesis.internal.conjecture import providers
+
     known = getattr(providers, "_get_local_constants", None)
     if known is None:
         yield

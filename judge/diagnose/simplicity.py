@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from judge.problem.model import Case, Number
@@ -63,7 +64,7 @@ def measure(case: Case) -> Simplicity:
         total += digits(number) + (_FLOAT if isinstance(number, float) else 0)
         negative += number < 0
         magnitudes.append(_magnitude(number))
-    return total, negative, (sum(magnitudes), *magnitudes)
+    return total, negative, (math.fsum(magnitudes), *magnitudes)
 
 
 def _magnitude(number: Number) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import copysign, hypot, sqrt
+from math import copysign, sqrt
 
 from judge.geometry.crowd import inside
 from judge.geometry.quadratic import Number
@@ -19,10 +19,18 @@ MISS, AT_ORIGIN, AHEAD = "miss", "at the origin", "ahead"
 _NEAR = 1e-9  # of the size: what counts as at the origin, after the program has decided
 
 
+def _length(*parts: Number) -> float:
+    """√ of the sum of squares: every Python rounds it alike, and not `math.hypot`."""
+    total = 0.0
+    for part in parts:
+        total += part * part
+    return sqrt(total)
+
+
 def count(cx: Number, cy: Number, r: Number, A: Point, B: Point, *, tolerance: float = 0.0) -> int | None:
     """How many points a plain program sees a circle and a line have in common."""
     fx, fy, dx, dy = A[0] - cx, A[1] - cy, B[0] - A[0], B[1] - A[1]
-    length, edge = hypot(dx, dy), tolerance * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    length, edge = _length(dx, dy), tolerance * max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
     if length == 0:
         return None
     gap = abs(dx * fy - dy * fx) / length - r
@@ -35,7 +43,7 @@ def lie(
     """The signs that a plain program sees of d − (r1 + r2) and d − |r1 − r2|; d is the centres' distance."""
     vx, vy = cx2 - cx1, cy2 - cy1
     edge = tolerance * max(r1, r2, abs(vx), abs(vy))
-    outer, inner = (hypot(vx, vy) - reach for reach in (r1 + r2, abs(r1 - r2)))
+    outer, inner = (_length(vx, vy) - reach for reach in (r1 + r2, abs(r1 - r2)))
     return (outer > edge) - (outer < -edge), (inner > edge) - (inner < -edge)
 
 
@@ -60,19 +68,19 @@ def sphere_hit(
     power: bool = False,
 ) -> str:
     """The same of a sphere, in space."""
-    f, length = [o - c for o, c in zip(O, C, strict=True)], hypot(*D)
+    f, length = [o - c for o, c in zip(O, C, strict=True)], _length(*D)
     if length == 0:
         return MISS
     size = max(r, *map(abs, f))
-    edge, foot = tolerance * size, -sum([x * d for x, d in zip(f, D, strict=True)]) / length
-    across = hypot(D[1] * f[2] - D[2] * f[1], D[2] * f[0] - D[0] * f[2], D[0] * f[1] - D[1] * f[0]) / length
+    edge, foot = tolerance * size, -(f[0] * D[0] + f[1] * D[1] + f[2] * D[2]) / length
+    across = _length(D[1] * f[2] - D[2] * f[1], D[2] * f[0] - D[0] * f[2], D[0] * f[1] - D[1] * f[0]) / length
     if across - r > edge:
         return MISS
     half = sqrt(max(0.0, (r - across) * (r + across))) if r - across > edge else 0.0
     ways = [foot - half, foot + half]
     if power and half:  # the root that would cancel from the other one and the power of O
         outer = foot + copysign(half, foot)
-        ways = sorted([outer, (sum([x * x for x in f]) - r * r) / outer])
+        ways = sorted([outer, (f[0] * f[0] + f[1] * f[1] + f[2] * f[2] - r * r) / outer])
     for way in ways:
         if way >= -edge:
             return AT_ORIGIN if way <= _NEAR * size else AHEAD
@@ -87,7 +95,7 @@ def hits(
     e is the largest of all r and all |C − O|∞.
     """
     edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
-    length, found = hypot(*D), []
+    length, found = _length(*D), []
     for index, (x, y, r) in enumerate(circles):
         fx, fy = O[0] - x, O[1] - y
         across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length
@@ -112,7 +120,7 @@ def spans(
     It compares values of t, which round more than ways along the ray.
     """
     edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
-    length, ends = hypot(*D), []
+    length, ends = _length(*D), []
     for x, y, r in circles:
         fx, fy = O[0] - x, O[1] - y
         across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length / length
@@ -134,7 +142,7 @@ def crossings(cx: Number, cy: Number, r: Number, V: Sequence[Point], *, toleranc
     edge, found = tolerance * max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in V)), []
     for number, ((ax, ay), (bx, by)) in enumerate(zip(V, (*V[1:], V[0]), strict=True)):
         fx, fy, dx, dy = ax - cx, ay - cy, bx - ax, by - ay
-        length = hypot(dx, dy)
+        length = _length(dx, dy)
         if length == 0:
             return []
         across, foot = abs(dx * fy - dy * fx) / length, -(fx * dx + fy * dy) / length
@@ -154,7 +162,7 @@ def balls_meet(
     p, q = (P1[0] - P0[0], P1[1] - P0[1]), (Q1[0] - Q0[0], Q1[1] - Q0[1])
     d = p[0] - q[0], p[1] - q[1]
     edge = tolerance * max(reach, *map(abs, (*f, *p, Q1[0] - P0[0], Q1[1] - P0[1])))
-    if hypot(*f) - reach <= edge:
+    if _length(*f) - reach <= edge:
         return "start"
     return _within(_first(f, d, reach, edge), d, edge)
 
@@ -162,10 +170,10 @@ def balls_meet(
 def wall_meet(P0: Point, P1: Point, r: Number, A: Point, B: Point, *, tolerance: float = 0.0) -> str | None:
     """The same of a disc and a wall."""
     f, g, w = (P0[0] - A[0], P0[1] - A[1]), (P0[0] - B[0], P0[1] - B[1]), (B[0] - A[0], B[1] - A[1])
-    d, wall = (P1[0] - P0[0], P1[1] - P0[1]), hypot(*w)
+    d, wall = (P1[0] - P0[0], P1[1] - P0[1]), _length(*w)
     edge = tolerance * max(r, *map(abs, (*f, *g, P1[0] - A[0], P1[1] - A[1], P1[0] - B[0], P1[1] - B[1])))
     k, foot = (w[0] * f[1] - w[1] * f[0], f[0] * w[0] + f[1] * w[1]) if wall else (0.0, 0.0)
-    apart = abs(k) / wall if 0 < foot < wall * wall else min(hypot(*f), hypot(*g))
+    apart = abs(k) / wall if 0 < foot < wall * wall else min(_length(*f), _length(*g))
     if apart - r <= edge:
         return "start"
     times = [time for time in (_first(each, d, r, edge) for each in (f, g)) if time is not None]
@@ -179,7 +187,7 @@ def wall_meet(P0: Point, P1: Point, r: Number, A: Point, B: Point, *, tolerance:
 
 def _first(f: Point, d: Point, r: Number, edge: float) -> float | None:
     """The time at which f + t·d first is r away from the origin."""
-    way = hypot(*d)
+    way = _length(*d)
     if not way:
         return None
     across, foot = abs(d[0] * f[1] - d[1] * f[0]) / way, -(f[0] * d[0] + f[1] * d[1]) / way
@@ -189,7 +197,7 @@ def _first(f: Point, d: Point, r: Number, edge: float) -> float | None:
 
 
 def _within(time: float | None, d: Point, edge: float) -> str | None:
-    return None if time is None or time < 0 or (time - 1) * hypot(*d) > edge else "later"
+    return None if time is None or time < 0 or (time - 1) * _length(*d) > edge else "later"
 
 
 def counts(

@@ -57,7 +57,7 @@ def log_sum(logarithms: Iterable[float]) -> float:
     """The logarithm of the sum of numbers that are given by their logarithms."""
     terms = list(logarithms)
     largest = max(terms)
-    return largest + math.log(sum(math.exp(term - largest) for term in terms))
+    return largest + math.log(math.fsum(math.exp(term - largest) for term in terms))
 
 
 def _overlap(ours: Answers, wrong: Mapping[int, WrongAnswer], theirs: Answers) -> Overlap:
@@ -174,7 +174,7 @@ class Evidence:
 
     def _weigh_answers(self, weights: Sequence[float]) -> None:
         """How much each of the submission's wrong answers counts, by how many mistakes lead to the like."""
-        others = _PRIOR + 0.1 + _FAILS * max(0.0, _MISTAKES - sum(weights))
+        others = _PRIOR + 0.1 + _FAILS * max(0.0, _MISTAKES - math.fsum(weights))
         same, kind, wrong = (defaultdict[int, float](float) for _ in range(3))
         for each, weight in zip(self._overlaps, weights, strict=True):
             if each:
@@ -194,8 +194,8 @@ class Evidence:
 
     def _of_unknown(self, weights: Sequence[float]) -> float:
         """The likelihood of an unknown mistake: as much fails as in some known program, or any share."""
-        total = max(_MISTAKES, sum(weights))
-        mass = {0.0: (1 - _FAILS) * (total - sum(weights)) / total}
+        total = max(_MISTAKES, math.fsum(weights))
+        mass = {0.0: (1 - _FAILS) * (total - math.fsum(weights)) / total}
         for share, weight, each in zip(self.shares, weights, self._overlaps, strict=True):
             if each:
                 mass[round(share, 2)] = mass.get(round(share, 2), 0.0) + weight / total
@@ -204,7 +204,7 @@ class Evidence:
         heard_of = [
             math.log((1 - _UNHEARD_OF) * part) + self._of_share(share) for share, part in mass.items() if part
         ]
-        unheard_of = _UNHEARD_OF + (1 - _UNHEARD_OF) * _FAILS * (total - sum(weights)) / total
+        unheard_of = _UNHEARD_OF + (1 - _UNHEARD_OF) * _FAILS * (total - math.fsum(weights)) / total
         any_share = math.log(unheard_of / len(_ANY_SHARE))
         return log_sum(heard_of + [any_share + self._of_share(share) for share in _ANY_SHARE])
 
@@ -252,13 +252,13 @@ class Evidence:
         right = each.size - both - len(each.ours) - len(each.theirs)
         rest = len(each.ours) * _STRAY + right * _NO_STRAY + each.open * _EITHER
         by_answers = (
-            sum(self._same[case] for case in each.same)
-            + sum(self._kind[case] for case in each.kind)
+            math.fsum(self._same[case] for case in each.same)
+            + math.fsum(self._kind[case] for case in each.kind)
             + len(each.other) * _OTHER
             + len(each.theirs) * _RIGHT
         )
         by_kinds = (
-            sum(self._alike[case] for cases in (each.same, each.kind) for case in cases)
+            math.fsum(self._alike[case] for cases in (each.same, each.kind) for case in cases)
             + (len(each.other) + len(each.theirs)) * _UNLIKE
         )
         ways = (

@@ -215,7 +215,7 @@ def _hypotheses(evidence: Sequence[Evidence], known: Sequence[Known]) -> Iterabl
 
     def consider(places: tuple[int, ...], ratios: Sequence[float], cost: float) -> None:
         names = frozenset(known[place].name for place in places)
-        total = sum(ratios) - cost
+        total = math.fsum(ratios) - cost
         if names not in best or total > best[names].total:
             best[names] = _Hypothesis(names, places, ratios, total)
 
@@ -258,7 +258,7 @@ def _partners(place: int, evidence: Sequence[Evidence], known: Sequence[Known]) 
     gains = []
     for other, program in enumerate(known):
         cost = _TWIN if program.name == known[place].name else _SECOND
-        gain = sum(max(ratios[other] - ratios[place], 0.0) for ratios in failing) - cost
+        gain = math.fsum(max(ratios[other] - ratios[place], 0.0) for ratios in failing) - cost
         if other != place and gain > 0.0:
             gains.append((gain, other))
     return [other for _, other in sorted(gains, reverse=True)[:_PARTNERS]]

@@ -157,6 +157,6 @@ def exponent(points: Sequence[tuple[int, float]]) -> float:
     """The e of the law y = c·nᵉ that fits the points (n, y) best; of n at least two must differ."""
     xs = [math.log(size) for size, _ in points]
     ys = [math.log(max(value, _SHORTEST)) for _, value in points]
-    x_mean, y_mean = sum(xs) / len(xs), sum(ys) / len(ys)
-    over = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
-    return over / sum((x - x_mean) ** 2 for x in xs)
+    x_mean, y_mean = math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
+    over = math.fsum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
+    return over / math.fsum((x - x_mean) ** 2 for x in xs)

@@ -15,7 +15,6 @@ from judge.problem import Case
 from judge.run.program import render_group
 from judge.run.replies import Replies
 from judge.run.runner import Runner
-from judge.sandbox import calls
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop, Usage
 
 MOST_INPUT = 24 << 20  # bytes of standard input: to read so many takes long enough by itself
@@ -101,6 +100,8 @@ class _Foreign:
         self._size = 0  # bytes that a pass wrote
         problem = runner.problem
         if runner.calls:
+            from judge.sandbox import calls  # only a run needs what is of this platform
+
             self._head, self._body = b"", calls.text(problem.calls(cases))
         else:
             self._head, _, self._body = render_group(problem, cases).partition(b"\n")
@@ -134,6 +135,8 @@ class _Foreign:
 
     def _read(self, block: bytes) -> Replies:
         if self._runner.calls:
+            from judge.sandbox import calls
+
             found, _ = calls.replies(block, len(self._cases))
         else:
             text = block.decode("ascii", errors="replace")

@@ -7,6 +7,7 @@ runs again, turn by turn, and fails only where both the least times and the medi
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -181,8 +182,8 @@ def busy(turns: Sequence[Usage]) -> str:
     The reference neither sleeps nor reads, so what it takes beyond its CPU time and a moment to be woken in
     is the machine's doing. A submission might sleep, so it is not asked.
     """
-    wall = sum(turn.wall_seconds for turn in turns)
-    waited = sum(max(0.0, turn.waiting_seconds - _WAKING_SECONDS) for turn in turns)
+    wall = math.fsum(turn.wall_seconds for turn in turns)
+    waited = math.fsum(max(0.0, turn.waiting_seconds - _WAKING_SECONDS) for turn in turns)
     return f"busy machine, {waited / wall:.0%} waiting" if waited > _BUSY * wall else ""
 
 

@@ -26,7 +26,7 @@ from judge.errors import ProblemError, UsageError
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
-from judge.languages.find import why_not
+from judge.languages.model import Language
 from judge.languages.signature import signature_of
 from judge.problem import Group, Problem, Verdict
 from judge.problem.model import group_place
@@ -154,7 +154,7 @@ def verify_problem(
     settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
     for done, each in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
-        lacking = why_not(each.language) if each.language else ""
+        lacking = _lacking(each.language) if each.language else ""
         if lacking:
             told = f"not judged here: {lacking}"
             reports.append(SolutionReport(each.file, each.kind, each.name, None, (), told))
@@ -281,6 +281,13 @@ def _reference_fault(problem: Problem, key: str, name: str) -> Fault:
     found = language_of(name)
     what = f"[time.references] names {name!r} for {key}, which is in {found.name if found else PYTHON}"
     return Fault(what, key_place(problem, ("time", "references", key)), "name a file in that language")
+
+
+def _lacking(language: Language) -> str:
+    """Why programs in that language cannot be judged on this machine; empty where they can."""
+    from judge.languages.find import why_not  # which starts processes
+
+    return why_not(language)
 
 
 def _solution_report(solution: Solution, result: Result) -> SolutionReport:

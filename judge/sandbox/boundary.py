@@ -11,8 +11,8 @@ from collections.abc import Callable, Sequence
 from enum import Enum
 from typing import Any, NamedTuple, Protocol
 
+from judge.sandbox.encode import IMPORTING as IMPORTING
 from judge.sandbox.encode import MOST_ITEMS
-from judge.sandbox.inside.wire import IMPORTING as IMPORTING
 
 BoxFactory = Callable[[bytes, str], "Box"]  # from a source and its file's name
 

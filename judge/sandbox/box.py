@@ -16,6 +16,7 @@ from typing import Any
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
 from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
+    IMPORTING,
     CallsResult,
     Defined,
     Inspection,
@@ -197,7 +198,7 @@ class ForkServerBox:
             detail = outcome.end_of(done, note)[1]
             stop = Stop.EXITED  # in mid-call, whatever its status
             if not self._holder.here().region.words[wire.IMPORTED]:
-                detail += wire.IMPORTING
+                detail += IMPORTING
         # of a limit that the calls of a series passed together, its last call hears
         return [*replies[: max(0, count - 1)], Reply(stop, detail=detail)]
 

@@ -33,6 +33,8 @@ MOST_BITS = 4096  # of an integer, and of a fraction's two
 MOST_DIGITS = 2000  # of a Decimal
 MOST_TEXT = 80
 
+IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
+
 _SMALL = 1 << 63
 _CODES = {  # by kind and size
     "i1": "b", "i2": "h", "i4": "i", "i8": "q", "f4": "f", "f8": "d",

@@ -43,7 +43,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, **HUGE), spheres(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", spheres("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
-    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER)), skills="origin on the circle"),
+    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER)), cases=120, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
     group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", spheres("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills="t is no distance"),

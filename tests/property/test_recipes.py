@@ -12,7 +12,7 @@ from hypothesis import find, settings
 from judge.data import load_data
 from judge.data.build import choices_of
 from judge.data.draw import QuickDraw, RecordedDraw, Rejected, SeededDraw
-from judge.data.strategy import HypothesisDraw, strategy
+from judge.diagnose.search import HypothesisDraw, strategy
 from judge.errors import ProblemError
 from judge.problem.load import load_problem
 

@@ -16,7 +16,8 @@ from judge.data import load_data
 from judge.data.load import _from_plain
 from judge.errors import ProblemError
 from judge.problem import Verdict
-from judge.problem.load import MOST_INPUT_MB, load_problem
+from judge.problem.load import load_problem
+from judge.problem.model import MOST_INPUT_MB
 from judge.run import run_submission
 from judge.sandbox.inside import wire
 from judge.schema import schema_of

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -116,3 +118,27 @@ def test_the_engine_has_no_word_of_its_topic():
         if TOPIC.search(row)
     }
     assert told == {}
+
+
+PURE = ("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "mistakes", "run")
+PLATFORM = (
+    *("_posixsubprocess", "_socket", "ctypes", "fcntl", "hypothesis", "mmap", "multiprocessing", "resource"),
+    *("signal", "socket", "sqlite3", "subprocess"),
+)
+
+
+def test_what_judges_needs_nothing_of_the_platform_before_a_box_is_opened():
+    """In a browser's tab there are no processes, sockets and databases; Hypothesis is for a search alone."""
+    modules = [
+        f"judge.{name.removesuffix('.py').removesuffix('/__init__').replace('/', '.')}"
+        for name in FILES
+        if name.split("/")[0] in PURE
+    ]
+    script = (
+        "import sys, importlib\n"
+        f"for name in {PLATFORM!r}: sys.modules[name] = None\n"
+        f"for name in {modules!r}: importlib.import_module(name)\n"
+        "print('imported')"
+    )
+    ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert (ended.stdout, ended.stderr) == ("imported\n", "")

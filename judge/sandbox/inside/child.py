@@ -19,7 +19,7 @@ from array import array
 from gc import freeze
 from types import CodeType, ModuleType
 
-from judge.sandbox.encode import encode
+from judge.sandbox.encode import IMPORTING, encode
 from judge.sandbox.inside import source, wire
 
 TYPE_CHECKING = False
@@ -117,7 +117,7 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         _note_memory(region, error, name)
         os._exit(1)
     except BaseException as error:
-        replies.all_raised(f"{_described(error, name)}{wire.IMPORTING}", count)
+        replies.all_raised(f"{_described(error, name)}{IMPORTING}", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
     freeze()  # a large table of its own would be looked through on the time of its calls

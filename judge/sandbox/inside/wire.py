@@ -59,7 +59,6 @@ FOR_OUTPUT = 5  # it wrote more in a series than it may
 FOR_BEING_SLOW = 7  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
 FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
 
-IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
 
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
