@@ -47,6 +47,8 @@ class Draw:
 
     def choice(self, options: Sequence[T]) -> T:
         """One of `options`; ValueError if there is none."""
+        if not options:
+            raise ValueError("nothing to choose from")
         return options[self.integer(0, len(options) - 1)]
 
     def sign(self) -> int:

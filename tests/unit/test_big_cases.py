@@ -62,15 +62,15 @@ def changed(tmp_path, *changes, name="inversions", file="problem.toml"):
 
 TIME = '[time]\nlimit = 1000\nfunction = "tree.py"\nprogram = "program.py"\n'
 REFUSED = {  # the file, what is changed there, the line at fault, words of the complaint and of the remedy
-    "slope": ("toml", ("growth = 0.4", "growth = 0"), 6, "no difference of exponents", "give 0.1 to 3"),
+    "slope": ("toml", ("growth = 0.4", "growth = 0"), 6, "growth is 0", "give a number above 0"),
     "time alone": ("toml", (TIME, ""), 6, "growth is measured beside a reference", "add a [time] table"),
     "size": ("py", ("size=2000", "size=0"), 35, "group 'n-2000' has the size 0", "give 1 to"),
     "room": (
         "toml",
         ("input_mb = 1", "input_mb = 100"),
         13,
-        "no room for 100 MB",
-        f"at most {MOST_INPUT_MB}",
+        "limits.input_mb is 100",
+        f"give a number of at most {MOST_INPUT_MB}",
     ),
 }
 
