@@ -4,7 +4,7 @@
 
     result = judge.judge("count", pathlib.Path("mine.py"))
 
-`judge.judging` holds that and what goes with it; nothing of it is imported before it is asked for. Imports
+Nothing of it is imported before it is asked for; judge/manual/library.md has more examples. Imports
 point one way: cli → batch → judging → report → kata → geometry → mistakes → diagnose → run → data →
 problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging,
 and none of them but `geometry` what a problem is about.
@@ -19,14 +19,19 @@ if TYPE_CHECKING:
     from typing import Any
 
 __version__ = "0.1.0"
-__all__ = ["Job", "Result", "Terms", "__version__", "judge"]
-
 _FROM = {
     "Job": "judge.judging.job",
+    "JudgeError": "judge.errors",
+    "ProblemError": "judge.errors",
     "Result": "judge.run.result",
-    "Terms": "judge.judging.job",
+    "RunOptions": "judge.judging.job",
+    "Session": "judge.judging.session",
+    "ShortageError": "judge.errors",
+    "UsageError": "judge.errors",
+    "find_problem": "judge.problem.find",
     "judge": "judge.judging.public",
 }
+__all__ = [*_FROM, "__version__"]
 
 
 def __getattr__(name: str) -> Any:

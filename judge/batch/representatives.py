@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin, Row
 from judge.errors import JudgeError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.naming import Bars
 from judge.judging.session import Session, silent
 from judge.problem import Problem, Verdict
@@ -37,7 +37,7 @@ def examples(
     rows: Sequence[Row],
     handins: Iterable[Handin],
     problems: Mapping[str, Problem],
-    terms: Terms = Terms(),  # noqa: B008 - frozen
+    options: RunOptions = RunOptions(),  # noqa: B008 - frozen
     bars: Bars = silent,
 ) -> Iterator[Example]:
     """What each of these rows shows, shrunk where its source and its problem are there.
@@ -45,25 +45,25 @@ def examples(
     One that cannot be judged again, or that another verdict comes of now, is shown as it was.
     """
     sources = {each.file: each.source for each in handins if each.source}
-    terms = replace(terms, timed=False, diagnosed=True)
+    options = replace(options, timed=False, diagnosed=True)
     for problem in dict.fromkeys(row.problem for row in rows):
         own = [row for row in rows if row.problem == problem]
         wanted = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
-        shrunk = _shrunk(problems[problem], wanted, sources, terms, bars) if problem in problems else {}
+        shrunk = _shrunk(problems[problem], wanted, sources, options, bars) if problem in problems else {}
         for row in own:
             published, advice = shrunk.get(row.file, (row.result, {}))
             yield Example(problem, row.mistake or row.verdict, row.file, published, advice)
 
 
 def _shrunk(
-    problem: Problem, rows: Sequence[Row], sources: Mapping[str, bytes], terms: Terms, bars: Bars
+    problem: Problem, rows: Sequence[Row], sources: Mapping[str, bytes], options: RunOptions, bars: Bars
 ) -> dict[str, tuple[dict[str, Any], dict[str, str]]]:
     """By the files of these rows: the published result with the smallest case, and what is told of it."""
     found: dict[str, tuple[dict[str, Any], dict[str, str]]] = {}
     if not rows:
         return found
     try:
-        with bars(f"smallest cases of {problem.id}") as advance, Session(problem, terms) as session:
+        with bars(f"smallest cases of {problem.id}") as advance, Session(problem, options) as session:
             for done, row in enumerate(rows):
                 if advance:
                     advance(done, len(rows))

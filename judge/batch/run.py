@@ -17,13 +17,13 @@ from judge.batch.work import fault_done, judge_task, learn_task
 from judge.data.cache import DataCache
 from judge.errors import JudgeError, ProblemError, UsageError
 from judge.judging.executors import Executor
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
 
 
-def ground_of(ids: Iterable[str], terms: Terms, folders: Sequence[Path], level: str = "") -> Ground:
+def ground_of(ids: Iterable[str], options: RunOptions, folders: Sequence[Path], level: str = "") -> Ground:
     """By what these problems are judged; at `level` by workers elsewhere, which find the problems themselves.
 
     Raises:
@@ -35,7 +35,7 @@ def ground_of(ids: Iterable[str], terms: Terms, folders: Sequence[Path], level: 
     for each in dict.fromkeys(ids):
         try:
             problem = find_problem(each, folders)
-            terms.chosen(problem)
+            options.chosen(problem)
             problems[each] = problem
         except (ProblemError, UsageError) as fault:
             faults[each] = str(fault)
@@ -43,23 +43,25 @@ def ground_of(ids: Iterable[str], terms: Terms, folders: Sequence[Path], level: 
     said: tuple[str, ...] = ()
     if problems:
         if not level:
-            level, said = level_here(next(iter(problems.values())), terms)
+            level, said = level_here(next(iter(problems.values())), options)
         else:
             folders = ()
-        standards = {each: standard_of(problem, terms, level) for each, problem in problems.items()}
-    plain = msgspec.json.encode(terms).decode()
+        standards = {each: standard_of(problem, options, level) for each, problem in problems.items()}
+    plain = msgspec.json.encode(options).decode()
     places = tuple(str(folder.absolute()) for folder in folders)
     return Ground(problems, standards, faults, plain, places, said)
 
 
-def learnt(plan: Plan, ground: Ground, terms: Terms, executor: Executor) -> Iterator[tuple[str, int, int]]:
+def learnt(
+    plan: Plan, ground: Ground, options: RunOptions, executor: Executor
+) -> Iterator[tuple[str, int, int]]:
     """Build the data, and find what known mistakes answer, of each problem where that is not there yet; so
     that no two workers do it; elsewhere on each machine. Gives a problem before it is looked at, and how many
     of how many are done.
     """
     first = {work.task.problem: work for work in reversed(plan.work)}
     elsewhere = executor if isinstance(executor, Elsewhere) else None
-    unknown = [each for each in sorted(first) if elsewhere or not _is_learnt(ground.problems[each], terms)]
+    unknown = [each for each in sorted(first) if elsewhere or not _is_learnt(ground.problems[each], options)]
     missing = [first[each].task for each in unknown]
     if not missing:
         return
@@ -90,9 +92,9 @@ def judged(plan: Plan, store: Store, executor: Executor) -> Generator[Row, None,
             yield from rows
 
 
-def _is_learnt(problem: Problem, terms: Terms) -> bool:
+def _is_learnt(problem: Problem, options: RunOptions) -> bool:
     try:
-        data = DataCache(problem, terms.seed).exists()
-        return data and (not terms.named or is_kept(problem, terms.seed))
+        data = DataCache(problem, options.seed).exists()
+        return data and (not options.named or is_kept(problem, options.seed))
     except JudgeError:  # whoever judges says so
         return True

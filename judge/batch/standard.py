@@ -12,7 +12,7 @@ from judge import __version__
 from judge.batch.model import Standard
 from judge.digest import digest_of
 from judge.judging.containment import Containment
-from judge.judging.job import Terms, judged_by
+from judge.judging.job import RunOptions, judged_by
 from judge.languages import file_name
 from judge.problem import Problem
 from judge.problem.keys import all_code_files, content_key
@@ -28,25 +28,25 @@ _WORDS = {
 }
 
 
-def standard_of(problem: Problem, terms: Terms, isolation: str) -> Standard:
+def standard_of(problem: Problem, options: RunOptions, isolation: str) -> Standard:
     """By what this process judges the problem at that level of isolation. Raises ProblemError."""
     data = content_key("standard/", judged_by(problem))[:_SIGNS]
-    return Standard(_own_version(), data, _python(), isolation, terms_digest(terms))
+    return Standard(_own_version(), data, _python(), isolation, terms_digest(options))
 
 
-def terms_digest(terms: Terms) -> str:
+def terms_digest(options: RunOptions) -> str:
     """The digest of the options that decide a verdict; the isolation is a part of its own."""
-    return digest_of(msgspec.json.encode(replace(terms, isolation=None)))[:_SIGNS]
+    return digest_of(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS]
 
 
-def level_here(problem: Problem, terms: Terms) -> tuple[str, tuple[str, ...]]:
+def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, ...]]:
     """The level of isolation that submissions get here, and what is to be said of it.
 
     Raises:
         UsageError: the one that is demanded cannot be had.
         JudgeError: none can.
     """
-    with Containment(problem, terms.isolation) as containment, containment.take(b"", _EMPTY) as box:
+    with Containment(problem, options.isolation) as containment, containment.take(b"", _EMPTY) as box:
         box.inspect()
         return box.isolation, containment.notes(box.isolation)
 

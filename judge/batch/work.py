@@ -21,7 +21,7 @@ from msgspec.structs import replace
 from judge.batch.model import Done, Standard, Task
 from judge.batch.standard import differing, standard_of
 from judge.errors import ProblemError, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.problem import Group, Problem
 from judge.problem.choose import chosen_groups
@@ -63,7 +63,7 @@ def learn_task(task: Task) -> str:
     try:
         session = _benches().session(task)
         session.prepare()
-        if session.terms.named:
+        if session.options.named:
             session.naming.learn()
     except ProblemError as fault:
         return str(fault)
@@ -122,7 +122,7 @@ def _benches() -> _Benches:
 
 def _opened(task: Task) -> Session:
     problem = find_problem(task.problem, [Path(folder) for folder in task.folders])
-    asked = msgspec.json.decode(task.terms, type=Terms)
+    asked = msgspec.json.decode(task.terms, type=RunOptions)
     standard = msgspec.json.decode(task.standard, type=Standard)
     parts = differing(standard, standard_of(problem, asked, standard.isolation))
     if parts:
@@ -136,7 +136,7 @@ def _opened(task: Task) -> Session:
 
 
 def _chosen(session: Session) -> tuple[Group, ...]:
-    return chosen_groups(session.problem, session.terms.groups, session.terms.level)
+    return chosen_groups(session.problem, session.options.groups, session.options.level)
 
 
 def _check_needs(problem: Problem) -> None:

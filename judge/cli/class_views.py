@@ -12,7 +12,7 @@ from judge.batch.model import Handin, Row
 from judge.batch.outcome import Outcome
 from judge.cli.target import OutFile, moment
 from judge.errors import JudgeError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.screen import note, out
@@ -101,7 +101,7 @@ class Scene(Struct, frozen=True):
     handins: Sequence[Handin]
     history: Sequence[Row]
     problems: Mapping[str, Problem]
-    terms: Terms
+    options: RunOptions
 
     def cohort(self) -> Cohort:
         """The class as it stands."""
@@ -121,7 +121,7 @@ class Scene(Struct, frozen=True):
         from judge.report.progress import progress
 
         rows = representatives(cohort, self.outcome.rows)
-        shown = list(examples(rows, self.handins, self.problems, self.terms, progress))
+        shown = list(examples(rows, self.handins, self.problems, self.options, progress))
         known = {name: KnownProblem(each, advice_of(each)) for name, each in self.problems.items()}
         title = self.folder.resolve().name or "class"
         return render_class(cohort, shown, known, title=title, generated=moment())

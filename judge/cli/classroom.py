@@ -25,7 +25,7 @@ from judge.cli.class_views import Scene, Views, problems_of
 from judge.cli.options import write_json
 from judge.errors import UsageError
 from judge.judging.executors import Executor
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.processes import Processes
 from judge.report.live import Live
 from judge.report.screen import note, out
@@ -45,7 +45,7 @@ class Wanted(Struct, frozen=True):
     """
 
     folder: Path
-    terms: Terms
+    options: RunOptions
     students: Path | None = None
     out: Path | None = None
     only: tuple[str, ...] = ()
@@ -107,7 +107,7 @@ class Classroom:
         self._check_again()
         ground = ground_of(
             (each.problem for each in self._handins if not each.why),
-            wanted.terms,
+            wanted.options,
             wanted.folders,
             executor.level if isinstance(executor, Elsewhere) else "",
         )
@@ -118,7 +118,7 @@ class Classroom:
         for row in plan.kept:
             self._show(row, kept=True)
         with self._live as live:
-            for problem, done, total in learnt(plan, ground, wanted.terms, executor):
+            for problem, done, total in learnt(plan, ground, wanted.options, executor):
                 live.show(lambda p=problem, d=done, t=total: f"learning {p}, {d} of {t} problems")  # type: ignore[misc]
             pace = _Pace(plan)
             live.show(lambda: pace.text(0))
@@ -170,7 +170,7 @@ class Classroom:
             return
         problems = problems_of(found.problems, wanted.folders)
         history = self._store.every()
-        scene = Scene(wanted.folder, wanted.place, found, self._handins, history, problems, wanted.terms)
+        scene = Scene(wanted.folder, wanted.place, found, self._handins, history, problems, wanted.options)
         told = views.show(scene, screen=screen)
         if wanted.as_json and views.whole:
             write_json({"schema": SCHEMA, "cohort": told})

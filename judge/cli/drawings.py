@@ -20,7 +20,7 @@ from judge.run.result import Result
 
 def opened(problem: Problem, wish: Wish, containment: Containment) -> Session:
     """What judges the submissions to a problem."""
-    return Session(problem, wish.terms, containment, bars=progress)
+    return Session(problem, wish.options, containment, bars=progress)
 
 
 def one_by_one(problem: Problem, wish: Wish, containment: Containment) -> Callable[[Submission], Drawing]:
@@ -70,6 +70,6 @@ def _results(
 
         pool = Processes(jobs)
         said.say([pool.short] if pool.short else [])
-        return judged_at_once(session.problem, submissions, session.terms, wish.had, pool)
+        return judged_at_once(session.problem, submissions, session.options, wish.had, pool)
     session.prepare()
     return (session.judge(each.source, each.name) for each in submissions)

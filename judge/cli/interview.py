@@ -20,7 +20,7 @@ from judge.cli.submissions import read_submissions
 from judge.cli.watching import WatchedFile
 from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.kata.checklist import read_checklist
 from judge.kata.history import History, now
 from judge.kata.quiz.cards import Card
@@ -160,7 +160,7 @@ class _Held:
         once without being asked for.
         """
         self._begin(kata)
-        with closing(WatchedFile(kata, Wish(Terms(), db=self._wanted.db))) as watched:
+        with closing(WatchedFile(kata, Wish(RunOptions(), db=self._wanted.db))) as watched:
             self._solve(watched)
 
     def _solve(self, watched: WatchedFile) -> None:

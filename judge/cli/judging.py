@@ -29,8 +29,8 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    first, terms = submissions[0], wish.terms
-    with Containment(problem, terms.isolation, had=wish.had, program=terms.program) as containment:
+    first, options = submissions[0], wish.options
+    with Containment(problem, options.isolation, had=wish.had, program=options.program) as containment:
         if min(wish.jobs, len(submissions)) == 1:
             containment.boot(first.source, first.name)
         from judge.cli.drawings import drawings, opened  # while it boots
@@ -59,7 +59,9 @@ class Sitting:
         try:
             self._look_at_problem()
             if self._containment is None:
-                self._containment = Containment(self._problem, self._wish.terms.isolation, had=self._wish.had)
+                self._containment = Containment(
+                    self._problem, self._wish.options.isolation, had=self._wish.had
+                )
             self._containment.boot(submission.source, submission.name)
             from judge.cli.drawings import one_by_one  # while it boots
 

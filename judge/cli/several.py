@@ -12,7 +12,7 @@ from msgspec import Struct
 from judge.cli.submissions import Submission
 from judge.judging.containment import Containment
 from judge.judging.executors import results
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.processes import Processes
 from judge.judging.session import Session
 from judge.problem import Problem
@@ -27,16 +27,16 @@ class _Task(Struct, frozen=True):
     submission: Submission
     folder: Path
     solutions: Path
-    terms: Terms
+    options: RunOptions
     had: str | None
     jobs: int
 
 
 def judged_at_once(
-    problem: Problem, submissions: Sequence[Submission], terms: Terms, had: str | None, pool: Processes
+    problem: Problem, submissions: Sequence[Submission], options: RunOptions, had: str | None, pool: Processes
 ) -> Iterator[Result]:
     """The results, in order. Raises JudgeError."""
-    tasks = [_Task(each, problem.folder, problem.solutions, terms, had, pool.count) for each in submissions]
+    tasks = [_Task(each, problem.folder, problem.solutions, options, had, pool.count) for each in submissions]
     return results(
         pool, judge_one, tasks, lambda task, why: judge_fault(problem.id, task.submission.name, why)
     )
@@ -44,13 +44,13 @@ def judged_at_once(
 
 def judge_one(task: _Task) -> Result:
     """What a process does; the session stays open for its next file."""
-    session = _session(task.folder, task.solutions, task.terms, task.had, task.jobs)
+    session = _session(task.folder, task.solutions, task.options, task.had, task.jobs)
     return session.judge(task.submission.source, task.submission.name)
 
 
 @cache
-def _session(folder: Path, solutions: Path, terms: Terms, had: str | None, jobs: int) -> Session:
+def _session(folder: Path, solutions: Path, options: RunOptions, had: str | None, jobs: int) -> Session:
     problem = load_problem(folder, solutions)
-    containment = Containment(problem, terms.isolation, jobs, had, program=terms.program)
+    containment = Containment(problem, options.isolation, jobs, had, program=options.program)
     atexit.register(containment.close)
-    return Session(problem, terms, containment)
+    return Session(problem, options, containment)

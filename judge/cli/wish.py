@@ -8,7 +8,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.languages import is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
@@ -17,7 +17,7 @@ from judge.problem.find import find_problem
 class Wish(Struct, frozen=True):
     """How submissions are to be judged, and what is to be done about those that fail."""
 
-    terms: Terms
+    options: RunOptions
     jobs: int = 1
     had: str | None = None  # the level of isolation that the command has had before
     regression: Path | None = None

@@ -12,20 +12,3 @@ diagnosis.py, naming.py
 stressing.py, replaying.py, trying.py, routine.py
                 fresh cases; one case by its id; a person's own; a routine of this very process
 """
-
-from __future__ import annotations
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
-
-_FROM = {"Job": "job", "Session": "session", "Terms": "job", "judge": "public", "run": "public"}
-__all__ = ["Job", "Session", "Terms", "judge", "run"]
-
-
-def __getattr__(name: str) -> Any:
-    from importlib import import_module
-
-    if name not in _FROM:
-        raise AttributeError(f"module 'judge.judging' has no attribute {name!r}")
-    return getattr(import_module(f"judge.judging.{_FROM[name]}"), name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from judge.data.load import load_data
 from judge.diagnose.replay import decode
 from judge.errors import JudgeError, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.naming import Bars
 from judge.judging.session import Session, silent
 from judge.judging.trying import ask, try_case
@@ -30,7 +30,7 @@ def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = N
         tried = try_case(problem, case, puzzle.group.name)
     except UsageError as fault:
         return Hacked(fault.what)
-    with Session(problem, Terms(isolation=isolation)) as session:
+    with Session(problem, RunOptions(isolation=isolation)) as session:
         said = _asked(session, tried, puzzle.source)
         notes = tuple(session.containment.notes(said.isolation))
         if said.verdict is Verdict.AC:
@@ -49,8 +49,8 @@ def smallest(
 
     Raises as `hack`.
     """
-    terms = Terms(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
-    with Session(problem, terms, bars=bars) as session:
+    options = RunOptions(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
+    with Session(problem, options, bars=bars) as session:
         result = session.judge(puzzle.source, NAME)
         found = (result.counterexample or {}).get("replay")
         failure = result.failure

@@ -12,7 +12,7 @@ from judge.problem.choose import chosen_groups
 from judge.problem.keys import all_code_files, content_key, own_files
 
 
-class Terms(Struct, frozen=True):
+class RunOptions(Struct, frozen=True):
     """How submissions are to be judged.
 
     `groups` are the test groups to run, all where none is named; `seed` builds other cases than the pinned
@@ -47,7 +47,7 @@ class Job(Struct, frozen=True):
     version: str
     name: str
     source: bytes
-    terms: Terms = Terms()
+    options: RunOptions = RunOptions()
 
     @classmethod
     def of(
@@ -55,7 +55,7 @@ class Job(Struct, frozen=True):
         problem: Problem,
         source: bytes,
         name: str,
-        terms: Terms = Terms(),  # noqa: B008 - frozen
+        options: RunOptions = RunOptions(),  # noqa: B008 - frozen
         version: str | None = None,
     ) -> Job:
         """The job of judging `source`, a file called `name`. Raises ProblemError for an unreadable file.
@@ -63,7 +63,7 @@ class Job(Struct, frozen=True):
         Who makes many jobs of one problem asks `version_of` once and hands that over.
         """
         version = version_of(problem) if version is None else version
-        return cls(str(problem.folder), str(problem.solutions), version, name, source, terms)
+        return cls(str(problem.folder), str(problem.solutions), version, name, source, options)
 
     @property
     def problem(self) -> str:
@@ -73,9 +73,9 @@ class Job(Struct, frozen=True):
     @property
     def digest(self) -> str:
         """The digest, in hex, of all that the outcome depends on: not of where the problem lies."""
-        terms = self.terms
+        options = self.options
         plain = (self.problem, self.version, self.name, digest_of(self.source))
-        asked = [getattr(terms, name) for name in terms.__struct_fields__]
+        asked = [getattr(options, name) for name in options.__struct_fields__]
         return digest_of(repr((plain, asked)).encode())
 
 

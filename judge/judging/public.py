@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from judge.errors import JudgeError, UsageError
-from judge.judging.job import Job, Terms, version_of
+from judge.judging.job import Job, RunOptions, version_of
 from judge.judging.session import Session
 from judge.languages import file_name, is_program
 from judge.problem import Problem
-from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.reading import read_ordinary
@@ -25,28 +24,16 @@ def judge(
     source: bytes | str | os.PathLike[str],
     *,
     name: str | None = None,
-    groups: str | Iterable[str] = (),
-    level: str | None = None,
-    seed: int | None = None,
-    isolation: str | None = None,
-    timed: bool = True,
-    diagnosed: bool = True,
-    named: bool = True,
-    problems: Sequence[str | os.PathLike[str]] = (),
+    folders: Sequence[str | os.PathLike[str]] = (),
+    options: RunOptions = RunOptions(),  # noqa: B008 - frozen
 ) -> Result:
     """Judge a submission as `judge run` does, contained; nothing is printed and nothing kept in a history.
 
     Args:
-        problem: its name, looked up as by the command line and first in the folders `problems`.
+        problem: its name, looked up as by the command line and first in these `folders`.
         source: the submission: its text or bytes, or a `pathlib.Path` to its file.
         name: the file's name in tracebacks and in the result; a path's own by default.
-        groups: the test groups to run; all where none is named.
-        level: "interview" or "production", to run only groups of that level of the kata.
-        seed: builds other cases from it, instead of the pinned ones.
-        isolation: "full", "strong" or "limits" to demand that level; the best there is by default.
-        timed: whether an accepted submission's time is measured against the reference solution's.
-        diagnosed: whether the smallest case is looked for that breaks a submission.
-        named: whether the mistake behind wrong answers is.
+        options: how to judge.
 
     Returns:
         The result. `result.verdict`, `score`, `groups`, `failure`, `counterexample`, `pitfall` and `time` say
@@ -57,12 +44,10 @@ def judge(
         UsageError: there is no such problem, group, level, file or isolation.
         ProblemError: the problem's folder is broken.
     """
-    found = find_problem(problem, [Path(each) for each in problems]) if isinstance(problem, str) else problem
-    chosen = (groups,) if isinstance(groups, str) else tuple(groups)
-    chosen_groups(found, chosen, level)  # a name that is none is told before anything is built
-    terms = Terms(chosen, seed, isolation, timed, diagnosed, named, level)
+    found = find_problem(problem, [Path(each) for each in folders]) if isinstance(problem, str) else problem
+    options.chosen(found)  # a name that is none is told before anything is built
     content, called = _read(source)
-    with Session(found, terms) as session:
+    with Session(found, options) as session:
         name = name or called
         session.boot(content, name)
         return session.judge(content, name)
@@ -79,7 +64,7 @@ def run(job: Job) -> Result:
     if version_of(problem) != job.version:
         what = f"{job.problem} is not the problem that this job was made for"
         raise JudgeError(what, where=job.folder, remedy="bring the judge and its problems to one version")
-    with Session(problem, job.terms) as session:
+    with Session(problem, job.options) as session:
         session.boot(job.source, job.name)
         return session.run(job)
 

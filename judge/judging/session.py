@@ -1,6 +1,6 @@
 """Judging submissions to one problem, one after another or several at once, with all that they share.
 
-    with Session(problem, Terms(named=False)) as session:
+    with Session(problem, RunOptions(named=False)) as session:
         result = session.judge(source, "mine.py")
 
 Shared are the cases, the box of the reference, the known mistakes, and the turnstile that keeps races alone.
@@ -19,7 +19,7 @@ from judge.data.model import ProblemData
 from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
 from judge.judging.diagnosis import diagnosed
-from judge.judging.job import Job, Terms
+from judge.judging.job import Job, RunOptions
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
 from judge.run.alone import Machine
@@ -50,21 +50,21 @@ class Session:
     def __init__(
         self,
         problem: Problem,
-        terms: Terms = Terms(),  # noqa: B008 - frozen
+        options: RunOptions = RunOptions(),  # noqa: B008 - frozen
         containment: Containment | None = None,
         *,
         bars: Bars = silent,
     ) -> None:
         self.problem = problem
-        self.terms = terms
-        self.containment = containment or Containment(problem, terms.isolation, program=terms.program)
+        self.options = options
+        self.containment = containment or Containment(problem, options.isolation, program=options.program)
         self.turnstile = Machine(waiting=lambda: self.bars(_WAITING))
         self.settings = Settings(
             box_factory=self.containment.take,
-            measured=terms.timed,
+            measured=options.timed,
             turnstile=self.turnstile,
             reference=self.containment.reference,
-            program=terms.program,
+            program=options.program,
         )
         self.bars = bars
         self._data: ProblemData | None = None
@@ -88,10 +88,10 @@ class Session:
 
     def prepare(self) -> None:
         """Read the problem's data, and start the reference, not wanted yet. Raises as `judge` does."""
-        if self.terms.timed:
+        if self.options.timed:
             check_needs(self.problem)
         _ = self.data
-        if self.terms.timed:
+        if self.options.timed:
             self.containment.boot_reference()
 
     @property
@@ -99,11 +99,11 @@ class Session:
         """The cases and what their answers are held against; read or built when first asked for."""
         if self._data is None:
             with self.bars(f"building {self.problem.id}") as advance:
-                self._data = load_data(self.problem, seed=self.terms.seed, progress=advance)
+                self._data = load_data(self.problem, seed=self.options.seed, progress=advance)
         return self._data
 
     def judge(self, source: bytes, name: str) -> Result:
-        """Judge one submission as the terms say.
+        """Judge one submission as the options say.
 
         A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
 
@@ -111,7 +111,7 @@ class Session:
             UsageError: the level of isolation that is asked for cannot be had, or what the reference needs.
             ProblemError: the data cannot be built.
         """
-        if self.terms.timed:
+        if self.options.timed:
             check_needs(self.problem)
         data = self.data
         try:
@@ -128,21 +128,21 @@ class Session:
         return result.noting(*data.notes, *self.containment.notes(result.isolation))
 
     def run(self, job: Job) -> Result:
-        """`judge` with what a job holds; it must be of this session's problem and terms."""
+        """`judge` with what a job holds; it must be of this session's problem and options."""
         return self.judge(job.source, job.name)
 
     @property
     def naming(self) -> Naming:
         """What names mistakes by their answers to the session's cases."""
         if self._naming is None:
-            self._naming = Naming(self.data, self.terms.seed, self.settings, lambda label: self.bars(label))
+            self._naming = Naming(self.data, self.options.seed, self.settings, lambda label: self.bars(label))
         return self._naming
 
     def _judged(self, data: ProblemData, source: bytes, name: str) -> Result:
-        terms = self.terms
+        options = self.options
         with self.containment.take(source, name) as box:
             with self.bars(name) as advance:
-                settings, groups = self.settings, terms.chosen(self.problem)
+                settings, groups = self.settings, options.chosen(self.problem)
                 judged = run_in(
                     box,
                     self.problem,
@@ -161,12 +161,12 @@ class Session:
                 if result.hurdle is not None:
                     return result
                 result = with_printed(result, data, runner, box)
-                if terms.timed and runner.language:
+                if options.timed and runner.language:
                     result = result.noting(*_of_its_race(result, runner.language))
-            if terms.diagnosed and runner is not None:
+            if options.diagnosed and runner is not None:
                 with self.turnstile.judging():
                     result = diagnosed(result, data, runner, box, self.containment.open_box)
-        return self.naming.named(result, source) if terms.named else result
+        return self.naming.named(result, source) if options.named else result
 
 
 def _of_its_race(result: Result, language: str) -> Iterator[str]:

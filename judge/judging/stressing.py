@@ -59,11 +59,11 @@ class Stressing(Struct, frozen=True):
             if stressed.result.hurdle is not None:
                 return stressed
             try:
-                runner = stressed.runner if session.terms.diagnosed else None
+                runner = stressed.runner if session.options.diagnosed else None
                 with session.turnstile.judging():
                     if stressed.broken and runner:
                         stressed = _shrunk(stressed, stressed.broken, runner, fresh, box, session)
-                if stressed.broken and session.terms.named and stressed.result.verdict in NAMED:
+                if stressed.broken and session.options.named and stressed.result.verdict in NAMED:
                     stressed = self._named(stressed, session)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
                 stressed = replace(stressed, interrupted=True)

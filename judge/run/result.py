@@ -334,6 +334,13 @@ class Result(Struct, frozen=True):
     hurdle: Hurdle | None = None  # not published: `failure` is
     out_of: int = 0  # how many groups the problem has, where some were left out; not published
 
+    def __repr__(self) -> str:
+        """One line: who did what, and how it ended."""
+        where = f", in {self.failure.group}" if self.failure and self.failure.group else ""
+        named = f", {self.pitfall.name}" if self.pitfall else ""
+        points = f"{self.score} of {self.points} points"
+        return f"<Result {self.problem} {self.submission}: {self.verdict.value}, {points}{where}{named}>"
+
     @property
     def partial(self) -> str:
         """`1 of 18 groups` where some were left out by request, else nothing."""

@@ -23,7 +23,7 @@ from judge.cli.judging import Sitting
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.errors import ProblemError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.kata.history import History
 from judge.problem.load import load_problem
 from judge.schema import schema_of
@@ -252,7 +252,7 @@ def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, tmp_pa
     folder = tmp_path / "pack" / "problems" / "middle"
     mine = Submission("mine.py", MEAN.encode())
     module = (folder / "problem.py").read_text()
-    with closing(Sitting(load_problem(folder), Wish(Terms(), kept=False))) as sitting:
+    with closing(Sitting(load_problem(folder), Wish(RunOptions(), kept=False))) as sitting:
         assert sitting.judged(mine).result.verdict.value == "AC"
         (folder / "problem.py").write_text("raise RuntimeError('half written')\n")
         with pytest.raises(ProblemError, match="half written"):

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
+from judge import RunOptions, Session
 from judge.data.validate import Validator
 from judge.diagnose.simplicity import measure
-from judge.judging import Session, Terms
 from judge.problem import Verdict
 from judge.problem.find import all_problems, find_problem
 from judge.problem.level import KataLevel
@@ -36,7 +36,7 @@ NAMED = [
 
 def judged(path, **terms):
     problem = find_problem(path.parent.name)
-    with Session(problem, Terms(timed=False, **terms)) as session:
+    with Session(problem, RunOptions(timed=False, **terms)) as session:
         return problem, session.judge(path.read_bytes(), path.name)
 
 

@@ -33,7 +33,7 @@ def left(tmp_path):
 
 
 KILLED = """
-import os, signal, sys
+import fcntl, os, signal, sys
 from pathlib import Path
 from judge import atomic
 def die(*_, **__):
@@ -47,7 +47,7 @@ atomic.{write}(Path(sys.argv[1]), b"new" * 1000)
     ("write", "where", "before"),
     [
         ("replace_file", '(Path, "replace")', b"old"),
-        ("replace_file", '(atomic.fcntl, "flock")', None),
+        ("replace_file", '(fcntl, "flock")', None),
         ("new_file", '(Path, "unlink")', None),
     ],
 )

@@ -16,12 +16,12 @@ from judge.batch.model import Done, Standard, Task
 from judge.batch.standard import level_here, standard_of
 from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.problem.find import find_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
 FLOOR = b"def middle(a, b):\n    return (a + b) // 2\n"
-TERMS = Terms(diagnosed=False)
+TERMS = RunOptions(diagnosed=False)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -52,7 +52,9 @@ def test_a_task_is_judged_as_judge_run_does(task):
     assert learn_task(task) == ""
     text = judge_task(task)
     done = msgspec.json.decode(text, type=Done)
-    plain = judge.judge("middle", FLOOR, name="ada/middle.py", diagnosed=False, problems=[PACK])
+    plain = judge.judge(
+        "middle", FLOOR, name="ada/middle.py", folders=[PACK], options=judge.RunOptions(diagnosed=False)
+    )
     assert without_times(done.result) == without_times(json.loads(json.dumps(plain.as_json())))
     assert done.result["pitfall"]["name"] == "floor-division"
     assert (done.machine, done.worker) == (os.uname().nodename, f"{os.uname().nodename}:{os.getpid()}")

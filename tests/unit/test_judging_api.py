@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import pickle
+import re
 import shutil
 from pathlib import Path
 
 import pytest
 
 import judge
+from judge import Job, RunOptions, Session
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging import Job, Session, Terms, run
 from judge.judging import session as session_module
+from judge.judging.public import run
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 
@@ -36,7 +38,11 @@ def problem():
     [
         (("middle", "alice.py"), {}, "'alice.py' is a file's name, not a program"),
         (("middle", Path("nobody.py")), {}, "cannot be read"),
-        (("middle", GOOD), {"groups": ["exampels"]}, "no group 'exampels'; did you mean 'examples'"),
+        (
+            ("middle", GOOD),
+            {"options": RunOptions(groups=("exampels",))},
+            "no group 'exampels'; did you mean 'examples'",
+        ),
     ],
 )
 def test_a_wrong_use_is_told_in_one_line(arguments, more, told):
@@ -49,7 +55,7 @@ def test_a_wrong_use_is_told_in_one_line(arguments, more, told):
 
 
 def test_a_job_and_its_result_can_be_sent_anywhere(problem):
-    job = Job.of(problem, FLOOR.encode(), "mine.py", Terms(named=False))
+    job = Job.of(problem, FLOOR.encode(), "mine.py", RunOptions(named=False))
     again = pickle.loads(pickle.dumps(job))
     assert (again, again.digest) == (job, job.digest)
     here, there = run(job), run(again)
@@ -72,8 +78,8 @@ def test_a_digest_stands_for_all_that_the_outcome_depends_on(problem, elsewhere)
     others = [
         Job.of(problem, FLOOR.encode(), "mine.py"),
         Job.of(problem, GOOD.encode(), "yours.py"),
-        Job.of(problem, GOOD.encode(), "mine.py", Terms(seed=1)),
-        Job.of(problem, GOOD.encode(), "mine.py", Terms(("examples",))),
+        Job.of(problem, GOOD.encode(), "mine.py", RunOptions(seed=1)),
+        Job.of(problem, GOOD.encode(), "mine.py", RunOptions(("examples",))),
     ]
     with (elsewhere.folder / "statement.md").open("a") as statement:
         statement.write("\nOne more line.\n")
@@ -107,7 +113,18 @@ def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
         return real(box, problem, data, source, name, **how)
 
     monkeypatch.setattr(session_module, "run_in", faulty)
-    with Session(problem, Terms(timed=False)) as session:
+    with Session(problem, RunOptions(timed=False)) as session:
         results = [session.judge(GOOD.encode(), name) for name in ("a.py", "b.py", "c.py")]
     assert [result.verdict for result in results] == [Verdict.AC, Verdict.JE, Verdict.AC]
     assert results[1].failure.message.startswith(told)
+
+
+def test_a_result_is_one_line_where_it_is_shown():
+    result = judge.judge("middle", FLOOR, name="mine.py", options=RunOptions(timed=False, diagnosed=False))
+    told = r"<Result middle mine\.py: WA, \d+ of 100 points, in \w+, floor-division>"
+    assert re.fullmatch(told, repr(result))
+
+
+def test_the_package_offers_what_it_says():
+    assert all(getattr(judge, name) is not None for name in judge.__all__)
+    assert {*judge.__all__} >= {"Job", "Result", "RunOptions", "Session", "find_problem", "judge"}

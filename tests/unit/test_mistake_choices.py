@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from judge import RunOptions, Session
 from judge.data.load import load_data
-from judge.judging import Session, Terms
 from judge.mistakes.answers import Answers
 from judge.mistakes.catalogue import Words
 from judge.mistakes.naming import Known
@@ -24,7 +24,7 @@ from judge.sandbox import Boxes
 pytestmark = pytest.mark.slow
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
-TERMS = Terms(timed=False, diagnosed=False)
+TERMS = RunOptions(timed=False, diagnosed=False)
 ROUTES = """
 def mean(a, b):
     "right"

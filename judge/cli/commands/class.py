@@ -17,7 +17,7 @@ from judge.cli.judging_options import (
 )
 from judge.cli.options import json_option, level_option, problems_option
 from judge.errors import ExitCode, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -150,10 +150,10 @@ def command(
     views.check()
     for each in only:
         find_problem(each, folders)
-    terms = Terms((), None, level, diagnosed=False, named=not no_name, level=kata_level)
+    options = RunOptions((), None, level, diagnosed=False, named=not no_name, level=kata_level)
     wanted = Wanted(
         folder,
-        terms,
+        options,
         students=students,
         out=place,
         only=only,

@@ -12,7 +12,7 @@ from judge.cli.judging_options import isolation_option
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.submissions import read_submissions
 from judge.errors import ExitCode, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.problem.find import find_problem
 from judge.report.glance import glance_lines, screen_rows
@@ -53,7 +53,7 @@ def command(
         raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
     (submission,) = submissions
     source, called = submission.source, submission.name
-    with Session(find_problem(name, folders), Terms(isolation=level)) as session:
+    with Session(find_problem(name, folders), RunOptions(isolation=level)) as session:
         result = replayed(session, replay, source, called)
     Notes().say(result.notes)
     if as_json:

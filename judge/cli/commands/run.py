@@ -40,7 +40,7 @@ from judge.cli.submissions import gathered
 from judge.cli.target import check_svg
 from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.problem.choose import chosen_groups
 
 
@@ -133,7 +133,7 @@ def command(
             chosen_groups(
                 task.problem, groups, kata_level
             )  # a name that is none is told before anything is built
-        terms = Terms(
+        options = RunOptions(
             groups,
             seed,
             level,
@@ -142,7 +142,7 @@ def command(
             level=kata_level,
             program=mode == PROGRAM,
         )
-        wish = Wish(terms, jobs, regression=regression, kept=not unrecorded, db=db, total=total)
+        wish = Wish(options, jobs, regression=regression, kept=not unrecorded, db=db, total=total)
         for drawing in all_judged(tasks, wish, show, silent=quiet and show.on_screen):
             show.result(drawing.result, several=total > 1, drawing=drawing)
             drawing.save(svg)

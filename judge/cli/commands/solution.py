@@ -103,7 +103,7 @@ def _ratios(
 
     Of other languages only those of the one shown, and of one's own, are compiled for it.
     """
-    from judge.judging import Session, Terms  # only who has them measured waits for it
+    from judge import RunOptions, Session  # only who has them measured waits for it
 
     wanted = [None, shown.language, *([language_of(yours[0].submission)] if yours else [])]
     timed = [model for model in models if model.language in wanted]
@@ -113,7 +113,7 @@ def _ratios(
         programs.append((yours[0].submission, yours[1]))
         names.append(YOURS)
     try:
-        with Session(problem, Terms(diagnosed=False, named=False), bars=progress) as session:
+        with Session(problem, RunOptions(diagnosed=False, named=False), bars=progress) as session:
             session.boot(programs[0][1], programs[0][0])
             results = [session.judge(source, file) for file, source in programs]
     except JudgeError as fault:  # the solution is what was asked for

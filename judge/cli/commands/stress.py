@@ -27,7 +27,7 @@ from judge.cli.target import check_svg
 from judge.cli.wish import named_problem
 from judge.data.model import ProblemData
 from judge.errors import ExitCode, JudgeError, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.judging.stressing import Stressing
 from judge.problem import Verdict
@@ -110,7 +110,7 @@ def command(
         if svg is not None:
             check_svg(svg, 1)
         chosen = chosen_groups(problem, groups, kata_level)
-        terms = Terms(
+        options = RunOptions(
             groups,
             isolation=level,
             diagnosed=not unshrunk or regression is not None,
@@ -118,7 +118,7 @@ def command(
             level=kata_level,
         )
         stressing = Stressing(submission.source, submission.name, chosen, seed, seconds)
-        with Session(problem, terms, bars=progress) as session:
+        with Session(problem, options, bars=progress) as session:
             stressed = _stressed(stressing, session)
         data = ProblemData(problem, ())
         said = Notes()

@@ -14,7 +14,7 @@ from judge.cli.submissions import Submission, read_submissions
 from judge.cli.target import check_svg, svg_target
 from judge.data.given import line_of, read_case
 from judge.errors import ExitCode, UsageError, told
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.judging.trying import ask, try_case
 from judge.languages import is_program
@@ -71,7 +71,7 @@ def command(
     tried = try_case(problem, read_case(problem, case), group)
     said = None
     if submission is not None:
-        with Session(problem, Terms(isolation=level)) as session:
+        with Session(problem, RunOptions(isolation=level)) as session:
             said = ask(session, tried, submission.source, submission.name)
             Notes().say(session.containment.notes(said.isolation))
     if as_json:

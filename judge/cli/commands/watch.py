@@ -35,7 +35,7 @@ from judge.cli.submissions import read_submissions
 from judge.cli.watching import WatchedFile, await_event, handled
 from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, HistoryError, UsageError
-from judge.judging.job import Terms
+from judge.judging.job import RunOptions
 from judge.kata.saves import Saves
 from judge.problem import Problem
 from judge.problem.choose import chosen_groups
@@ -86,8 +86,8 @@ def command(
     else:
         kata = _named(first, file, folders, db)
     chosen_groups(kata.problem, groups, kata_level)  # a name that is none is told before anything else
-    terms = Terms(groups, seed, level, diagnosed=not unshrunk, named=not no_name, level=kata_level)
-    wish = Wish(terms, kept=not unrecorded, db=db)
+    options = RunOptions(groups, seed, level, diagnosed=not unshrunk, named=not no_name, level=kata_level)
+    wish = Wish(options, kept=not unrecorded, db=db)
     if not unrecorded:
         _take_up(kata, db)
     with handled(dict.fromkeys(_ENDINGS, _leave)):
