@@ -6,15 +6,15 @@ longer than who gives it work: it holds the end of a pipe, and ends when nobody 
 
 from __future__ import annotations
 
+import fcntl
 import multiprocessing
 import os
 import signal
-import threading
 from collections import Counter, deque
 from collections.abc import Callable, Container, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from multiprocessing.connection import Connection
 from typing import Any, Generic, TypeVar
 
@@ -26,6 +26,7 @@ R = TypeVar("R")
 
 _SPAWN = multiprocessing.get_context("spawn")  # a fork would copy threads' locks and open boxes
 _DIED = "its worker died"
+_LINES: list[Connection] = []  # of a worker: who gives it work holds the other end
 
 
 class Processes:
@@ -179,15 +180,13 @@ def _begin(line: Connection) -> None:
     """What a worker does first. Ctrl-C, which every process of a terminal gets, ends it without a word."""
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-    threading.Thread(target=_end_with, args=(line,), daemon=True).start()
-
-
-def _end_with(line: Connection) -> None:
-    """End this process when nobody is left who would take its results."""
-    with suppress(EOFError, OSError):
-        line.recv_bytes()
-    os._exit(1)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGIO})
+    _LINES.append(line)
+    signal.signal(signal.SIGIO, signal.SIG_DFL)  # which ends this process: nobody is left for its results
+    fcntl.fcntl(line, fcntl.F_SETOWN, os.getpid())
+    fcntl.fcntl(line, fcntl.F_SETFL, fcntl.fcntl(line, fcntl.F_GETFL) | os.O_ASYNC)
+    if line.poll():  # it was closed before
+        os._exit(1)
 
 
 @contextmanager

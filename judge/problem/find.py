@@ -14,7 +14,9 @@ The solutions to a folder of problems are in the folder `solutions` beside it.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from judge.errors import ProblemError, UsageError, nearest
@@ -135,6 +137,8 @@ def _installed_roots() -> list[Path]:
 
     An entry point names a package whose folder holds the problems' folders, or a path to such a folder.
     """
+    if not _may_be_installed():
+        return []
     from importlib.metadata import entry_points  # slow to import, and seldom wanted
 
     roots = []
@@ -152,6 +156,19 @@ def _installed_roots() -> list[Path]:
             raise ProblemError(what, where=f"entry point {point.value}", remedy="repair or uninstall it")
         roots.append(root.resolve())
     return roots
+
+
+def _may_be_installed() -> bool:
+    """Whether an installed distribution speaks of packs; seen without importlib.metadata, which is slow."""
+    wanted = _ENTRY_POINTS.encode()
+    for place in map(Path, dict.fromkeys(sys.path)):
+        if place.is_file():  # a zip archive
+            return True
+        for told in place.glob("*-info/entry_points.txt"):
+            with suppress(OSError):
+                if wanted in told.read_bytes():
+                    return True
+    return False
 
 
 def _folders(roots: Sequence[Path]) -> list[Path]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -67,12 +68,18 @@ class KeptProblem:
 
     def _decoded(self, wanted: Any, value: Any) -> Any:
         if wanted is Fraction:
-            return Fraction(value)
+            return _fraction(value)
         if wanted is Path:
             return Path(value)
-        types = self._folder.parent / "types"
-        type_ = parse(value["type"], types if types.is_dir() else None)
-        return type_.worded(Words(**value["words"])) if value["words"] else type_
+        return _type(value["type"], self._folder.parent / "types").worded(Words(**value["words"]))
+
+
+_fraction = cache(Fraction)  # a problem has hundreds of them, most of them alike
+
+
+@cache
+def _type(text: str, folder: Path) -> Type:
+    return parse(text, folder if folder.is_dir() else None)
 
 
 def _encoded(value: Any) -> Any:

@@ -80,8 +80,8 @@ def steadied(folder: Path) -> Iterator[None]:
         problem = session.problem
         version = versions.setdefault(problem.folder, "") or version_of(problem)
         versions[problem.folder] = version
-        terms = [getattr(session.terms, field) for field in session.terms.__struct_fields__]
-        key = sha256(repr((problem.id, version, terms, Path(name).name, source)).encode()).hexdigest()
+        options = [getattr(session.options, field) for field in session.options.__struct_fields__]
+        key = sha256(repr((problem.id, version, options, Path(name).name, source)).encode()).hexdigest()
         path = folder / key
         if path.exists():
             result: Result = pickle.loads(path.read_bytes())

@@ -76,6 +76,15 @@ class Point:
         return self.pack
 
 
+@pytest.fixture
+def _a_pack_is_installed(tmp_path, monkeypatch):
+    told = tmp_path / "site" / "more-1.0.dist-info" / "entry_points.txt"
+    told.parent.mkdir(parents=True)
+    told.write_text("[judge.problems]\nmore = more.problems\n")
+    monkeypatch.syspath_prepend(tmp_path / "site")
+
+
+@pytest.mark.usefixtures("_a_pack_is_installed")
 def test_installed_packs_are_asked_only_on_a_miss(pack, monkeypatch):
     installed = pack("c", "roots")
     asked = []
@@ -91,6 +100,7 @@ def test_installed_packs_are_asked_only_on_a_miss(pack, monkeypatch):
     assert asked == ["judge.problems"]
 
 
+@pytest.mark.usefixtures("_a_pack_is_installed")
 @pytest.mark.parametrize("broken", [ImportError("no module more"), SystemExit(0), "/nowhere/at/all", 7])
 def test_a_broken_pack_is_named(broken, monkeypatch):
     monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: [Point(broken)])

@@ -6,6 +6,8 @@ import ast
 import re
 import subprocess
 import sys
+import tokenize
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -142,3 +144,33 @@ def test_what_judges_needs_nothing_of_the_platform_before_a_box_is_opened():
     )
     ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
     assert (ended.stdout, ended.stderr) == ("imported\n", "")
+
+
+BUDGETS = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["judge"][
+    "tokens"
+]
+NO_CODE = {
+    *(tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT),
+    tokenize.ENDMARKER,
+}
+
+
+def tokens_of(name: str) -> int:
+    """The tokens of a file's code."""
+    told = {
+        line
+        for node in nodes(FILES[name], ast.Module, ast.ClassDef, ast.FunctionDef)
+        if ast.get_docstring(node) is not None
+        for line in range(node.body[0].lineno, node.body[0].end_lineno + 1)
+    }
+    with (PACKAGE / name).open("rb") as file:
+        return sum(
+            token.type not in NO_CODE and not (token.type == tokenize.STRING and token.start[0] in told)
+            for token in tokenize.tokenize(file.readline)
+        )
+
+
+@pytest.mark.parametrize("room", BUDGETS)
+def test_a_room_keeps_to_its_budget(room):
+    used = sum(tokens_of(name) for name in FILES if name.startswith(f"{room}/"))
+    assert 0.8 * BUDGETS[room] < used <= BUDGETS[room]
