@@ -27,8 +27,8 @@ from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, explained, held, routine_name
 from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem
-from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
+from judge.problem.model import chosen_groups
 from judge.report.layout import Column, Line, Span, Table, hanging, line
 from judge.report.results import failure_lines, pitfall_lines, smallest_lines
 from judge.report.values import counted

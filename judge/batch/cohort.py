@@ -8,7 +8,7 @@ from typing import Any
 
 from judge.batch.model import Row
 from judge.batch.outcome import Outcome, counting
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.cohort.parts import (
     Cohort,
     Counted,

@@ -14,7 +14,7 @@ import msgspec
 from msgspec import Struct
 
 from judge.digest import digest_of
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 
 
 class Student(Struct, frozen=True):

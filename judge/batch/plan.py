@@ -16,7 +16,7 @@ from judge.batch.model import Done, Handin, Row, Standard, Task
 from judge.batch.standard import differing
 from judge.digest import digest_of
 from judge.problem import Problem, Verdict
-from judge.problem.verdict import FULL_SCORE
+from judge.problem.model import FULL_SCORE
 from judge.run.execute import judge_fault
 
 

@@ -24,8 +24,8 @@ from judge.errors import ProblemError, UsageError
 from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.problem import Group, Problem
-from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
+from judge.problem.model import chosen_groups
 from judge.run.execute import judge_fault
 from judge.run.reference import check_needs
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from judge.problem.level import LEVELS
+from judge.problem.model import LEVELS
 
 F = TypeVar("F", bound=Callable[..., Any])
 

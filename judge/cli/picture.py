@@ -12,8 +12,8 @@ from judge.cli.target import svg_target
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Problem
+from judge.problem.declare import Shown
 from judge.problem.model import case_of
-from judge.problem.topic import Shown
 from judge.report.layout import Line
 from judge.report.screen import Screen, is_terminal, note
 from judge.run.result import Result

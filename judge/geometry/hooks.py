@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem
-from judge.problem.declare import Hooks
-from judge.problem.topic import Puzzle, Shown
+from judge.problem.declare import Hooks, Puzzle, Shown
 
 if TYPE_CHECKING:
     from judge.data.draw import Draw

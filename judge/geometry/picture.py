@@ -36,8 +36,7 @@ from judge.geometry.view import (
     wanted,
 )
 from judge.geometry.views import view_of
-from judge.problem.declare import Decided, InvalidCase, decisions
-from judge.problem.topic import Shown
+from judge.problem.declare import Decided, InvalidCase, Shown, decisions
 
 LEGEND = "e: the case's own size"
 

@@ -17,8 +17,7 @@ from judge.geometry.picture import bare
 from judge.geometry.quadratic import TANGENT
 from judge.geometry.scenes.crowds import anywhere
 from judge.geometry.view import Ring, View, Way
-from judge.problem.declare import decisions
-from judge.problem.topic import Puzzle
+from judge.problem.declare import Puzzle, decisions
 
 IntPoint = tuple[int, int]
 IntCircle = tuple[int, int, int]

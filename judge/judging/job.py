@@ -8,8 +8,8 @@ from msgspec import Struct
 
 from judge.digest import digest_of
 from judge.problem import Problem
-from judge.problem.choose import chosen_groups
 from judge.problem.keys import all_code_files, content_key, own_files
+from judge.problem.model import chosen_groups
 
 
 class RunOptions(Struct, frozen=True):

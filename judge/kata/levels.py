@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from judge.kata.history import Run
 from judge.problem import Problem
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 
 
 class LevelStanding(Struct, frozen=True):

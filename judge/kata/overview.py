@@ -10,7 +10,7 @@ from judge.kata.levels import LevelStanding
 from judge.kata.skills import SkillProgress, SkillState
 from judge.kata.standing import Standing, State
 from judge.problem import Problem
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 
 
 class Share(Struct, frozen=True):

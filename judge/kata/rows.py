@@ -20,8 +20,8 @@ from judge.errors import HistoryError
 from judge.kata.answers import Answered, Rating
 from judge.kata.hacks import Hack, Outcome
 from judge.problem import Verdict
+from judge.problem.model import FULL_SCORE
 from judge.problem.solutions import is_solution
-from judge.problem.verdict import FULL_SCORE
 from judge.run.result import Mode
 
 _Kind = TypeVar("_Kind")

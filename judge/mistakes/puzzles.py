@@ -22,7 +22,7 @@ from judge.errors import UsageError, nearest
 from judge.mistakes.family import INNER
 from judge.mistakes.makers import Maker, Makers, read_makers
 from judge.problem import Group, Problem
-from judge.problem.level import LEVELS
+from judge.problem.model import LEVELS
 
 _NEUTRAL = "inner"  # what a function is called whose own name would tell that it is right
 

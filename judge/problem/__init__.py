@@ -13,8 +13,8 @@ from judge.problem.model import (
     ShownSkill,
     Tier,
     TimeRule,
+    Verdict,
 )
-from judge.problem.verdict import Verdict
 from judge.values.answers import Tolerance
 from judge.values.base import Number
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 from msgspec import Meta, Struct
 
-from judge.problem.level import KataLevel, levels_among
+from judge.errors import UsageError, nearest
 from judge.values import parameters
 from judge.values.answers import Tolerance as Tolerance
 from judge.values.base import Number as Number
@@ -36,6 +36,62 @@ def tupled(value: Any) -> Any:
 _MEGABYTE = 2**20
 MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
+
+
+class KataLevel(Enum):
+    """What a test group belongs to, the easier first; the value is its name in problem.toml and in JSON."""
+
+    INTERVIEW = "interview"
+    PRODUCTION = "production"
+
+    @property
+    def meaning(self) -> str:
+        """What its test groups ask of a program."""
+        if self is KataLevel.INTERVIEW:
+            return "the kinds of cases there are, at sizes that a textbook has"
+        return "sizes from tiny to huge, places far from the origin, near touches, last digits, growth"
+
+
+LEVELS = tuple(level.value for level in KataLevel)
+
+
+def levels_among(found: Iterable[KataLevel | None]) -> tuple[KataLevel, ...]:
+    """The levels there are among these, the easier first."""
+    there = set(found)
+    return tuple(level for level in KataLevel if level in there)
+
+
+FULL_SCORE = 100  # what the points of a problem's groups sum to
+
+
+class Verdict(Enum):
+    """The outcome of a test group or of a whole submission; the value is its name in JSON."""
+
+    AC = "AC"
+    WA = "WA"
+    TLE = "TLE"
+    MLE = "MLE"
+    OLE = "OLE"
+    RTE = "RTE"
+    CE = "CE"
+    JE = "JE"
+
+    @property
+    def meaning(self) -> str:
+        """The verdict in words."""
+        return _MEANING[self]
+
+
+_MEANING = {
+    Verdict.AC: "accepted",
+    Verdict.WA: "wrong answer",
+    Verdict.TLE: "time limit exceeded",
+    Verdict.MLE: "memory limit exceeded",
+    Verdict.OLE: "output limit exceeded",
+    Verdict.RTE: "run-time error",
+    Verdict.CE: "does not compile",
+    Verdict.JE: "could not be judged",
+}
 
 
 class Tier(Enum):
@@ -215,3 +271,32 @@ class Problem(Struct, frozen=True):
 def group_place(problem: Problem, group: str) -> str:
     """Where a group is declared, as `id/problem.py:12`, for faults that only building shows."""
     return f"{problem.id}/problem.py:{next(each.line for each in problem.groups if each.name == group)}"
+
+
+def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = None) -> tuple[Group, ...]:
+    """The problem's groups of those names, all of them where none is named; of one level if that is given.
+
+    Raises:
+        UsageError: the problem has no group of that name, no such level, or no group that is both.
+    """
+    known = [group.name for group in problem.groups]
+    for name in names:
+        if name not in known:
+            meant = nearest(name, known)
+            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
+            raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
+    if level is not None:
+        _check_level(problem, level)
+    chosen = [group for group in problem.groups if not names or group.name in names]
+    found = tuple(group for group in chosen if level is None or (group.level and group.level.value == level))
+    if not found:
+        there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
+        raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
+    return found
+
+
+def _check_level(problem: Problem, level: str) -> None:
+    if level not in LEVELS:
+        raise UsageError(f"there is no level {level!r}", remedy=f"use one of {', '.join(LEVELS)}")
+    if not problem.levels:
+        raise UsageError(f"{problem.id} has one level only", remedy="leave the level out")

@@ -17,8 +17,7 @@ from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
 from judge.problem.declare import Declared, Hooks, InvalidCase
-from judge.problem.level import KataLevel
-from judge.problem.model import Case, Problem
+from judge.problem.model import Case, KataLevel, Problem
 from judge.problem.text import read_text
 
 if TYPE_CHECKING:

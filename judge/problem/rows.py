@@ -16,11 +16,18 @@ from msgspec.structs import replace
 
 from judge.errors import ProblemError
 from judge.problem.declare import Declared
-from judge.problem.level import KataLevel
-from judge.problem.model import EXAMPLES, Group, GroupLimits, GrowthRule, Problem, ShownSkill
+from judge.problem.model import (
+    EXAMPLES,
+    FULL_SCORE,
+    Group,
+    GroupLimits,
+    GrowthRule,
+    KataLevel,
+    Problem,
+    ShownSkill,
+)
 from judge.problem.module import load_module
 from judge.problem.names import is_name
-from judge.problem.verdict import FULL_SCORE
 from judge.reading import read_ordinary
 from judge.values import Tolerance
 

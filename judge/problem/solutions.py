@@ -24,9 +24,8 @@ from msgspec import Struct
 
 from judge.errors import ProblemError
 from judge.languages import SUFFIX, is_program, language_of
-from judge.problem.model import Problem
+from judge.problem.model import Problem, Verdict
 from judge.problem.program import tree_of
-from judge.problem.verdict import Verdict
 from judge.reading import read_ordinary
 
 if TYPE_CHECKING:

@@ -1,6 +1,6 @@
 """Reading statement.md: its placeholders and its worked examples.
 
-A placeholder `{{name}}` stands for a number of problem.toml: bands, bounds and tolerances are declared
+A placeholder `{{name}}` stands for a number of problem.toml: bounds and tolerances are declared
 once. A worked example is written as at Python's prompt, and is read as data, never run:
 
     >>> line_count(0, 0, 1, (0, 1), (4, 1))

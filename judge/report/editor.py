@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import printable
 from judge.report.names import shown_name
 from judge.report.places import annotated_place

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from judge.drawing.svg import panel_svg
 from judge.problem import Problem
+from judge.problem.declare import Shown
 from judge.problem.module import load_module
-from judge.problem.topic import Shown
 from judge.values import show
 
 FIGURE = "figure.svg"

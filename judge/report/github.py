@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import printable
 from judge.report.places import annotated_place
 from judge.report.results import failure_place, verdict_lines

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import Line, Link, Span, Style, beside, cells, hanging, line, printable
 from judge.report.names import shown_name
 from judge.report.results import (

@@ -8,7 +8,7 @@ from datetime import date, datetime
 from judge.errors import HistoryError
 from judge.kata.history import Run
 from judge.kata.stub import usual_name
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.results import verdict_span

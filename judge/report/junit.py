@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as Xml
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import printable
 from judge.report.levels import level_share
 from judge.report.results import counterexample_lines, failure_lines, failure_place, pitfall_lines

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.report.values import counted
 from judge.run.result import LevelResult
 

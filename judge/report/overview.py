@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from judge.kata.overview import SetStanding, Share
 from judge.kata.skills import SkillProgress, SkillState
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.levels import level_name
 from judge.report.skills import counted_mistakes, failing_groups

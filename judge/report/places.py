@@ -6,7 +6,7 @@ import re
 
 from msgspec import Struct
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.run.result import Result
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …

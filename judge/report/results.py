@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.layout import (
     Cell,
     Column,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from judge.kata.levels import LevelStanding
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table
 from judge.report.levels import level_name

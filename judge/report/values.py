@@ -8,7 +8,7 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
-from judge.problem.verdict import FULL_SCORE
+from judge.problem.model import FULL_SCORE
 
 _ITEMS = 40  # of a list that are shown
 

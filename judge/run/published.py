@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 
 from judge.problem import Verdict
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.run.result import (
     Against,
     Failure,

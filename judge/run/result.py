@@ -15,7 +15,7 @@ from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 
 if TYPE_CHECKING:
     from judge.values import Outline, Raw

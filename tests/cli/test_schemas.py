@@ -18,7 +18,7 @@ from sampling import daily
 from judge.cli.app import app
 from judge.cli.table import COMMANDS
 from judge.problem import Verdict
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.run import Failure, GroupResult, LevelResult, Mode, Pitfall, Ratio, Result, Timing, judge_fault
 from judge.schema import commands, schema_of, whole
 

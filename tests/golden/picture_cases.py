@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from judge.drawing.svg import to_svg
+from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.problem.topic import Shown
 from judge.report.page.reread import reread
 from judge.values import check, show
 

@@ -14,9 +14,9 @@ from judge.data import load_data
 from judge.drawing import labels
 from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
 from judge.drawing.svg import to_svg
+from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.problem.topic import Shown
 
 SVG = "{http://www.w3.org/2000/svg}"
 ANSWERS = ["1", "None", "[]", "[(1.5, 2.0), (-3e9, 1e-300)]", "[(1e300, -4)]", "2 1 2 3 4", "0.25", "\x00<&"]

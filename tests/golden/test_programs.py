@@ -18,7 +18,7 @@ from judge.data.validate import Validator
 from judge.diagnose.simplicity import measure
 from judge.problem import Verdict
 from judge.problem.find import all_problems, find_problem
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.problem.module import load_module
 
 pytestmark = pytest.mark.slow

@@ -15,9 +15,9 @@ from walk import ROOT
 from judge.drawing import Picture
 from judge.drawing.svg import panel_svg, style, words
 from judge.problem import Problem
+from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.problem.topic import Shown
 from judge.values import check, show
 
 FOLDER = ROOT / ".github" / "katas"

@@ -8,7 +8,7 @@ from judge.batch.cohort import cohort_of
 from judge.batch.model import Done, Row, Student
 from judge.batch.outcome import Outcome
 from judge.digest import digest_of
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.cohort.parts import EqualFiles
 from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
 

@@ -17,7 +17,7 @@ from judge.batch.representatives import representatives
 from judge.batch.table import table_lines
 from judge.errors import ExitCode
 from judge.problem.find import find_problem
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 from judge.report.cohort.gradebook import gradebook, is_gradebook
 from judge.report.cohort.lines import cohort_lines
 from judge.report.cohort.page import is_class_page, render_class

@@ -8,9 +8,9 @@ import pytest
 
 from judge.data.draw import SeededDraw
 from judge.drawing.shapes import Role
+from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.problem.topic import Shown
 
 NEAR = 3e-7
 

@@ -10,9 +10,8 @@ from pathlib import Path
 import msgspec
 
 from judge.problem.declare import Hooks, group
-from judge.problem.level import KataLevel
 from judge.problem.load import Head, Row
-from judge.problem.model import GroupLimits, Source, TimeRule
+from judge.problem.model import GroupLimits, KataLevel, Source, TimeRule
 from judge.sandbox.attacks import ATTACKS
 from judge.values import Tolerance, Words
 from judge.values.grammar import ALIASES, ATOMS, VECTORS

@@ -13,7 +13,7 @@ from past_runs import past_result
 
 from judge.batch.results import results_of
 from judge.problem import Verdict
-from judge.problem.level import KataLevel
+from judge.problem.model import KataLevel
 from judge.report.junit import junit
 from judge.run import Failure, GroupResult, Mode, Result, judge_fault
 from judge.run.published import result_of

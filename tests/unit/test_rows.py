@@ -17,8 +17,8 @@ from judge.mistakes.computed import Computer, entry_of
 from judge.mistakes.makers import read_makers
 from judge.mistakes.verified import verify_choices
 from judge.problem.find import find_problem
-from judge.problem.level import KataLevel
 from judge.problem.load import load_problem
+from judge.problem.model import KataLevel
 from judge.problem.module import load_module
 from judge.run.verify import verify_problem
 from judge.sandbox import Boxes

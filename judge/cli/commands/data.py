@@ -16,8 +16,8 @@ from judge.cli.options import (
 )
 from judge.data.load import load_data
 from judge.errors import ExitCode, UsageError, unwritable
-from judge.problem.choose import chosen_groups
 from judge.problem.find import find_problem
+from judge.problem.model import chosen_groups
 from judge.report.files import group_files
 from judge.report.layout import Span, Style, line
 from judge.report.names import shown_name

@@ -291,7 +291,7 @@ def _asked_for(screen: Screen) -> str:
 
 def _drawn(tried: Tried, said: Said, screen: Screen, beside: int) -> list[Line]:
     """The picture of the case, where the screen has room for it."""
-    from judge.problem.topic import Shown
+    from judge.problem.declare import Shown
     from judge.report.picture import has_room, picture_lines
     from judge.report.terminal import height
 

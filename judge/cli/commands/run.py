@@ -41,7 +41,7 @@ from judge.cli.target import check_svg
 from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode
 from judge.judging.job import RunOptions
-from judge.problem.choose import chosen_groups
+from judge.problem.model import chosen_groups
 
 
 @click.command("run")

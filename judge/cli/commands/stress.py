@@ -31,7 +31,7 @@ from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.judging.stressing import Stressing
 from judge.problem import Verdict
-from judge.problem.choose import chosen_groups
+from judge.problem.model import chosen_groups
 from judge.report.glance import screen_rows
 from judge.report.layout import Line
 from judge.report.progress import progress, stages

@@ -19,9 +19,9 @@ from judge.judging.session import Session
 from judge.judging.trying import ask, try_case
 from judge.languages import is_program
 from judge.problem import Verdict
-from judge.problem.choose import chosen_groups
+from judge.problem.declare import Shown
 from judge.problem.find import find_problem
-from judge.problem.topic import Shown
+from judge.problem.model import chosen_groups
 from judge.report.layout import Line, line
 from judge.report.screen import Notes, Screen, note, out
 from judge.report.trying import said_lines, tried_lines

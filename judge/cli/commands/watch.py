@@ -38,7 +38,7 @@ from judge.errors import ExitCode, HistoryError, UsageError
 from judge.judging.job import RunOptions
 from judge.kata.saves import Saves
 from judge.problem import Problem
-from judge.problem.choose import chosen_groups
+from judge.problem.model import chosen_groups
 from judge.report.screen import is_terminal, note, out
 from judge.report.terminal import draws
 

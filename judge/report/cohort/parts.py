@@ -7,7 +7,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.problem.verdict import Verdict
+from judge.problem.model import Verdict
 
 
 class Person(Struct, frozen=True):

@@ -13,9 +13,9 @@ from judge.drawing.shapes import Role
 from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.problem import Problem, Verdict
+from judge.problem.declare import Shown
 from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
-from judge.problem.topic import Shown
 from judge.report.names import shown_command
 from judge.report.page.parts import Drawing
 from judge.report.page.record import CaseRecord, Record

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 def _count(card: Card, sources: Sources, draw: Draw) -> Question:
     from judge.data.build import new_case
     from judge.data.validate import Validator
+    from judge.problem.declare import Shown
     from judge.problem.module import blaming
-    from judge.problem.topic import Shown
 
     problem, module = sources.problem(card.problem), sources.module(card.problem)
     validator = Validator(problem, module.solve)
