@@ -2,12 +2,11 @@
 
 from judge.exact.dyadic import Rational, integers, ratio
 from judge.exact.signs import exact_root, root_sign, sign, two_root_sign
-from judge.exact.surd import Surd, decimal_text
+from judge.exact.surd import Surd
 
 __all__ = [
     "Rational",
     "Surd",
-    "decimal_text",
     "exact_root",
     "integers",
     "ratio",

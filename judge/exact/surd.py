@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
+from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, Context, Decimal, Inexact
 from fractions import Fraction
 from math import inf, isinf, isnan
 from typing import Any, NoReturn, TypeGuard
@@ -10,8 +10,8 @@ from typing import Any, NoReturn, TypeGuard
 from judge.exact import rounding
 from judge.exact.dyadic import Rational, ratio
 from judge.exact.signs import exact_root, root_sign, two_root_sign
-from judge.exact.text import decimal_digits, layout
 
+_MOST_DIGITS = 4000  # Python itself refuses to print integers much longer
 _BITS = 56  # enough for a double and a sticky bit
 
 
@@ -195,12 +195,6 @@ class Surd:
         exponent = self.ulp_exponent()
         return Fraction(1 << exponent) if exponent >= 0 else Fraction(1, 1 << -exponent)
 
-    def ulps(self, answer: Rational) -> float:
-        """|answer − self| in ulps of self, correctly rounded to a double; inf for an infinite answer."""
-        if isinstance(answer, (float, Decimal)) and isinf(answer):
-            return inf
-        return abs(float((self - Fraction(*ratio(answer))) / self.ulp()))
-
     # -- text ----------------------------------------------------------------------------------------
 
     def decimal(self, digits: int) -> str:
@@ -209,8 +203,20 @@ class Surd:
         Laid out like a float's repr. Numbers that need fewer digits print whole ("0.5", "3"); trailing zeros
         of the others are kept, since they are known. Raises ValueError for digits outside 1 … 4000.
         """
-        text, exponent, exact = decimal_digits(self.p, self.q, self.d, self.s, digits)
-        return ("-" if self.sign() < 0 else "") + layout(text, exponent, exact)
+        if not 1 <= digits <= _MOST_DIGITS:
+            raise ValueError(f"between 1 and {_MOST_DIGITS} digits, not {digits}")
+        if not self:
+            return "0"
+        top, bottom = abs(self.p), self.s
+        if self.q:
+            _, m, k, _ = rounding.magnitude(self.p, self.q, self.d, self.s, digits * 10 // 3 + 80)
+            top, bottom = 2 * m + 1, 2 << k if k >= 0 else 1  # a sticky bit: what was cut off lies above m
+            top <<= max(-k - 1, 0)
+        context = Context(digits, ROUND_HALF_EVEN, MIN_EMIN, MAX_EMAX, traps=[])
+        rounded = context.divide(Decimal(top), Decimal(bottom))
+        text = "".join(map(str, rounded.as_tuple().digits))
+        exact = not self.q and not context.flags[Inexact]
+        return ("-" if self.sign() < 0 else "") + _layout(text, rounded.adjusted(), exact)
 
 
 _set_p = Surd.__dict__["p"].__set__
@@ -240,6 +246,14 @@ def _is_comparable(value: object) -> TypeGuard[Surd | Rational]:
     return isinstance(value, (Surd, int, Fraction, Decimal)) and not isinstance(value, bool)
 
 
-def decimal_text(value: Rational | Surd, digits: int = 17) -> str:
-    """`Surd.decimal` of any number that can be taken exactly."""
-    return Surd.of(value).decimal(digits)
+def _layout(text: str, exponent: int, exact: bool) -> str:
+    """Digits as a float's repr would set them: plain from 1e-4 to 1e16, else with an exponent."""
+    if exact:
+        text = text.rstrip("0") or "0"
+    if -5 < exponent < 0:
+        return "0." + "0" * (-exponent - 1) + text
+    if 0 <= exponent < 16:
+        whole, part = text[: exponent + 1].ljust(exponent + 1, "0"), text[exponent + 1 :]
+        return f"{whole}.{part}" if part else whole
+    part = f".{text[1:]}" if len(text) > 1 else ""
+    return f"{text[0]}{part}e{'-' if exponent < 0 else '+'}{abs(exponent):02d}"

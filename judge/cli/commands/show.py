@@ -50,7 +50,7 @@ def command(name: str, listing: bool, as_json: bool, folders: tuple[Path, ...]) 
 
 
 def as_object(problem: Problem) -> dict[str, Any]:
-    """The published object of one problem. Bounds, bands and tolerances are exact: `n` or `n/d` as text."""
+    """The published object of one problem. Bounds and tolerances are exact: `n` or `n/d` as text."""
     return {
         "schema": SCHEMA,
         "problem": problem.id,
