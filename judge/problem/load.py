@@ -118,14 +118,14 @@ def _made(wanted: Any, value: Any, types: Path | None) -> Any:
     """A Fraction or a Type of what stands in the file."""
     if wanted is Type:
         if not isinstance(value, str):
-            raise ValueError("Expected `str`")
+            raise refusal("{key} is not text", 'give a type in quotes, such as "integer"')
         try:
             return parse(value, types)
         except TypeFault as fault:
             raise refusal(f"{{key}} = {fault.what}", fault.remedy) from None
     if wanted is Fraction:
         if isinstance(value, bool) or not isinstance(value, int | Decimal):
-            raise ValueError("Expected `number`")
+            raise refusal("{key} is not a number", "give a number")
         if isinstance(value, Decimal) and not value.is_finite():
             raise refusal(f"{{key}} is {value}", "give a finite number")
         if isinstance(value, Decimal) and abs(value.adjusted()) > _MOST_DIGITS:
@@ -212,7 +212,8 @@ def _parameter(file: TomlFile, name: str, row: Row) -> Parameter:
     usual = Fraction(1, 10**30) if row.type.measured else Fraction(0)
     smallest = usual if row.smallest is None else row.smallest
     if not 0 <= smallest <= 1:
-        what = f"the smallest number of {name!r} other than 0 is {float(smallest):g}"
+        given = (Decimal(smallest.numerator) / smallest.denominator).normalize()  # no float may hold it
+        what = f"the smallest number of {name!r} other than 0 is {given:.6g}"
         remedy = "give 0 to 1: an int other than 0 is never smaller than 1"
         raise file.fault(what, remedy, *path, "smallest")
     if smallest and not row.type.measured:
