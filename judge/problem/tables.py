@@ -118,7 +118,7 @@ class TomlFile:
             said, _, remedy = what.partition("\0")
             return self.fault(said.replace("{key}", name), remedy, *path)
         kinds = [_KINDS[each] for each in named[0].split(" | ") if each in _KINDS]
-        wanted = "a number" if named[0] == "number" or len(kinds) > 1 or named[0] == "float" else kinds[0]
+        wanted = "a number" if len(kinds) > 1 or named[0] == "float" else kinds[0]
         if len(named) > 1:
             return self.fault(f"{dotted} is {_KINDS.get(named[1], named[1])}", f"give {wanted}", *path)
         sign, _, bound = what.rpartition("`")[2].strip().partition(" ")
