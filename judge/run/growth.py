@@ -4,6 +4,7 @@ The logarithm of the ratio of both times is fitted against log n by least square
 the submission's exponent exceeds the reference's: it says the same on any machine, in any language.
 Groups that take the reference less than 10 ms say nothing. Two interleaved rounds settle most submissions; in
 the grey zone around the limit nine pairs do, and both their medians and the least times must be too steep.
+No submission is too steep by two rounds of short turns: a machine that is busy for a moment looks like that.
 What a submission took before its time was up is the least that it takes, so such a group may make the fit
 steeper, never flatter, than the groups that came to an end.
 """
@@ -22,6 +23,8 @@ from judge.run.timing import MOST_PAIRS, Decision, Pair, Run, decide, is_clear, 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count
 ROUNDS = 2
 GREY = 0.15  # on either side of the limit
+SHORT_SECONDS = 0.5  # turns of the steepest course; where they are shorter, to be too steep takes
+ROUNDS_OF_SHORT = 5
 _SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
@@ -91,8 +94,11 @@ def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: flo
     counting = _counting(courses, pairs)
     grey = False
     if len({each.size for each in counting}) >= 2:
-        _, by_medians, by_least = _steepest(counting, pairs)
-        grey = min(by_medians, by_least) < slope + GREY and max(by_medians, by_least) > slope - GREY
+        steepest, by_medians, by_least = _steepest(counting, pairs)
+        largest = pairs[max(steepest, key=lambda each: each.size).name]
+        hasty = len(largest) < ROUNDS_OF_SHORT and _least(largest).submission < SHORT_SECONDS
+        near = min(by_medians, by_least) < slope + GREY
+        grey = max(by_medians, by_least) > slope - GREY and (near or hasty)
     return [
         each
         for each in courses

@@ -147,7 +147,7 @@ def test_a_big_case_that_fails_is_not_shown(signs):
 
 def test_a_good_solution_passes_and_its_growth_is_published(inversions):
     result = judged(inversions, "accepted/tree.py")
-    assert (result.verdict, result.score) == (Verdict.AC, 100)
+    assert (result.verdict, result.score) == (Verdict.AC, 100), result.failure
     if result.time.growth is not None:  # on a machine ten times as quick the groups are too short
         assert result.as_json()["time"]["growth"]["groups"] == ["n-2000", "n-6000"]
     jsonschema.validate(result.as_json(), schema_of("run"))

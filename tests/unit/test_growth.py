@@ -45,7 +45,7 @@ def test_the_exponent_of_a_law_is_found(power):
 
 
 def test_a_quadratic_is_too_steep_after_two_rounds():
-    grown = grow(law(1.9), SLOPE)
+    grown = grow(law(1.9), SLOPE)  # its longest turns take 4 s
     assert grown.too_steep
     assert str(grown.growth) == "it grows like n^1.9, the reference like n^1.2"
     assert (grown.growth.pairs, grown.growth.borderline) == (2, False)
@@ -74,6 +74,14 @@ def test_both_the_medians_and_the_least_times_must_be_too_steep():
     grown = grow(courses, SLOPE)
     assert (grown.too_steep, grown.growth.borderline) == (False, True)  # one quick run shows that it can
     assert grown.growth.pairs == MOST_PAIRS
+
+
+def test_two_slow_rounds_of_short_turns_reject_nobody():
+    """A machine that is busy just then doubles them both; turns that are long enough need no more rounds."""
+    busy = [0.08 * 2.5, 0.08 * 2.5, 0.08]
+    assert not grow([course(2_000, 0.02, 0.02), course(8_000, busy, 0.08)], SLOPE).too_steep
+    long = [course(2_000, 0.2, 0.2), course(8_000, 0.8 * 2.5, 0.8)]
+    assert grow(long, SLOPE).growth.pairs == 2
 
 
 def test_one_slow_turn_of_the_reference_saves_nobody():
