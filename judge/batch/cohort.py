@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 from judge.batch.model import Row
 from judge.batch.outcome import Outcome, counting
@@ -20,6 +19,7 @@ from judge.report.cohort.parts import (
     ProblemView,
     Stuck,
 )
+from judge.run.result import Result
 
 _Pair = tuple[str, str]  # a student and a problem
 
@@ -94,14 +94,14 @@ def _view(problem: str, counting: Mapping[_Pair, Row], order: Sequence[str]) -> 
     )
 
 
-def _groups(results: Sequence[Mapping[str, Any]]) -> tuple[GroupBar, ...]:
+def _groups(results: Sequence[Result]) -> tuple[GroupBar, ...]:
     """The groups that somebody fails, by how many do, and then in the problem's order."""
     run: Counter[str] = Counter()
     failed: Counter[str] = Counter()
     for result in results:
-        for group in result.get("groups", ()):
-            run[group["name"]] += 1
-            failed[group["name"]] += group["verdict"] != Verdict.AC.value
+        for group in result.groups:
+            run[group.name] += 1
+            failed[group.name] += group.verdict is not Verdict.AC
     bars = [GroupBar(name, failed[name], run[name]) for name in run if failed[name]]
     return tuple(sorted(bars, key=lambda bar: -bar.failed))
 

@@ -12,9 +12,11 @@ from typing import Any
 
 import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.digest import digest_of
 from judge.problem.model import Verdict
+from judge.run.result import Result, judge_fault, read_result
 
 
 class Student(Struct, frozen=True):
@@ -123,9 +125,12 @@ class Row(Struct, frozen=True, dict=True):
         return msgspec.json.decode(self.json, type=Done)
 
     @property
-    def result(self) -> dict[str, Any]:
-        """The published object of `judge run --json`."""
-        return self.done.result
+    def result(self) -> Result:
+        """What it came to; JE where what is kept cannot be read."""
+        try:
+            return replace(read_result(self.done.result), submission=self.file)
+        except ValueError as fault:
+            return judge_fault(self.problem, self.file, str(fault))
 
     @property
     def accepted(self) -> bool:

@@ -6,7 +6,6 @@ import time
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import PurePath
-from typing import Any
 
 import msgspec
 from msgspec import Struct
@@ -17,7 +16,7 @@ from judge.batch.standard import differing
 from judge.digest import digest_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import FULL_SCORE
-from judge.run.execute import judge_fault
+from judge.run.result import judge_fault, read_result
 
 
 class Work(Struct, frozen=True):
@@ -147,20 +146,19 @@ def _same(row: Row) -> tuple[str, ...]:
 
 def _row(handin: Handin, standard: str, text: str) -> Row:
     done = msgspec.json.decode(text, type=Done)
-    result: dict[str, Any] = done.result
-    fault = result["verdict"] == Verdict.JE.value
+    result = read_result(done.result)
     return Row(
         key_of(handin, standard),
         handin.student,
         handin.problem,
         handin.file,
         handin.digest,
-        result["verdict"],
-        result["score"],
+        result.verdict.value,
+        result.score,
         done.points or FULL_SCORE,
-        (result["pitfall"] or {}).get("name", ""),
+        result.pitfall.name if result.pitfall else "",
         done.machine,
-        "" if fault else result["isolation"] or "",
+        "" if result.verdict is Verdict.JE else result.isolation,
         time.time(),
         "",
         text,

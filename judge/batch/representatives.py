@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
-from typing import Any
 
 from msgspec.structs import replace
 
@@ -18,6 +17,7 @@ from judge.judging.naming import Bars
 from judge.judging.session import Session, silent
 from judge.problem import Problem, Verdict
 from judge.report.cohort.parts import Cohort, Example
+from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
 
@@ -51,15 +51,14 @@ def examples(
         wanted = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
         shrunk = _shrunk(problems[problem], wanted, sources, options, bars) if problem in problems else {}
         for row in own:
-            published, advice = shrunk.get(row.file, (row.result, {}))
-            yield Example(problem, row.mistake or row.verdict, row.file, published, advice)
+            yield Example(problem, row.mistake or row.verdict, row.file, shrunk.get(row.file, row.result))
 
 
 def _shrunk(
     problem: Problem, rows: Sequence[Row], sources: Mapping[str, bytes], options: RunOptions, bars: Bars
-) -> dict[str, tuple[dict[str, Any], dict[str, str]]]:
-    """By the files of these rows: the published result with the smallest case, and what is told of it."""
-    found: dict[str, tuple[dict[str, Any], dict[str, str]]] = {}
+) -> dict[str, Result]:
+    """By the files of these rows: the result with the smallest case."""
+    found: dict[str, Result] = {}
     if not rows:
         return found
     try:
@@ -69,13 +68,7 @@ def _shrunk(
                     advance(done, len(rows))
                 result = session.judge(sources[row.file], PurePath(row.file).name)
                 if result.verdict.value == row.verdict:
-                    shown = row.result | {
-                        "failure": result.failure.as_json() if result.failure else None,
-                        "counterexample": result.counterexample,
-                    }
-                    pitfall = result.pitfall
-                    told = dict(zip(pitfall.names, pitfall.advice, strict=True)) if pitfall else {}
-                    found[row.file] = shown, told
+                    found[row.file] = result
     except JudgeError:  # the page shows the failing cases as they are
         return found
     return found

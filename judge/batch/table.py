@@ -58,12 +58,16 @@ def table_lines(outcome: Outcome, width: int | None) -> Iterator[Line]:
         yield from _note(f"nothing handed in: {', '.join(idle)}", width)
     faults = [row for row in outcome.rows if row.verdict == Verdict.JE.value]
     for row in faults[:_MOST_FAULTS]:
-        yield from _note(f"{row.file}: {row.result['failure']['message']}", width, Style.WARNING)
+        yield from _note(f"{row.file}: {_why(row)}", width, Style.WARNING)
     if len(faults) > _MOST_FAULTS:
         yield from _note(
             f"… and {len(faults) - _MOST_FAULTS} more; --json has them all", width, Style.WARNING
         )
     yield from _note(_sum(outcome, counts), width, Style.STRONG)
+
+
+def _why(row: Row) -> str:
+    return row.result.failure.message if row.result.failure else ""
 
 
 Column = tuple[list[str], list[Span]]  # the lines of its head, and its cells

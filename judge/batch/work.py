@@ -26,8 +26,8 @@ from judge.judging.session import Session
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
-from judge.run.execute import judge_fault
 from judge.run.reference import check_needs
+from judge.run.result import judge_fault
 
 _WARM = 4  # problems whose data, reference and known mistakes a worker keeps at a time
 

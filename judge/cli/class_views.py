@@ -82,9 +82,9 @@ class Views(Struct, frozen=True):
 
             targets["csv"].write(gradebook(cohort))
         if "junit" in targets:
-            from judge.batch.results import batch_junit
+            from judge.report.junit import junit
 
-            targets["junit"].write(batch_junit(scene.outcome.rows, scene.problems))
+            targets["junit"].write(junit([row.result for row in scene.outcome.rows]))
         if "html" in targets:
             targets["html"].write(scene.page(cohort))
 
@@ -115,14 +115,17 @@ class Scene(Struct, frozen=True):
     def page(self, cohort: Cohort) -> bytes:
         """The class as a page, the smallest cases found now."""
         from judge.batch.representatives import examples, representatives
-        from judge.batch.results import advice_of
+        from judge.mistakes.told import told_mistakes
         from judge.report.cohort.page import render_class
         from judge.report.page.known import KnownProblem
         from judge.report.progress import progress
 
         rows = representatives(cohort, self.outcome.rows)
         shown = list(examples(rows, self.handins, self.problems, self.options, progress))
-        known = {name: KnownProblem(each, advice_of(each)) for name, each in self.problems.items()}
+        known = {
+            name: KnownProblem(each, {name: told.advice for name, told in told_mistakes(each).items()})
+            for name, each in self.problems.items()
+        }
         title = self.folder.resolve().name or "class"
         return render_class(cohort, shown, known, title=title, generated=moment())
 

@@ -263,7 +263,7 @@ def as_json(row: Row, student: Student, *, kept: bool) -> dict[str, Any]:
         "judged_at": row.at,
         "standard": msgspec.json.decode(row.standard) if row.standard else None,
         "notes": list(done.notes),
-        "result": done.result,
+        "result": row.result.as_json(),
     }
 
 

@@ -140,7 +140,7 @@ class Outputs:
 
     def unjudged(self, entry: Unjudged, source: bytes = b"") -> None:
         """One of several that is not judged: a row of the table, and for a script a result like any other."""
-        from judge.run.execute import judge_fault
+        from judge.run.result import judge_fault
 
         self._write(judge_fault(entry.problem, entry.name, entry.why), "", source)
 

@@ -64,20 +64,14 @@ class Drawing(Struct, frozen=True):
             return growth_picture(growth, self.problem.title)
         if failure is None or group is None:
             return None
-        found = self.result.counterexample or {}
-        heading = f"{group.name}, case {failure.case}"
-        values, wanted, got, given = failure.input, failure.expected, failure.got, failure.given
-        if found.get("input"):
-            heading, values = "counterexample", found["input"]
-            wanted, got = found.get("expected"), found.get("got")
-            given = self.result.counterexample_given
-        if not values:
-            return None
+        shown, heading = failure, f"{group.name}, case {failure.case}"
+        if self.result.counterexample is not None and self.result.counterexample.input:
+            shown, heading = self.result.counterexample, "counterexample"
         draw = self.data.module.hooks.picture
-        if draw is None:
+        if not shown.input or draw is None:
             return None
-        exact, _ = self.data.exact(case_of(values), group)
-        return draw(Shown(self.problem, values, exact, wanted, got, given, heading))
+        exact, _ = self.data.exact(case_of(shown.input), group)
+        return draw(Shown(self.problem, shown.input, exact, shown.expected, shown.got, shown.given, heading))
 
     def lines(self, screen: Screen, rows: int | None = None) -> list[Line]:
         """The drawing for a terminal, in about so many rows; nothing where it cannot be shown."""

@@ -46,12 +46,11 @@ def save_regression(path: Path, data: ProblemData, result: Result) -> tuple[str,
     if result.failure is None:
         return ()
     name, found = result.submission, result.counterexample
-    if found is None or found["replay"] is None:
+    if found is None or found.replay is None:
         return (f"{name} fails on no case by itself; {path} is as it was",)
     if result.mode is not FunctionRunner.mode:
         return (f"{name} is a program, not a function; {path} is as it was",)
-    from judge.diagnose.counterexample import Counterexample
     from judge.diagnose.regression import add_case
 
-    added = add_case(path, Path(name), data, Counterexample.from_json(found))
-    return (f"{path} {'now holds' if added else 'already held'} {found['replay']}",)
+    added = add_case(path, Path(name), data, found)
+    return (f"{path} {'now holds' if added else 'already held'} {found.replay}",)

@@ -17,8 +17,7 @@ from judge.judging.processes import Processes
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.load import load_problem
-from judge.run.execute import judge_fault
-from judge.run.result import Result
+from judge.run.result import Result, judge_fault
 
 
 class _Task(Struct, frozen=True):

@@ -15,10 +15,11 @@ from pathlib import Path
 
 from judge.atomic import replace_file
 from judge.data.model import ProblemData
-from judge.diagnose.counterexample import Counterexample
 from judge.errors import UsageError, unwritable
 from judge.languages import language_of
+from judge.problem.model import case_of
 from judge.reading import read_ordinary_text
+from judge.run.result import Failure
 from judge.values import Target, Type, check, parameters, show
 
 _MARK = "# Written by `judge run --save-regression`, which adds more cases at the end."
@@ -58,7 +59,7 @@ def is_ours(path: Path) -> bool:
     return content.startswith(_MARK) or not content.strip()
 
 
-def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexample) -> bool:
+def add_case(path: Path, submission: Path, data: ProblemData, found: Failure) -> bool:
     """Add the counterexample to `path`; False if it was there already.
 
     Raises:
@@ -81,16 +82,18 @@ def add_case(path: Path, submission: Path, data: ProblemData, found: Counterexam
     return True
 
 
-def _case(place: str, data: ProblemData, found: Counterexample) -> str:
+def _case(place: str, data: ProblemData, found: Failure) -> str:
     """The body of the test."""
     problem = data.problem
-    group = problem.group(found.group)
+    group = problem.group(found.group or "")
     assert group is not None
-    answer, tolerance = data.exact(found.case, group)
+    assert found.input is not None
+    case = case_of(found.input)
+    answer, tolerance = data.exact(case, group)
     target = check.target(problem.answer, answer, tolerance)
     if language_of(place) is not None or _is_decided(target):
         return _REPLAYED.format(command=f"judge replay {found.replay}", replay=found.replay, place=place)
-    values = zip(problem.parameters, found.case, strict=True)
+    values = zip(problem.parameters, case, strict=True)
     arguments = "".join(
         f"        {parameters.literal(parameter.type, value)},\n" for parameter, value in values
     )
@@ -111,7 +114,7 @@ def _is_decided(target: Target) -> bool:
     return isinstance(target, list | tuple) and any(map(_is_decided, target))
 
 
-def _free_name(place: str, found: Counterexample, content: str) -> str:
+def _free_name(place: str, found: Failure, content: str) -> str:
     """A name that no other test of the file has: two files of the same name may fail on the same case."""
     problem, group, *_, check = (found.replay or "").split(":")
     words = f"test_{Path(place).stem}_{problem}_{group}_{check}"

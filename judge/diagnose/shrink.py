@@ -17,10 +17,11 @@ from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.data.build import choices_of
 from judge.data.draw import Draw, SeededDraw
 from judge.data.model import GroupData, ProblemData
-from judge.diagnose.counterexample import Counterexample
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
@@ -29,7 +30,7 @@ from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
-from judge.run.result import Failure
+from judge.run.result import Failure, short_answer
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 from judge.values.outline import right
@@ -53,7 +54,7 @@ def shrink(
     reference: Callable[[], Box | None] = lambda: None,
     budget: SearchBudget | None = None,
     choices: Choices | None = None,
-) -> Counterexample | None:
+) -> Failure | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed.
 
     None where the failure has no case of its own, is the sum of many calls, or is too long for a replay id.
@@ -85,7 +86,7 @@ def shrink(
     if first is None or not steady:
         if verdict is not Verdict.WA:
             return None
-        return _original(problem, group_data.group, case, failure, budget.calls)
+        return replace(failure, input=named_input(problem, case), message=_PASSING)
     trial.look_for(first)
     number = group_data.cases.index(case)
     return _Search(problem, trial, group_data, first, number, choices or choices_of).run()
@@ -100,20 +101,6 @@ def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
         return True
     sorts = {sort_of(right(problem.answer, target)) for group in data.groups for target in group.targets}
     return len(sorts) > _SORTS
-
-
-def _original(problem: Problem, group: Group, case: Case, failure: Failure, calls: int) -> Counterexample:
-    return Counterexample(
-        case,
-        group.name,
-        named_input(problem, case),
-        failure.expected or "",
-        failure.got or "",
-        _PASSING,
-        None,
-        calls,
-        failure.given,
-    )
 
 
 class _Search:
@@ -135,7 +122,7 @@ class _Search:
         self._number = number
         self._choices_of = choices_of
 
-    def run(self) -> Counterexample | None:
+    def run(self) -> Failure | None:
         """The best of what the stages find; None where it is too long for an id."""
         best = self._first
         if not self._problem.parameters:  # there is one case
@@ -191,22 +178,21 @@ class _Search:
         """What is shown fails under the problem's own limits too; the search was less patient."""
         return self._trial.again(best.case, best.group) or self._first
 
-    def _told(self, best: Finding) -> Counterexample | None:
+    def _told(self, best: Finding) -> Failure | None:
         replay = encode(self._problem, best.group, best.case)
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
-        return Counterexample(
-            best.case,
-            best.group.name,
-            named_input(self._problem, best.case),
-            best.expected,
-            best.got,
+        return Failure(
             best.message,
-            replay,
-            self._trial.budget.calls,
-            best.given,
-            cut_short=self._trial.budget.cut_short,
+            group=best.group.name,
+            case=None,
+            input=named_input(self._problem, best.case),
+            expected=best.expected,
+            got=best.got,
+            given=short_answer(best.given),
             printed=best.printed,
+            replay=replay,
+            cut_short=self._trial.budget.cut_short,
         )
 
 

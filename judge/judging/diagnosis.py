@@ -9,12 +9,11 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.run.reference import Reference
-from judge.run.result import Failure, Result
+from judge.run.result import NOTHING, Behaviour, Failure, Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.diagnose.counterexample import Counterexample
     from judge.diagnose.shrink import Choices
 
 
@@ -24,9 +23,10 @@ def diagnosed(
     runner: Runner,
     box: Box,
     open_box: BoxFactory,
+    does: Behaviour = NOTHING,
     choices: Choices | None = None,
 ) -> Result:
-    """The result with its counterexample, if there is one; `box` holds the submission.
+    """The result with its counterexample, if there is one; `box` holds the submission, which `does` that.
 
     `choices` say what fresh cases are built from. A fault in the search is a note and leaves the verdict
     alone.
@@ -40,9 +40,8 @@ def diagnosed(
     if found is None:
         return result
     if found.replay is not None:
-        told_of = runner.explained(Failure(found.message, input=found.input), result.groups)
-        found = replace(found, message=told_of.message)
-    return replace(result, counterexample=found.as_json(), counterexample_given=found.given)
+        found = runner.explained(found, does)
+    return replace(result, counterexample=found)
 
 
 def _smallest(
@@ -52,7 +51,7 @@ def _smallest(
     box: Box,
     open_box: BoxFactory,
     choices: Choices | None,
-) -> Counterexample | None:
+) -> Failure | None:
     from judge.diagnose.shrink import shrink  # only after a wrong answer
 
     assert result.failure is not None

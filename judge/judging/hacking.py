@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from judge.data.load import load_data
-from judge.diagnose.replay import decode
 from judge.errors import JudgeError, UsageError
 from judge.judging.job import RunOptions
 from judge.judging.naming import Bars
@@ -12,7 +11,7 @@ from judge.judging.trying import ask, try_case
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle
 from judge.problem import Case, Problem, Verdict
-from judge.problem.module import load_module
+from judge.problem.model import case_of
 from judge.problem.solutions import accepted_source
 from judge.run.tried import Hacked, Said, Tried
 
@@ -52,10 +51,9 @@ def smallest(
     options = RunOptions(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
     with Session(problem, options, bars=bars) as session:
         result = session.judge(puzzle.source, NAME)
-        found = (result.counterexample or {}).get("replay")
-        failure = result.failure
-        if found:
-            case = decode(found, problem, load_module(problem)).case
+        found, failure = result.counterexample, result.failure
+        if found is not None and found.replay and found.input is not None:
+            case = case_of(found.input)
         elif failure is not None and failure.group and failure.case:
             data = next(each for each in load_data(problem).groups if each.group.name == failure.group)
             case = data.cases[failure.case - 1]

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.problem import Verdict
-from judge.run.result import Result
+from judge.run.result import Behaviour, Result
 from judge.run.settings import Progress, Settings
 
 if TYPE_CHECKING:
@@ -40,15 +40,18 @@ class Naming:
         with suppress(Exception):
             self._ready().learn()
 
-    def named(self, result: Result, source: bytes) -> Result:
-        """The result with its pitfall where there is one; what goes wrong with that is only a note."""
+    def named(self, result: Result, does: Behaviour, source: bytes) -> Result:
+        """The result with its pitfall where there is one; what goes wrong with that is only a note.
+
+        `does` is what the submission answered.
+        """
         if result.verdict not in NAMED:
             return result
         # Whoever waits for the learning sees the verdict meanwhile.
         label = f"{result.verdict.value}  {result.submission}; {self._label}"
         namer = self._ready(label)
         try:
-            result = namer.named(result, source, partial(self._fails_alone, source, result.submission))
+            result = namer.named(result, does, source, partial(self._fails_alone, source, result.submission))
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")
         notes, namer.notes = namer.notes, []

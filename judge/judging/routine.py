@@ -19,7 +19,7 @@ from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.reference import Reference
 from judge.run.replies import Replies
-from judge.run.result import Failure, GroupResult, Result
+from judge.run.result import Answers, Failure, GroupResult, Result, earned
 from judge.run.settings import Settings
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.sandbox.encode import encode
@@ -34,6 +34,7 @@ class Held(NamedTuple):
 
     group: Group
     result: GroupResult
+    answers: Answers
     failure: Failure | None
     raised: Exception | None
 
@@ -56,7 +57,9 @@ def explained(data: ProblemData, routine: Routine) -> Result:
     groups = tuple(each.result for each in judged)
     verdict = first.result.verdict if first else Verdict.AC
     runner = _RoutineRunner(data.problem, routine=routine)
-    result = Result(data.problem.id, routine_name(routine), runner.mode, verdict, groups)
+    result = Result(
+        problem=data.problem.id, submission=routine_name(routine), verdict=verdict, **earned(groups)
+    )
     if first is None or first.failure is None:
         return result
     result = replace(result, failure=first.failure)
@@ -66,7 +69,7 @@ def explained(data: ProblemData, routine: Routine) -> Result:
         here: Any = _HERE
         found = shrink(data, here, runner, verdict, first.failure, reference=lambda: reference.open(name))
     if found is not None:
-        result = replace(result, counterexample=found.as_json())
+        result = replace(result, counterexample=found)
 
     def alone(group: str, case: int) -> bool:
         (one,) = [each for each in data.groups if each.group.name == group]
@@ -74,7 +77,8 @@ def explained(data: ProblemData, routine: Routine) -> Result:
         return _held(data, one, routine).failure is not None
 
     namer = Namer(data, None, Settings(measured=False), nullcontext)
-    return namer.named(result, _source(routine), alone)
+    does = {each.group.name: each.answers for each in judged}
+    return namer.named(result, does, _source(routine), alone)
 
 
 def routine_name(routine: Routine) -> str:
@@ -121,7 +125,9 @@ def _held(data: ProblemData, group: GroupData, routine: Routine) -> Held:
     with _as_it_was():
         replies, raised = runner.called(group.cases)
     run.take(replies)
-    return Held(run.group, run.result(), run.failure, raised if run.verdict is Verdict.RTE else None)
+    return Held(
+        run.group, run.result(), run.answers, run.failure, raised if run.verdict is Verdict.RTE else None
+    )
 
 
 @contextmanager

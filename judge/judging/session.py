@@ -23,11 +23,11 @@ from judge.judging.job import Job, RunOptions
 from judge.judging.naming import Bars, Naming
 from judge.problem import Problem, Verdict
 from judge.run.alone import Machine
-from judge.run.execute import judge_fault, run_in
+from judge.run.execute import run_in
 from judge.run.hurdle import with_hurdle
 from judge.run.printed import with_printed
 from judge.run.reference import check_needs
-from judge.run.result import Result
+from judge.run.result import Result, judge_fault
 from judge.run.settings import Progress, Settings
 
 _UNTIMED = "there is no reference solution in {}: only the limits on CPU time bound it"
@@ -165,16 +165,15 @@ class Session:
                     result = result.noting(*_of_its_race(result, runner.language))
             if options.diagnosed and runner is not None:
                 with self.turnstile.judging():
-                    result = diagnosed(result, data, runner, box, self.containment.open_box)
-        return self.naming.named(result, source) if options.named else result
+                    result = diagnosed(result, data, runner, box, self.containment.open_box, judged.behaviour)
+        return self.naming.named(result, judged.behaviour, source) if options.named else result
 
 
 def _of_its_race(result: Result, language: str) -> Iterator[str]:
     """What is to be said of the time of a submission in another language."""
-    against = result.time.against
-    if against is not None and against.why:
-        yield against.why
-    elif against is None and result.verdict is Verdict.AC:
+    if result.time.why:
+        yield result.time.why
+    elif not result.time.reference and result.verdict is Verdict.AC:
         yield _UNTIMED.format(language)
 
 

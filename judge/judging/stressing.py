@@ -15,7 +15,7 @@ from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
 from judge.problem import Group
 from judge.problem.module import load_module
-from judge.run.execute import run_submission
+from judge.run.execute import judge_submission
 from judge.run.hurdle import with_hurdle
 from judge.run.runner import Runner
 from judge.run.stress import Broken, OnCases, Stressed, stress
@@ -74,10 +74,11 @@ class Stressing(Struct, frozen=True):
         """With the mistake's name, which the wrong answers to the pinned cases tell, if there are any."""
         data = load_data(session.problem)
         settings = session.settings
-        pinned = run_submission(
+        pinned = judge_submission(
             session.problem, data, self.source, self.name, settings=replace(settings, measured=False)
         )
-        named = Naming(data, None, settings, session.bars).named(pinned, self.source)
+        naming = Naming(data, None, settings, session.bars)
+        named = naming.named(pinned.result, pinned.behaviour, self.source)
         result = replace(stressed.result, pitfall=named.pitfall).noting(*named.notes)
         return replace(stressed, result=result)
 
@@ -93,12 +94,11 @@ def _shrunk(
         runner,
         box,
         session.containment.open_box,
-        lambda _group, _builder, number, _case: fresh.choices_of(series, number),
+        choices=lambda _group, _builder, number, _case: fresh.choices_of(series, number),
     )
     result = replace(
         stressed.result,
         counterexample=failed.counterexample,
-        counterexample_given=failed.counterexample_given,
         notes=failed.notes,
     )
     return replace(stressed, result=result)

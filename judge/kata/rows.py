@@ -22,7 +22,7 @@ from judge.kata.hacks import Hack, Outcome
 from judge.problem import Verdict
 from judge.problem.model import FULL_SCORE
 from judge.problem.solutions import is_solution
-from judge.run.result import Mode
+from judge.run.result import Mode, Result, read_result
 
 _Kind = TypeVar("_Kind")
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error)
@@ -54,23 +54,18 @@ class Run(Struct, frozen=True):
     packed: bytes  # the result, compressed: of thousands of runs few are looked into
 
     @property
-    def result(self) -> dict[str, Any]:
-        """The object that `judge run --json` wrote. Raises HistoryError where it is damaged."""
+    def result(self) -> Result:
+        """What it came to, as far as its judge kept that. Raises HistoryError where it is damaged."""
         try:
-            found = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
+            plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
+            return read_result(plain)
         except (zlib.error, ValueError, TypeError, RecursionError) as fault:
             raise HistoryError(f"the result of run {self.id} is damaged") from fault
-        if not isinstance(found, dict):
-            raise HistoryError(f"the result of run {self.id} is damaged")
-        return found
 
     @property
     def levels(self) -> tuple[str, ...]:
         """The levels of the kata that it passed whole. Raises HistoryError where its result is damaged."""
-        try:
-            return tuple(_text(each["level"]) for each in self.result.get("levels", ()) if each["passed"])
-        except (TypeError, KeyError) as fault:
-            raise HistoryError(f"the result of run {self.id} is damaged") from fault
+        return tuple(each.level.value for each in self.result.levels if each.passed)
 
     @property
     def whole(self) -> bool:

@@ -17,8 +17,8 @@ from msgspec import Struct
 
 from judge.data.model import GroupData, ProblemData
 from judge.errors import ProblemError
-from judge.mistakes.answers import Answers, Behaviour
 from judge.problem import Problem
+from judge.run.result import Answers, Behaviour
 from judge.sandbox.encode import encode
 from judge.values import Outline
 from judge.values.outline import wrong_outline

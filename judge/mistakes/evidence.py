@@ -20,9 +20,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
 from judge.mistakes.agreement import WrongAnswer, is_ended
-from judge.mistakes.answers import Answers
 from judge.mistakes.likeness import Overlap
 from judge.mistakes.packed import PackedWrong
+from judge.run.result import Answers
 from judge.values import Outline, Type, Usual
 
 _INDEPENDENT = 6.0  # cases that a group is worth at most

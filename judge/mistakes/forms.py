@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from judge.data.model import ProblemData
-from judge.run.result import Pitfall, Result
+from judge.run.result import Behaviour, Pitfall, Result
 from judge.values import Outline, outline
 from judge.values.outline import UNREADABLE, only_digits
 
@@ -51,28 +51,32 @@ class Form(Struct, frozen=True):
 
 
 def of_form(
-    result: Result, data: ProblemData, has: frozenset[str], rights: Mapping[str, Sequence[Outline]]
+    result: Result,
+    does: Behaviour,
+    data: ProblemData,
+    has: frozenset[str],
+    rights: Mapping[str, Sequence[Outline]],
 ) -> Form:
-    """Look at the forms of a result's wrong answers.
+    """Look at the forms of a result's wrong answers, which are what the submission `does`.
 
     `has` are the features of its syntax tree, `rights` the outlines of all right answers by group.
     """
     problem = data.problem
-    given = [outline for group in result.groups for outline in group.wrong.values()]
+    given = [outline for answers in does.values() for outline in answers.wrong.values()]
     forms = Counter(outline[0] for outline in given)
     if forms[UNREADABLE] >= _MOST * len(given):
         return Form(unreadable=True)
-    if _prints(result, forms, has, rights):
+    if _prints(result, does, forms, has, rights):
         advice = "The function prints its answer and returns None. Return it; printing is for programs."
         return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
     for form, (name, advice) in _OF_TYPE.items():
         if forms[form] >= _ALL * len(given):
             return Form(Pitfall((name,), 1.0, (advice,)))
-    if _bare(result, data) >= _ALL * len(given):
+    if _bare(does, data) >= _ALL * len(given):
         item = getattr(problem.answer, "one", "item")
         advice = f"A single {item} is returned as it is. Return a list, also where it has one {item} only."
         return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
-    constant = _constant(result, rights, forms)
+    constant = _constant(does, rights, forms)
     if constant:
         advice = f"{constant} is the answer to every case. Nothing of the input decides it."
         return Form(Pitfall(("one-answer",), 1.0, (advice,)))
@@ -82,46 +86,50 @@ def of_form(
 
 
 def _prints(
-    result: Result, forms: Counter[str], has: frozenset[str], rights: Mapping[str, Sequence[Outline]]
+    result: Result,
+    does: Behaviour,
+    forms: Counter[str],
+    has: frozenset[str],
+    rights: Mapping[str, Sequence[Outline]],
 ) -> bool:
     """Whether a function prints, and answers None to all that it is asked; a program would print `none`."""
     returned = result.failure is not None and result.failure.got == "None"
     if not (returned and "print" in has and forms["none"] == forms.total()):
         return False
-    return all(form == "none" for form, _ in _passed(result, rights))
+    return all(form == "none" for form, _ in _passed(does, rights))
 
 
-def _bare(result: Result, data: ProblemData) -> int:
+def _bare(does: Behaviour, data: ProblemData) -> int:
     """How many wrong answers are the one item that is wanted, without the list around it."""
     answer = data.problem.answer
     if answer.lengths <= 1:
         return 0
     targets = {each.group.name: each.targets for each in data.groups}
     return sum(
-        form.startswith("shape ") and _same(numbers, outline.right(answer, targets[group.name][case])[1])
-        for group in result.groups
-        for case, (form, numbers) in group.wrong.items()
+        form.startswith("shape ") and _same(numbers, outline.right(answer, targets[name][case])[1])
+        for name, answers in does.items()
+        for case, (form, numbers) in answers.wrong.items()
     )
 
 
-def _constant(result: Result, rights: Mapping[str, Sequence[Outline]], forms: Counter[str]) -> str:
+def _constant(does: Behaviour, rights: Mapping[str, Sequence[Outline]], forms: Counter[str]) -> str:
     """The one answer that all cases get, as far as they show; empty where there are several."""
-    given = {outline for group in result.groups for outline in group.wrong.values()}
+    given = {outline for answers in does.values() for outline in answers.wrong.values()}
     if len(given) != 1 or any(form.startswith(("raised ", "stopped ", "type ")) for form in forms):
         return ""
     (answer,) = given
-    passed = [right == answer for right in _passed(result, rights)]
+    passed = [right == answer for right in _passed(does, rights)]
     if len(passed) + forms.total() < _ENOUGH or not all(passed):
         return ""
     return "None" if answer[0] == "none" else _in_words(answer)
 
 
-def _passed(result: Result, rights: Mapping[str, Sequence[Outline]]) -> Iterator[Outline]:
+def _passed(does: Behaviour, rights: Mapping[str, Sequence[Outline]]) -> Iterator[Outline]:
     """The right answers to the cases that were accepted."""
-    for group in result.groups:
-        for case in range(group.reached):
-            if case not in group.wrong:
-                yield rights[group.name][case]
+    for name, answers in does.items():
+        for case in range(answers.reached):
+            if case not in answers.wrong:
+                yield rights[name][case]
 
 
 def _in_words(answer: Outline) -> str:

@@ -21,12 +21,12 @@ from judge.data.model import ProblemData
 from judge.folders import cache_folder
 from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
-from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
 from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
 from judge.problem.keys import code_key, content_key
+from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.values import Outline, Usual
 
@@ -80,10 +80,10 @@ class KnownAnswers:
         data, settings = self._data, self._settings
 
         def judge(program: Program) -> Behaviour:
-            from judge.run.execute import run_submission
+            from judge.run.execute import judge_submission
 
-            result = run_submission(data.problem, data, program.source, program.file, settings=settings)
-            return behaviour(result)
+            source, file = program.source, program.file
+            return judge_submission(data.problem, data, source, file, settings=settings).behaviour
 
         computer = Computer(data)
         trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.mistakes.answers import Behaviour
 from judge.mistakes.catalogue import Words, read_catalogue
 from judge.mistakes.computed import Program
 from judge.mistakes.family import Choice, Family, Line
 from judge.problem import Problem
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
+from judge.run.result import Behaviour
 
 
 class Maker(Struct, frozen=True):

@@ -12,7 +12,6 @@ from msgspec.structs import replace
 
 from judge.data.model import ProblemData
 from judge.languages import language_of
-from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
 from judge.mistakes.features import features
@@ -26,7 +25,7 @@ from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answe
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.run.matrix import Matrix, kill_matrix
-from judge.run.result import GroupResult, Pitfall, Result
+from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values import Outline
 
@@ -72,28 +71,28 @@ class Namer:
         if not self._answers.kept:
             self._ready()
 
-    def named(self, result: Result, source: bytes, alone: Alone) -> Result:
+    def named(self, result: Result, does: Behaviour, source: bytes, alone: Alone) -> Result:
         """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
 
-        `source` is the submission's text; of one that is longer than any that a person writes nothing is
-        said. Raises JudgeError where the mistakes' programs cannot be judged.
+        `does` is what the submission answers, `source` its text; of one that is longer than any that a person
+        writes nothing is said. Raises JudgeError where the mistakes' programs cannot be judged.
         """
-        if result.verdict not in NAMED or not any(group.wrong for group in result.groups):
+        if result.verdict not in NAMED or not any(answers.wrong for answers in does.values()):
             return result
         with _collecting_later():
-            return self._named(result, source, alone)
+            return self._named(result, does, source, alone)
 
-    def _named(self, result: Result, source: bytes, alone: Alone) -> Result:
+    def _named(self, result: Result, does: Behaviour, source: bytes, alone: Alone) -> Result:
         has = features(source, language_of(result.submission))
         if has is None:
             return result
-        found = of_form(result, self._data, has, self._rights)
+        found = of_form(result, does, self._data, has, self._rights)
         if found.pitfall is not None:
             return replace(result, pitfall=found.pitfall)
         if found.unreadable:
             return result
-        ready, does = self._ready(), behaviour(result)
-        vetoes = Vetoes(ready.read.problem, result, has, form=found.faulty, alone=alone)
+        ready = self._ready()
+        vetoes = Vetoes(ready.read.problem, result, does, has, form=found.faulty, alone=alone)
         kept = [
             place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
         ]
@@ -138,8 +137,9 @@ class Namer:
         sizes = {each.group.name: len(each.cases) for each in self._data.groups}
         return kill_matrix(
             ready.read.problem.groups,
+            sizes,
             [
-                (maker.file, maker.name, _results(each.behaviour, sizes))
+                (maker.file, maker.name, each.behaviour)
                 for maker, each in zip(ready.makers, ready.known, strict=True)
             ],
         )
@@ -209,19 +209,3 @@ def _why_not(does: Behaviour, alike: Sequence[Maker]) -> str:
     count = wrong_answers(does)
     told = "1 wrong answer is" if count == 1 else f"{count} wrong answers are"
     return f"the mistake is not named: it answers as {files} does, but {told} too few to be sure"
-
-
-def _results(does: Behaviour, sizes: Mapping[str, int]) -> list[GroupResult]:
-    """What a behaviour says of the groups: how many cases of them were rejected, and which."""
-    return [
-        GroupResult(
-            name,
-            Verdict.WA if answers.wrong else Verdict.AC,
-            sizes[name],
-            sizes[name] - len(answers.wrong),
-            None,
-            0.0,
-            wrong=answers.wrong,
-        )
-        for name, answers in does.items()
-    ]

@@ -23,9 +23,9 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.model import GroupData
-from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence, log_sum
 from judge.mistakes.likeness import BOTH, IN_PART, NEEDED, Likeness
+from judge.run.result import Answers, Behaviour
 from judge.values import Outline, Type, Usual, outline
 
 LEAST = 0.7  # the score below which nothing is named

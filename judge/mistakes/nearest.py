@@ -12,8 +12,8 @@ from math import isclose
 from msgspec import Struct
 
 from judge.data.model import GroupData
-from judge.mistakes.answers import Behaviour
 from judge.mistakes.naming import Known
+from judge.run.result import Behaviour
 from judge.values import Outline
 
 _LIKE = 0.45  # of the cases that either fails, that both fail, for a program to be worth comparing

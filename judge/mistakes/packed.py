@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
-from judge.mistakes.answers import Answers
+from judge.run.result import Answers
 from judge.values import Outline
 
 KindOf = Callable[[int, Outline], str]  # of a wrong answer to a case

@@ -12,10 +12,10 @@ from functools import cached_property
 from itertools import islice
 
 from judge.data.model import GroupData
-from judge.mistakes.answers import Answers, Behaviour
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import NEEDED, Likeness
 from judge.mistakes.naming import Known, Match, Rights, gather
+from judge.run.result import Answers, Behaviour
 from judge.values import Type, Usual
 
 Cases = Mapping[str, Sequence[int]]  # by the group's name

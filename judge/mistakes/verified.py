@@ -17,14 +17,14 @@ from msgspec import Struct
 from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
-from judge.mistakes.answers import Behaviour, behaviour
 from judge.mistakes.catalogue import FILE
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
 from judge.mistakes.rules import rule_faults
 from judge.problem import Problem
-from judge.run.execute import run_submission
+from judge.run.execute import judge_submission
+from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.run.verify import ENOUGH, Fault, Least
 from judge.sandbox import BoxFactory
@@ -137,7 +137,7 @@ def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> B
         return {}
     settings = Settings(box_factory=box_factory, measured=False)
     source = maker.program.source
-    return behaviour(run_submission(problem, data, source, "mistake.py", settings=settings, groups=big))
+    return judge_submission(problem, data, source, "mistake.py", settings=settings, groups=big).behaviour
 
 
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:

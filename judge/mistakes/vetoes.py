@@ -14,14 +14,14 @@ from collections.abc import Callable
 from judge.mistakes.catalogue import Words
 from judge.mistakes.naming import Known
 from judge.problem import Problem, Verdict
-from judge.run.result import Result
+from judge.run.result import Behaviour, Result
 
 _SEVERAL = 2  # groups of which a mistake fails half, that nobody passes who makes it
 _SHARE = 0.2  # of its own group, that a mistake must fail for the group to say that it is not made
 
 
 class Vetoes:
-    """The vetoes against names for one result.
+    """The vetoes against names for one result, that of a submission which answers as it `does`.
 
     `has` are the features of the submission's syntax tree, `form` says that its answers have no right form,
     `alone(group, case)` calls one case in a process of its own and says whether it fails.
@@ -31,12 +31,13 @@ class Vetoes:
         self,
         problem: Problem,
         result: Result,
+        does: Behaviour,
         has: frozenset[str],
         *,
         form: bool,
         alone: Callable[[str, int], bool],
     ) -> None:
-        self._result = result
+        self._does = does
         self._has = has
         self._form = form
         self._alone = alone
@@ -60,8 +61,8 @@ class Vetoes:
         if not words.state:
             return True
         if self._steady is None:
-            failing = next((group for group in self._result.groups if group.wrong), None)
-            self._steady = failing is None or self._alone(failing.name, max(failing.wrong))
+            failing = next((name for name, answers in self._does.items() if answers.wrong), None)
+            self._steady = failing is None or self._alone(failing, max(self._does[failing].wrong))
         return not self._steady
 
     def _passes_several(self, known: Known) -> bool:

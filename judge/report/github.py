@@ -45,12 +45,10 @@ def _reasons(result: Result) -> Iterator[str]:
     if failure:
         yield from _case(failure)
     found = result.counterexample
-    if found and found["replay"] is not None:
+    if found and found.replay is not None:
         yield "smallest case found:"
-        yield from _case(
-            Failure(found["message"], None, None, found["input"], found["expected"], found["got"])
-        )
-        yield f"again: judge replay {found['replay']}"
+        yield from _case(found)
+        yield f"again: judge replay {found.replay}"
     if result.pitfall:
         for name, advice in zip(result.pitfall.names, result.pitfall.advice, strict=True):
             yield f"likely {name}: {advice}"

@@ -22,7 +22,6 @@ from judge.report.results import (
     group_table,
     pitfall_lines,
     place_lines,
-    smallest,
     verdict_lines,
     verdict_span,
 )
@@ -165,23 +164,23 @@ def case_lines(
     failure, found = result.failure, result.counterexample
     if failure is None:
         return
-    smaller = found is not None and found["replay"] is not None and found["input"] != failure.input
-    if found is None or found["replay"] is None:
+    smaller = found is not None and found.replay is not None and found.input != failure.input
+    if found is None or found.replay is None:
         yield from failure_lines(failure, width, most=most)
     else:
         title = "smallest case found" if smaller else f"no smaller case found: {failure_place(failure)}"
         yield line("  ", Span(title + cut_short(found), Style.STRONG))
-        shown = smallest(found) if smaller else failure
+        shown = found if smaller else failure
         yield from failure_lines(shown, width, most=most, titled=False)
     yield from place_lines(result, width)
-    if found is not None and found["replay"] is None:
+    if found is not None and found.replay is None:
         label = Span("alone", Style.FAINT)
-        yield from hanging(label, Span(found["message"]), width, indent=4, column=12)
+        yield from hanging(label, Span(found.message), width, indent=4, column=12)
     elif found is not None and not again:
         label = Span("again", Style.FAINT)
         yield from hanging(label, Span("--all shows the long command"), width, indent=4, column=12)
-    elif found is not None:
-        yield again_line(result.submission, found["replay"])
+    elif found is not None and found.replay is not None:
+        yield again_line(result.submission, found.replay)
 
 
 def more_lines(commands: Sequence[str], width: int | None) -> list[Line]:

@@ -24,17 +24,20 @@ def growth_picture(growth: Growth, title: str) -> Picture | None:
     place = _placer(points)
     strokes = [
         Stroke(((-_AXIS, _AXIS), (-_AXIS, -_AXIS), (_AXIS, -_AXIS)), Role.BEYOND),
-        *_path(Role.SHAPE, [place(each.size, each.reference) for each in points]),
-        *_path(Role.LINE, [place(each.size, each.seconds) for each in points]),
+        *_path(Role.SHAPE, [place(each.size, each.reference_seconds) for each in points]),
+        *_path(Role.LINE, [place(each.size, each.cpu_seconds) for each in points]),
     ]
     marks = [
-        *(Mark(place(each.size, each.reference), Role.WANTED, seconds(each.reference)) for each in points),
-        *(Mark(place(each.size, each.seconds), Role.GOT, _own(each)) for each in points),
+        *(
+            Mark(place(each.size, each.reference_seconds), Role.WANTED, seconds(each.reference_seconds))
+            for each in points
+        ),
+        *(Mark(place(each.size, each.cpu_seconds), Role.GOT, _own(each)) for each in points),
     ]
     panel = Panel("Time against n, logarithmic", tuple(strokes), tuple(marks), ())
     facts = (
         Fact("n", ", ".join(f"{each.size:,}" for each in points)),
-        Fact("reference", ", ".join(seconds(each.reference) for each in points), Role.WANTED),
+        Fact("reference", ", ".join(seconds(each.reference_seconds) for each in points), Role.WANTED),
         Fact("yours", ", ".join(map(_own, points)), Role.GOT),
         Fact("growth", f"{growth}; n^{growth.slope:g} more than that is allowed"),
     )
@@ -43,12 +46,12 @@ def growth_picture(growth: Growth, title: str) -> Picture | None:
 
 
 def _own(point: GrowthPoint) -> str:
-    return seconds(point.seconds) if point.ended else f"stopped after {seconds(point.seconds)}"
+    return seconds(point.cpu_seconds) if point.ended else f"stopped after {seconds(point.cpu_seconds)}"
 
 
 def _placer(points: Sequence[GrowthPoint]) -> Callable[[int, float], Dot]:
     """From n and seconds to the panel."""
-    times = [max(_LEAST, value) for each in points for value in (each.seconds, each.reference)]
+    times = [max(_LEAST, value) for each in points for value in (each.cpu_seconds, each.reference_seconds)]
     first, last = log10(points[0].size), log10(points[-1].size)
     low, high = log10(min(times)), log10(max(times))
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
 
 from judge.problem.model import Verdict
 from judge.report.layout import (
@@ -127,40 +126,29 @@ def place_lines(result: Result, width: int | None) -> Iterator[Line]:
         yield from hanging(Span("at", Style.FAINT), shown, width, indent=4, column=_LABELS)
 
 
-def counterexample_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
+def counterexample_lines(result: Result, found: Failure, width: int | None) -> Iterator[Line]:
     """The smallest failing case, and the command that judges it alone, which is never broken into lines."""
     yield from smallest_lines(result, found, width)
-    if found["replay"] is not None:
-        yield again_line(result.submission, found["replay"])
+    if found.replay is not None:
+        yield again_line(result.submission, found.replay)
 
 
-def smallest_lines(result: Result, found: Mapping[str, Any], width: int | None) -> Iterator[Line]:
+def smallest_lines(result: Result, found: Failure, width: int | None) -> Iterator[Line]:
     """The smallest failing case: its arguments, what was wanted and got, and why."""
-    if found["replay"] is None:
+    if found.replay is None:
         yield line("  ", Span("not by itself", Style.STRONG))
-        yield from hanging(Span("why", Style.FAINT), Span(found["message"]), width, indent=4, column=_LABELS)
+        yield from hanging(Span("why", Style.FAINT), Span(found.message), width, indent=4, column=_LABELS)
         return
-    same = result.failure is not None and result.failure.input == found["input"]
+    same = result.failure is not None and result.failure.input == found.input
     title = "no smaller case found" if same else "smallest case found"
     yield line("  ", Span(title + cut_short(found), Style.STRONG))
     if not same:
-        yield from failure_lines(smallest(found), width)
+        yield from failure_lines(found, width, titled=False)
 
 
-def cut_short(found: Mapping[str, Any]) -> str:
+def cut_short(found: Failure) -> str:
     """What the title of a smallest case ends with where the search had not come to its end."""
-    return ", the search was cut short" if found.get("cut_short") else ""
-
-
-def smallest(found: Mapping[str, Any]) -> Failure:
-    """The smallest failing case, to be shown as any other one."""
-    return Failure(
-        found["message"],
-        input=found["input"],
-        expected=found["expected"],
-        got=found["got"],
-        printed=found.get("printed", ""),
-    )
+    return ", the search was cut short" if found.cut_short else ""
 
 
 def again_line(submission: str, replay: str) -> Line:
@@ -252,12 +240,11 @@ def _points(result: Result) -> str:
 
 def _ratio_text(ratio: Ratio, time: Timing) -> str:
     """`1.3 × the reference (1.2 to 1.4, 9 pairs)`, with what stands against believing it."""
-    against = time.against
     spread = f"{times(ratio.low)} to {times(ratio.high)}, {counted(ratio.pairs, 'pair')}"
     doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
     doubts += [ratio.busy] if ratio.busy else []
     doubts += ["near the limit"] if time.borderline else []
-    whose = f" in {against.language}" if against else ""
+    whose = f" in {time.reference}" if time.reference else ""
     return f"{times(ratio.median)} × the reference{whose} ({'; '.join([spread, *doubts])})"
 
 

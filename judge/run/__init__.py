@@ -30,7 +30,7 @@ _FROM = {
     "Settings": "settings",
     "Timing": "result",
     "exit_code": "result",
-    "judge_fault": "execute",
+    "judge_fault": "result",
     "run_submission": "execute",
 }
 

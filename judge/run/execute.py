@@ -7,15 +7,16 @@ from collections.abc import Collection, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, NamedTuple
 
+from msgspec.structs import replace
+
 from judge.problem import Problem, Verdict
 from judge.run.alone import Admitted, Machine
 from judge.run.budget import Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
 from judge.run.races import Timed, race_all, worth_racing
 from judge.run.reference import Reference
-from judge.run.result import Failure, GroupResult, LevelResult, Result, Timing
+from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner, runner_for
 from judge.run.settings import Progress, Settings
 from judge.run.timing import BESIDE, Decision, disturbed
@@ -29,13 +30,14 @@ _WAITED = "waited {:.0f} s for other judges of yours on this machine: times are 
 
 
 class Judged(NamedTuple):
-    """A result, and the way in which the submission was run; None for one that does not compile."""
+    """A result, how the submission was run (None for one that does not compile), and what it answered."""
 
     result: Result
     runner: Runner | None
+    behaviour: Behaviour
 
 
-def run_submission(
+def judge_submission(
     problem: Problem,
     data: ProblemData,
     source: bytes,
@@ -44,7 +46,7 @@ def run_submission(
     groups: Collection[str] | None = None,
     on_progress: Progress | None = None,
     settings: Settings | None = None,
-) -> Result:
+) -> Judged:
     """Judge one submission on a problem's data, in a box of its own.
 
     Args:
@@ -60,10 +62,25 @@ def run_submission(
     """
     settings = settings or Settings()
     with settings.box_factory(source, name) as box:
-        judged = run_in(
+        return run_in(
             box, problem, data, source, name, settings=settings, groups=groups, on_progress=on_progress
         )
-        return judged.result
+
+
+def run_submission(
+    problem: Problem,
+    data: ProblemData,
+    source: bytes,
+    name: str,
+    *,
+    groups: Collection[str] | None = None,
+    on_progress: Progress | None = None,
+    settings: Settings | None = None,
+) -> Result:
+    """The result alone of `judge_submission`, with the same arguments."""
+    return judge_submission(
+        problem, data, source, name, groups=groups, on_progress=on_progress, settings=settings
+    ).result
 
 
 def run_in(
@@ -77,12 +94,12 @@ def run_in(
     groups: Collection[str] | None = None,
     on_progress: Progress | None = None,
 ) -> Judged:
-    """As `run_submission`, in a box that is open already and holds the submission."""
+    """As `judge_submission`, in a box that is open already and holds the submission."""
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
     turnstile = settings.turnstile or Machine()
     runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
-        return Judged(uncompiled(problem, name, runner, box), None)
+        return Judged(uncompiled(problem, name, runner, box), None, {})
     budget = Budget(problem)
     judging = _Judging(data, runner, on_progress, budget)
     with turnstile.judging() as place:
@@ -93,7 +110,7 @@ def run_in(
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
     notes = [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
-    return Judged(result.noting(*notes), runner)
+    return Judged(result.noting(*notes), runner, {run.group.name: run.answers for run in runs})
 
 
 def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) -> Runner | Failure:
@@ -106,13 +123,9 @@ def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) 
 
 def uncompiled(problem: Problem, name: str, failure: Failure, box: Box) -> Result:
     """The result of a submission that does not compile."""
-    return Result(problem.id, name, FunctionRunner.mode, Verdict.CE, failure=failure, isolation=box.isolation)
-
-
-def judge_fault(problem: str, submission: str, message: str) -> Result:
-    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
-    failure = Failure(message)
-    return Result(problem, submission, FunctionRunner.mode, Verdict.JE, failure=failure)
+    return Result(
+        problem=problem.id, submission=name, verdict=Verdict.CE, failure=failure, isolation=box.isolation
+    )
 
 
 def _result(
@@ -125,26 +138,28 @@ def _result(
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
     failing = failing or next(iter(rejected), None)
     groups = tuple(run.result() for run in runs)
-    failure = failing.failure and runner.explained(failing.failure, groups) if failing else None
+    does = {run.group.name: run.answers for run in runs}
+    failure = failing.failure and runner.explained(failing.failure, does) if failing else None
     return Result(
-        problem.id,
-        name,
-        runner.mode,
-        failing.verdict if failing else Verdict.AC,
-        groups,
-        failure,
-        Timing(
-            usage.cpu_seconds,
-            usage.wall_seconds,
-            decision.ratio,
-            _close(timing),
-            growth,
-            decision.imported,
-            against,
+        problem=problem.id,
+        submission=name,
+        mode=runner.mode,
+        verdict=failing.verdict if failing else Verdict.AC,
+        failure=failure,
+        time=Timing(
+            cpu_seconds=usage.cpu_seconds,
+            wall_seconds=usage.wall_seconds,
+            import_seconds=decision.imported,
+            ratio=decision.ratio and replace(decision.ratio, limit=decision.limit),
+            borderline=_close(timing),
+            growth=growth,
+            reference=against.language if against else "",
+            why=against.why if against else "",
         ),
-        usage.memory_bytes,
-        isolation,
+        memory_bytes=usage.memory_bytes,
+        isolation=isolation,
         levels=_levels(problem, groups),
+        **earned(groups),
     )
 
 
@@ -154,7 +169,8 @@ def _levels(problem: Problem, groups: Sequence[GroupResult]) -> tuple[LevelResul
     for level in problem.levels:
         verdicts = [group.verdict for group in groups if group.level is level]
         accepted = verdicts.count(Verdict.AC)
-        found.append(LevelResult(level, len(problem.of_level(level)), len(verdicts), accepted))
+        count = len(problem.of_level(level))
+        found.append(LevelResult(level, accepted == count, count, len(verdicts), accepted))
     return tuple(found)
 
 

@@ -22,9 +22,8 @@ from judge.run.laps import Lap, course, more_passes, passes_for
 from judge.run.program import ProgramRunner
 from judge.run.reference import Reference, Track
 from judge.run.replies import Replies
-from judge.run.result import Against
 from judge.run.runner import Runner
-from judge.run.timing import CLEARLY_BELOW
+from judge.run.timing import CLEARLY_BELOW, Against
 from judge.sandbox.boundary import Box, Limits, Usage
 
 LONG_SECONDS = 0.1  # of CPU time beyond the start, for the reference's turn

@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from judge.problem import Case, Problem, TimeRule
 from judge.run.replies import Replies
-from judge.run.result import Failure, GroupResult, Mode
+from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
 from judge.values import ExactOf, Outcome, Outline, Raw, Target, check, outline, show
 
@@ -71,7 +71,7 @@ class FunctionRunner(Struct, frozen=True):
         """The accepted function that is asked."""
         return rule.function
 
-    def explained(self, failure: Failure, groups: Sequence[GroupResult] = ()) -> Failure:  # noqa: ARG002
+    def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
         """As it is: a function is what was asked for."""
         return failure
 

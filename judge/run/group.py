@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
-from judge.run.result import Failure, GroupResult
+from judge.run.result import Answers, Failure, GroupResult, short_answer
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values import Accepted
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
     from judge.run.runner import Runner
-    from judge.values import Exact, Outline, Rejection
+    from judge.values import Exact, Outline, Raw, Rejection
 
 _ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
@@ -78,18 +78,11 @@ class GroupRun:
         self.wrong[index] = self._runner.outline(answer)
         if self.failure is None:
             self.verdict = Verdict.WA
-            self.failure = Failure(
-                outcome.message,
-                self.group.name,
-                index + 1,
-                self._shown_input(index),
-                outcome.wanted,
-                outcome.got,
-                outcome.where,
-                outcome.absolute,
-                outcome.relative,
-                outcome.ulps,
-                self._runner.raw(answer),
+            self.failure = replace(
+                failure_of(outcome, self._runner.raw(answer)),
+                group=self.group.name,
+                case=index + 1,
+                input=self._shown_input(index),
             )
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
@@ -158,17 +151,38 @@ class GroupRun:
     def result(self) -> GroupResult:
         """The group's outcome; cases that were never run have not passed."""
         return GroupResult(
-            self.group.name,
-            self.verdict,
-            len(self.cases),
-            self.passed,
-            self._worst,
-            self.usage.cpu_seconds,
-            self.group.points,
-            self.reached,
-            self.wrong,
-            self.group.level,
+            name=self.group.name,
+            verdict=self.verdict,
+            cases=len(self.cases),
+            passed=self.passed,
+            points=self.group.points,
+            level=self.group.level,
+            worst_ulps=self._worst,
+            cpu_seconds=self.usage.cpu_seconds,
         )
+
+    @property
+    def answers(self) -> Answers:
+        """What was answered wrongly so far."""
+        return Answers(self.reached, self.wrong)
+
+
+def failure_of(outcome: Rejection, given: Raw) -> Failure:
+    """A wrong answer, without its place; an error that is not finite is left out."""
+    absolute, relative, ulps = (
+        each if each is not None and math.isfinite(each) else None
+        for each in (outcome.absolute, outcome.relative, outcome.ulps)
+    )
+    return Failure(
+        outcome.message,
+        expected=outcome.wanted,
+        got=outcome.got,
+        given=short_answer(given),
+        where=outcome.where,
+        absolute=absolute,
+        relative=relative,
+        ulps=ulps,
+    )
 
 
 def named_input(problem: Problem, case: Case) -> dict[str, Any]:

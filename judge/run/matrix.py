@@ -5,13 +5,13 @@ Pure computing on what judging the wrong programs came to; nothing is run here.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from msgspec import Struct
 
 from judge.problem import Group
-from judge.run.result import GroupResult
+from judge.run.result import Behaviour
 
 
 class Kill(Struct, frozen=True):
@@ -66,14 +66,15 @@ class Matrix(Struct, frozen=True):
 
 
 def kill_matrix(
-    groups: Sequence[Group], programs: Iterable[tuple[str, str, Sequence[GroupResult]]]
+    groups: Sequence[Group], sizes: Mapping[str, int], programs: Iterable[tuple[str, str, Behaviour]]
 ) -> Matrix:
-    """The matrix of wrong programs, each given as its file, its mistake and the results of its groups.
+    """The matrix of wrong programs, each given as its file, its mistake and what it answers.
 
-    A case counts as it went within its group: a program that keeps state may pass it when called alone. What
-    was never run, since the program had been given up, rejects nothing.
+    `sizes` are how many cases the groups have. A case counts as it went within its group: a program that
+    keeps state may pass it when called alone. What was never run, since the program had been given up,
+    rejects nothing.
     """
-    rows = tuple(_row(groups, file, mistake, results) for file, mistake, results in programs)
+    rows = tuple(_row(groups, sizes, *program) for program in programs)
     needed = {row.killing[0].group for row in rows if len(row.killing) == 1}
     return Matrix(
         groups=tuple(group.name for group in groups),
@@ -83,13 +84,13 @@ def kill_matrix(
     )
 
 
-def _row(groups: Sequence[Group], file: str, mistake: str, results: Sequence[GroupResult]) -> Row:
+def _row(groups: Sequence[Group], sizes: Mapping[str, int], file: str, mistake: str, does: Behaviour) -> Row:
     return Row(
         file,
         mistake,
         tuple(group.name for group in groups if mistake in group.kills),
         tuple(
-            Kill(result.name, tuple(index + 1 for index in sorted(result.wrong)), result.cases)
-            for result in results
+            Kill(name, tuple(index + 1 for index in sorted(answers.wrong)), sizes[name])
+            for name, answers in does.items()
         ),
     )

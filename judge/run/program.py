@@ -18,7 +18,7 @@ from judge.errors import nearest
 from judge.problem import Case, Problem, TimeRule, Verdict
 from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
-from judge.run.result import Failure, GroupResult, Mode
+from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
 from judge.values import ExactOf, Outcome, Outline, Raw, Target, lines, outline, parameters, show
 from judge.values.outline import UNREADABLE
@@ -91,16 +91,16 @@ class ProgramRunner(Struct, frozen=True):
         """The accepted program, if there is one."""
         return rule.program
 
-    def explained(self, failure: Failure, groups: Sequence[GroupResult] = ()) -> Failure:
+    def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:
         """The failure, told what it could not read, or that the entry is missing and so made it a program.
 
-        `groups` are all that came of the submission: they tell whether any answer could be read.
+        What the submission `does` tells whether any answer could be read.
         """
         meant = self.language or self.asked
         notes = [] if meant else [_why_a_program(self.problem.entry, self.names, self.source)]
         if failure.input is not None and _CHOKED.match(failure.message):
             notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
-        notes.append(wrong_form(groups, self.source))
+        notes.append(wrong_form(does, self.source))
         return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))
 
     def _read(self, case: Case) -> str:
@@ -111,10 +111,10 @@ class ProgramRunner(Struct, frozen=True):
         return f"its input is a line with the number of cases, then one line each: {form}, here {shown}"
 
 
-def wrong_form(groups: Sequence[GroupResult], source: bytes) -> str:
+def wrong_form(does: Behaviour, source: bytes) -> str:
     """What to say of a program whose wrong answers cannot be read, none of them; nothing for any other."""
-    wrong = [form for group in groups for form, _ in group.wrong.values()]
-    passed = sum(group.passed for group in groups)
+    wrong = [form for answers in does.values() for form, _ in answers.wrong.values()]
+    passed = sum(each.reached - sum(case < each.reached for case in each.wrong) for each in does.values())
     if len(wrong) < max(2, passed) or any(form != UNREADABLE for form in wrong):
         return ""
     every = "every answer has" if passed == 0 else f"{len(wrong):,} of {len(wrong) + passed:,} answers have"

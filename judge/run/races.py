@@ -18,9 +18,9 @@ from judge.run.group import GroupRun
 from judge.run.growth import Course, Grown, grow
 from judge.run.measure import Duel, time_limit, track_of
 from judge.run.reference import Reference
-from judge.run.result import Against, Growth
+from judge.run.result import Growth
 from judge.run.runner import Runner
-from judge.run.timing import Decision, Pace, busy, disturbed, race
+from judge.run.timing import Against, Decision, Pace, busy, disturbed, race
 from judge.sandbox.boundary import Box
 
 

@@ -1,103 +1,87 @@
-"""What judging one submission came to: frozen values, ready to be shown or written as JSON.
-
-`Result.as_json()` is the published object (schema 1); the attributes hold a little more for the screen, such
-as a group's points and how far off an answer was.
-"""
+"""What judging one submission came to: frozen values whose fields are the keys of `--json` (schema 2)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
+import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
+from judge.values import Outline, Raw
 
-if TYPE_CHECKING:
-    from judge.values import Outline, Raw
-
-SCHEMA = 1
+SCHEMA = 2
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
+_LONGEST = 4_000  # characters of an answer that is kept
 
 
 class Mode(Enum):
-    """How a submission was run; the value is its name in JSON."""
+    """How a submission was run."""
 
     FUNCTION = "function"  # its entry function was called
     PROGRAM = "program"  # it read stdin and wrote stdout
 
 
-class GroupResult(Struct, frozen=True):
+class Answers(NamedTuple):
+    """What a program answered wrongly in one group, by case from 0; before `reached` all is known."""
+
+    reached: int
+    wrong: Mapping[int, Outline]
+
+
+Behaviour = Mapping[str, Answers]  # by the group's name
+NOTHING: Behaviour = MappingProxyType({})
+
+
+class GroupResult(Struct, frozen=True, kw_only=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
-    `wrong` holds the cases that were run and not accepted, counted from 0, and what was given there. Those
-    before `reached` have all been decided; a case beyond it was not decided unless it is in `wrong`.
+    `worst_ulps` is the largest error of an accepted number, None where none was measured.
     """
 
     name: str
     verdict: Verdict
     cases: int
     passed: int
-    worst_ulps: float | None  # the largest error of an accepted number, None where none was measured
-    cpu_seconds: float
     points: int = 0
-    reached: int = 0
-    wrong: Mapping[int, Outline] = {}
     level: KataLevel | None = None
+    worst_ulps: float | None = None
+    cpu_seconds: float = 0.0
 
     @property
     def score(self) -> int:
         """The points earned: all of them or none."""
         return self.points if self.verdict is Verdict.AC else 0
 
-    def as_json(self) -> dict[str, Any]:
-        """The group's object in the published form."""
-        own: dict[str, Any] = {
-            "name": self.name,
-            "verdict": self.verdict.value,
-            "cases": self.cases,
-            "passed": self.passed,
-            "worst_ulps": self.worst_ulps,
-            "cpu_seconds": self.cpu_seconds,
-        }
-        return own | ({"level": self.level.value} if self.level else {})
-
 
 class LevelResult(Struct, frozen=True):
-    """How far a submission came on one level: of its `groups`, so many were `run` and so many `accepted`."""
+    """How far a submission came on one level: of its `groups`, so many were `run` and so many `accepted`.
+
+    It is `passed` where every group of the level was run and accepted.
+    """
 
     level: KataLevel
+    passed: bool
     groups: int
     run: int
     accepted: int
 
-    @property
-    def passed(self) -> bool:
-        """Whether every group of the level was run and accepted."""
-        return self.accepted == self.groups
-
-    def as_json(self) -> dict[str, Any]:
-        """The level's object in the published form."""
-        return {
-            "level": self.level.value,
-            "passed": self.passed,
-            "groups": self.groups,
-            "run": self.run,
-            "accepted": self.accepted,
-        }
-
 
 class Failure(Struct, frozen=True):
-    """The first failing case, or why nothing could be run (then only `message` is set).
+    """One failing case, or why nothing could be run (then only `message` is set).
 
-    `case` counts from 1 within its group. `input` maps a parameter's name to its value.
-    `where` says which part is wrong; `absolute`, `relative` and `ulps` are its errors where it is a number.
-    `given` is the answer itself, as the submission sent it; None where there is none. `printed` is what the
-    function printed meanwhile, a few printable lines; it is in the JSON only where there is something.
+    `group` is the test group whose tolerance decides, `case` counts from 1 within it; None where it holds no
+    such case. `input` maps a parameter's name to its value, `given` is the answer in its JSON form where
+    it is short, `printed` what the function printed meanwhile. `where` says which part is wrong; `absolute`,
+    `relative` and `ulps` are its errors where it is a number. `replay` is the id to judge just this case by;
+    the search for a smallest case was `cut_short` where it had not come to its end.
     """
 
     message: str
@@ -106,65 +90,39 @@ class Failure(Struct, frozen=True):
     input: dict[str, Any] | None = None
     expected: str | None = None
     got: str | None = None
+    given: Any = None
+    printed: str = ""
     where: str = ""
     absolute: float | None = None
     relative: float | None = None
     ulps: float | None = None
-    given: Raw = None
-    printed: str = ""
+    replay: str | None = None
+    cut_short: bool = False
 
-    def as_json(self) -> dict[str, Any]:
-        """The failure's object in the published form."""
-        found = {
-            "group": self.group,
-            "case": self.case,
-            "input": self.input,
-            "expected": self.expected,
-            "got": self.got,
-            "message": self.message,
-        }
-        return found | ({"printed": self.printed} if self.printed else {})
+
+def short_answer(given: Raw) -> Raw:
+    """The answer as it was sent, for a `Failure`: a program's numbers as doubles; None for a long one."""
+    try:
+        text = json.dumps(given, allow_nan=False, default=lambda written: written.approx)
+    except (ValueError, RecursionError):  # an infinite number, or a list in itself
+        return None
+    return json.loads(text) if len(text) <= _LONGEST else None
 
 
 class Ratio(Struct, frozen=True):
     """CPU time as a multiple of the reference solution's, over interleaved pairs of runs.
 
-    `low` and `high` are the quartiles. `unreliable` says why the figure deserves no belief ("too short",
-    "too noisy"); it is empty, and not in the JSON, where it does. `busy` says what else the machine did
-    meanwhile, in the same way.
+    `low` and `high` are the quartiles, `limit` is what the median is held to. `unreliable` says why the
+    figure deserves no belief ("too short", "too noisy"); `busy` says what else the machine did meanwhile.
     """
 
     median: float
     low: float
     high: float
     pairs: int
+    limit: float = 0.0
     unreliable: str = ""
     busy: str = ""
-
-    def as_json(self) -> dict[str, Any]:
-        """The ratio's object in the published form."""
-        figures: dict[str, Any] = {
-            "median": self.median,
-            "low": self.low,
-            "high": self.high,
-            "pairs": self.pairs,
-        }
-        doubts = {"unreliable": self.unreliable, "busy": self.busy}
-        return figures | {name: why for name, why in doubts.items() if why}
-
-
-class Against(Struct, frozen=True):
-    """Whose time a submission in another language than Python is a multiple of.
-
-    That of the reference in `language`; `why` says why that is another one than its own.
-    """
-
-    language: str
-    why: str = ""
-
-    def as_json(self) -> dict[str, Any]:
-        """The object in the published form."""
-        return {"language": self.language} | ({"why": self.why} if self.why else {})
 
 
 class GrowthPoint(Struct, frozen=True):
@@ -172,19 +130,9 @@ class GrowthPoint(Struct, frozen=True):
 
     group: str
     size: int
-    seconds: float
-    reference: float
+    cpu_seconds: float
+    reference_seconds: float
     ended: bool = True
-
-    def as_json(self) -> dict[str, Any]:
-        """The point's object in the published form."""
-        return {
-            "group": self.group,
-            "size": self.size,
-            "cpu_seconds": self.seconds,
-            "reference_seconds": self.reference,
-            "ended": self.ended,
-        }
 
 
 class Growth(Struct, frozen=True):
@@ -206,53 +154,28 @@ class Growth(Struct, frozen=True):
     def __str__(self) -> str:
         return f"it grows like n^{self.exponent:.1f}, the reference like n^{self.reference:.1f}"
 
-    def as_json(self) -> dict[str, Any]:
-        """The growth's object in the published form."""
-        return {
-            "exponent": self.exponent,
-            "reference": self.reference,
-            "slope": self.slope,
-            "groups": list(self.groups),
-            "pairs": self.pairs,
-            "borderline": self.borderline,
-            "points": [point.as_json() for point in self.points],
-        }
 
-
-class Timing(Struct, frozen=True):
+class Timing(Struct, frozen=True, kw_only=True):
     """What a submission used in all its groups; `borderline` says the time limit was a close call.
 
-    `growth` is there, and in the JSON, only where the problem has a rule of growth. `import_seconds` is the
-    CPU time of a function's import, which `ratio` leaves out; in the JSON where it is worth a word. `against`
-    is there, and in the JSON, where a submission in another language than Python was raced.
+    `import_seconds` is the CPU time of a function's import, which `ratio` leaves out. `reference` is the
+    language of the reference that a submission in another language than Python was raced with, and `why` says
+    why that is another one than its own.
     """
 
     cpu_seconds: float = 0.0
     wall_seconds: float = 0.0
+    import_seconds: float = 0.0
     ratio: Ratio | None = None
     borderline: bool = False
     growth: Growth | None = None
-    import_seconds: float = 0.0
-    against: Against | None = None
+    reference: str = ""
+    why: str = ""
 
     @property
     def import_tells(self) -> bool:
         """Whether the import takes so long that a person should know."""
         return self.import_seconds >= _IMPORT_SECONDS
-
-    def as_json(self) -> dict[str, Any]:
-        """The timing's object in the published form."""
-        figures: dict[str, Any] = {
-            "cpu_seconds": self.cpu_seconds,
-            "wall_seconds": self.wall_seconds,
-            "ratio": self.ratio.as_json() if self.ratio else None,
-            "borderline": self.borderline,
-        }
-        if self.import_tells:
-            figures["import_seconds"] = self.import_seconds
-        if self.against:
-            figures["reference"] = self.against.as_json()
-        return figures | ({"growth": self.growth.as_json()} if self.growth else {})
 
 
 class Pitfall(Struct, frozen=True):
@@ -274,26 +197,17 @@ class Pitfall(Struct, frozen=True):
         """The mistake's name, or the two as "a + b"."""
         return " + ".join(self.names)
 
-    def as_json(self) -> dict[str, Any]:
-        """The pitfall's object in the published form."""
-        found: dict[str, Any] = {"name": self.name, "score": self.score}
-        if self.perhaps:
-            found["perhaps"] = list(self.perhaps)
-        if self.lines:
-            found["lines"] = [{"wrong": wrong, "right": right} for wrong, right in self.lines]
-        return found
-
 
 class Obstacle(Enum):
     """Why a submission can answer nothing at all, whatever the case."""
 
-    STUB = "the entry function is still to be written"
-    ARITY = "the entry function takes another number of arguments"
-    MODULE = "a module that it imports is not there"
-    IMPORT = "an exception ends its import"
-    NESTED = "the entry function stands in a class or another function"
-    MISNAMED = "there is a name like the entry function's"
-    NO_ENTRY = "there is no entry function, and nothing is read"
+    STUB = "stub"  # the entry function is still to be written
+    ARITY = "arity"  # the entry function takes another number of arguments
+    MODULE = "module"  # a module that it imports is not there
+    IMPORT = "import"  # an exception ends its import
+    NESTED = "nested"  # the entry function stands in a class or another function
+    MISNAMED = "misnamed"  # there is a name like the entry function's
+    NO_ENTRY = "no entry"  # there is no entry function, and nothing is read
 
 
 class Hurdle(Struct, frozen=True):
@@ -308,31 +222,36 @@ class Hurdle(Struct, frozen=True):
     takes: str = ""
 
 
-class Result(Struct, frozen=True):
-    """The outcome of one submission on one problem.
+class Result(Struct, frozen=True, kw_only=True):
+    """The outcome of one submission on one problem: `as_json()` is what `judge run --json` writes.
 
-    `score` sums the points of the accepted groups, `points` those of all groups that were run. The verdict
-    is that of the first failing group; `groups` is empty where nothing could be run (CE, JE). `notes` are
-    sentences for the person about what did not go as it should beside the verdict; they are not published.
-    `levels` are those of the problem, the easier first; none where it has none, or nothing could be run.
+    The verdict is that of the first failing group; `groups` is empty where nothing could be run (CE, JE).
+    `score` sums the points of the accepted groups, `points` those of all groups that were run: 100 unless
+    some were left out. `levels` are those of the problem, the easier first; none where it has none, or
+    nothing could be run. `failure` is the first failing case, `counterexample` the smallest one that was
+    found, `pitfall` the mistake behind them; a `hurdle` keeps a submission from running at all. `isolation`
+    is the level it was held at. `notes` are sentences for the person about what did not go as it should
+    beside the verdict. `out_of` is how many groups the problem has, 0 where all were run.
     """
 
+    schema: int = SCHEMA
     problem: str
     submission: str
-    mode: Mode
+    mode: Mode = Mode.FUNCTION
     verdict: Verdict
+    score: int = 0
+    points: int = 0
+    levels: tuple[LevelResult, ...] = ()
     groups: tuple[GroupResult, ...] = ()
     failure: Failure | None = None
+    counterexample: Failure | None = None
+    pitfall: Pitfall | None = None
+    hurdle: Hurdle | None = None
     time: Timing = Timing()
     memory_bytes: int = 0
     isolation: str = ""
-    counterexample: dict[str, Any] | None = None
-    pitfall: Pitfall | None = None
-    counterexample_given: Raw = None  # the answer to it, as the submission sent it; not published
     notes: tuple[str, ...] = ()
-    levels: tuple[LevelResult, ...] = ()
-    hurdle: Hurdle | None = None  # not published: `failure` is
-    out_of: int = 0  # how many groups the problem has, where some were left out; not published
+    out_of: int = 0
 
     def __repr__(self) -> str:
         """One line: who did what, and how it ended."""
@@ -356,16 +275,6 @@ class Result(Struct, frozen=True):
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes)))) if notes else self
 
     @property
-    def score(self) -> int:
-        """The points of the accepted groups."""
-        return sum(group.score for group in self.groups)
-
-    @property
-    def points(self) -> int:
-        """The points of all groups that were run: 100 unless some were left out."""
-        return sum(group.points for group in self.groups)
-
-    @property
     def exit_code(self) -> ExitCode:
         """What this result alone tells the shell."""
         if self.verdict is Verdict.AC:
@@ -373,26 +282,58 @@ class Result(Struct, frozen=True):
         return ExitCode.FAULT if self.verdict is Verdict.JE else ExitCode.NOT_ACCEPTED
 
     def as_json(self) -> dict[str, Any]:
-        """The published object; its keys and their order are fixed by the schema number."""
-        levels = {"levels": [level.as_json() for level in self.levels]} if self.levels else {}
-        return {
-            "schema": SCHEMA,
-            "problem": self.problem,
-            "submission": self.submission,
-            "mode": self.mode.value,
-            "verdict": self.verdict.value,
-            "score": self.score,
-            **levels,
-            "groups": [group.as_json() for group in self.groups],
-            "failure": self.failure.as_json() if self.failure else None,
-            "counterexample": self.counterexample,
-            "pitfall": self.pitfall.as_json() if self.pitfall else None,
-            "time": self.time.as_json(),
-            "memory_bytes": self.memory_bytes,
-            "isolation": self.isolation or None,
-        }
+        """The object that `judge run --json` writes."""
+        plain: dict[str, Any] = json.loads(json.dumps(msgspec.to_builtins(self)))  # with lists for tuples
+        return plain
 
 
-def exit_code(results: list[Result]) -> ExitCode:
+def judge_fault(problem: str, submission: str, message: str) -> Result:
+    """The result of a submission that could not be judged through the judge's or the problem's own fault."""
+    return Result(problem=problem, submission=submission, verdict=Verdict.JE, failure=Failure(message))
+
+
+def earned(groups: Sequence[GroupResult]) -> dict[str, Any]:
+    """The groups with what they sum up to, as fields of a `Result`."""
+    return {
+        "groups": tuple(groups),
+        "score": sum(group.score for group in groups),
+        "points": sum(group.points for group in groups),
+    }
+
+
+def exit_code(results: Iterable[Result]) -> ExitCode:
     """What several results together tell the shell: the judge's fault weighs most, then a rejection."""
     return max((result.exit_code for result in results), default=ExitCode.ACCEPTED)
+
+
+def read_result(plain: Mapping[str, Any]) -> Result:
+    """The result behind `Result.as_json()`, or behind an object that an older judge wrote.
+
+    Raises:
+        ValueError: it is no such object.
+    """
+    try:
+        found = plain if plain["schema"] == SCHEMA else _from_schema_1(plain)
+        return msgspec.convert(found, Result)
+    except (msgspec.ValidationError, TypeError, KeyError, AttributeError) as fault:
+        raise ValueError(f"this is no result: {fault}") from fault
+
+
+def _from_schema_1(plain: Mapping[str, Any]) -> dict[str, Any]:
+    """Points, advice and the answers themselves were not published then."""
+    time, pitfall, small = plain["time"], plain["pitfall"], plain["counterexample"]
+    reference = time.get("reference") or {}
+    if pitfall:
+        names = pitfall["name"].split(" + ")
+        lines = [(each["wrong"], each["right"]) for each in pitfall.get("lines", ())]
+        pitfall = pitfall | {"names": names, "advice": [""] * len(names), "lines": lines}
+    if small and small["replay"]:
+        small = small | {"group": small["replay"].split(":")[1]}
+    return {
+        **plain,
+        "schema": SCHEMA,
+        "counterexample": small,
+        "pitfall": pitfall,
+        "time": {**time, "reference": reference.get("language", ""), "why": reference.get("why", "")},
+        "isolation": plain["isolation"] or "",
+    }

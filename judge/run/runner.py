@@ -13,7 +13,7 @@ from judge.problem import Case, Problem, TimeRule
 from judge.run.function import FunctionRunner
 from judge.run.program import ProgramRunner
 from judge.run.replies import Replies
-from judge.run.result import Failure, GroupResult, Mode
+from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, Inspection, Limits
 from judge.values import ExactOf, Outcome, Outline, Raw, Target
 
@@ -89,7 +89,7 @@ class Runner(Protocol):
         """The file among the accepted solutions that is run in this way; None where there is none."""
         ...
 
-    def explained(self, failure: Failure, groups: Sequence[GroupResult] = ()) -> Failure:
+    def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:
         """The failure, with what a person should know of how it was run; `groups` are all that came of it."""
         ...
 

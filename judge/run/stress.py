@@ -61,25 +61,15 @@ class Stressed(Struct, frozen=True):
         return self.cases / self.seconds if self.seconds else 0.0
 
     def as_json(self) -> dict[str, Any]:
-        """The published object."""
-        result = self.result
+        """The object that `judge stress --json` writes: the result and what was asked of the machine."""
         return {
             "schema": SCHEMA,
-            "problem": result.problem,
-            "submission": result.submission,
-            "mode": result.mode.value,
-            "verdict": result.verdict.value,
             "cases": self.cases,
             "seconds": round(self.seconds, 3),
             "cases_per_second": round(self.rate),
             "seed": self.seed,
             "interrupted": self.interrupted,
-            "groups": [group.as_json() for group in result.groups],
-            "failure": result.failure.as_json() if result.failure else None,
-            "counterexample": result.counterexample,
-            "pitfall": result.pitfall.as_json() if result.pitfall else None,
-            "memory_bytes": result.memory_bytes,
-            "isolation": result.isolation or None,
+            "result": self.result.as_json(),
         }
 
 
@@ -139,7 +129,7 @@ class _Total:
     """What a group has come to so far."""
 
     def __init__(self, name: str) -> None:
-        self.result = GroupResult(name, Verdict.AC, 0, 0, None, 0.0)
+        self.result = GroupResult(name=name, verdict=Verdict.AC, cases=0, passed=0)
 
     def add(self, more: GroupResult, reached: int) -> None:
         """Add a series: `reached` of its cases have been decided."""
@@ -226,15 +216,15 @@ class _Run:
         """What it has come to."""
         failing = self._totals[self.broken.series.data.group.name] if self.broken else None
         result = Result(
-            self._data.problem.id,
-            name,
-            self._runner.mode,
-            failing.result.verdict if failing else Verdict.AC,
-            tuple(total.result for total in self._totals.values() if total.result.cases),
-            self._runner.explained(self._failure) if self._failure else None,
-            Timing(self._usage.cpu_seconds, self._usage.wall_seconds),
-            self._usage.memory_bytes,
-            self._box.isolation,
+            problem=self._data.problem.id,
+            submission=name,
+            mode=self._runner.mode,
+            verdict=failing.result.verdict if failing else Verdict.AC,
+            groups=tuple(total.result for total in self._totals.values() if total.result.cases),
+            failure=self._runner.explained(self._failure) if self._failure else None,
+            time=Timing(cpu_seconds=self._usage.cpu_seconds, wall_seconds=self._usage.wall_seconds),
+            memory_bytes=self._usage.memory_bytes,
+            isolation=self._box.isolation,
         )
         return Stressed(result, self._seed, seconds, self.cases, interrupted, self.broken, self._runner)
 

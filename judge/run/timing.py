@@ -11,11 +11,12 @@ import math
 import time
 from collections import deque
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.run.result import Against, Ratio
+from judge.run.result import Ratio
 from judge.sandbox.boundary import Usage
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
@@ -35,6 +36,16 @@ _BUSY = 1 / 3  # of the wall time of the reference's turns, waited for a process
 BESIDE = "beside another judge"
 
 Run = Callable[[], float | None]  # CPU seconds of one run, None where it did not end well
+
+
+class Against(NamedTuple):
+    """Whose time a submission in another language than Python is a multiple of.
+
+    That of the reference in `language`; `why` says why that is another one than its own.
+    """
+
+    language: str
+    why: str = ""
 
 
 class Decision(Struct, frozen=True):
@@ -165,7 +176,7 @@ def summary(pairs: list[Pair]) -> Ratio:
         unreliable = "too short"
     elif high - low > _TOO_WIDE * median:
         unreliable = "too noisy"
-    return Ratio(median, low, high, len(pairs), unreliable)
+    return Ratio(median, low, high, len(pairs), unreliable=unreliable)
 
 
 def disturbed(decision: Decision, what: str) -> Decision:

@@ -28,15 +28,15 @@ from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
 from judge.languages.model import Language
 from judge.languages.signature import signature_of
-from judge.problem import Group, Problem, Verdict
+from judge.problem import Problem, Verdict
 from judge.problem.model import group_place
 from judge.problem.module import load_module
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.tables import KeyPath, key_place, meant
-from judge.run.execute import run_submission
+from judge.run.execute import Judged, judge_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs
-from judge.run.result import GroupResult, Result
+from judge.run.result import Behaviour, Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
 
@@ -66,7 +66,7 @@ class Least(Struct, frozen=True):
 
 
 class SolutionReport(Struct, frozen=True):
-    """One program's verdict, whole and by group; `name` is the first line of what it begins with.
+    """One program's verdict, the groups that it `failed` and what it answers; `name` is its first line.
 
     The verdict is None where it was `unjudged`, which then says why.
     """
@@ -75,13 +75,9 @@ class SolutionReport(Struct, frozen=True):
     kind: Kind
     name: str
     verdict: Verdict | None
-    groups: tuple[GroupResult, ...]
+    failed: tuple[str, ...] = ()
+    behaviour: Behaviour = {}
     unjudged: str = ""
-
-    @property
-    def failed(self) -> tuple[str, ...]:
-        """The groups that do not accept it."""
-        return tuple(group.name for group in self.groups if group.verdict is not Verdict.AC)
 
     @property
     def ok(self) -> bool:
@@ -157,16 +153,16 @@ def verify_problem(
         lacking = _lacking(each.language) if each.language else ""
         if lacking:
             told = f"not judged here: {lacking}"
-            reports.append(SolutionReport(each.file, each.kind, each.name, None, (), told))
+            reports.append(SolutionReport(each.file, each.kind, each.name, None, unjudged=told))
             continue
-        result = run_submission(problem, pinned, each.source, each.path.name, settings=settings)
-        report = _solution_report(each, result)
+        judged = judge_submission(problem, pinned, each.source, each.path.name, settings=settings)
+        result, report = judged.result, _solution_report(each, judged)
         reports.append(report)
         if not report.ok and not (partial and result.verdict is Verdict.AC):
             faults.append(_verdict_fault(report, result, problem))
         elif not each.language and not (partial and each.kind is Kind.WRONG):
             faults += _on_other_seeds(problem, others, each, settings)
-    matrix = _matrix(problem.groups, reports)
+    matrix = _matrix(pinned, reports)
     if not partial:
         faults += _few(problem, matrix)
         faults += [fault for report in reports for fault in _name_faults(report, problem)]
@@ -290,14 +286,21 @@ def _lacking(language: Language) -> str:
     return why_not(language)
 
 
-def _solution_report(solution: Solution, result: Result) -> SolutionReport:
-    return SolutionReport(solution.file, solution.kind, solution.name, result.verdict, result.groups)
+def _solution_report(solution: Solution, judged: Judged) -> SolutionReport:
+    result = judged.result
+    failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
+    return SolutionReport(
+        solution.file, solution.kind, solution.name, result.verdict, failed, judged.behaviour
+    )
 
 
-def _matrix(groups: Sequence[Group], reports: Iterable[SolutionReport]) -> Matrix:
+def _matrix(data: ProblemData, reports: Iterable[SolutionReport]) -> Matrix:
     """Which of the problem's groups rejects which wrong program; one that cannot be run has no row."""
-    wrong = [report for report in reports if report.kind is Kind.WRONG and report.groups]
-    return kill_matrix(groups, [(report.file, report.name, report.groups) for report in wrong])
+    wrong = [report for report in reports if report.kind is Kind.WRONG and report.behaviour]
+    sizes = {each.group.name: len(each.cases) for each in data.groups}
+    return kill_matrix(
+        data.problem.groups, sizes, [(report.file, report.name, report.behaviour) for report in wrong]
+    )
 
 
 def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
@@ -326,10 +329,10 @@ def _on_other_seeds(
     for number, data in enumerate(others, start=1):
         if solution.kind is Kind.SLOW:
             return
-        result = run_submission(problem, data, solution.source, solution.path.name, settings=untimed)
-        if not solution.kind.allows(result.verdict):
-            report = _solution_report(solution, result)
-            fault = _verdict_fault(report, result, problem)
+        judged = judge_submission(problem, data, solution.source, solution.path.name, settings=untimed)
+        if not solution.kind.allows(judged.result.verdict):
+            report = _solution_report(solution, judged)
+            fault = _verdict_fault(report, judged.result, problem)
             yield replace(fault, what=f"{fault.what} with --seed {number}")
 
 

@@ -1,7 +1,8 @@
 """The published JSON Schemas (draft 2020-12) of what `--json` writes: one file for each command.
 
     judge/schema/<command>.json    an object as the command writes it; its own $defs are in it
-    judge/schema/shared.json       $defs that several commands use, as {"$ref": "shared.json#/$defs/verdict"}
+    judge/schema/shared.json       $defs that several commands use, as {"$ref": "shared.json#/$defs/verdict"};
+                                   `result` is generated from the structs that are written
     judge/schema/files/<name>.json files that a setter writes, as TOML
 
 A command that gets `--json` gets a file here. `schema_of` puts a command's file and what it refers to into
@@ -11,12 +12,14 @@ one document that needs no other.
 from __future__ import annotations
 
 import json
+from inspect import cleandoc
 from pathlib import Path
 from typing import Any
 
 _FOLDER = Path(__file__).parent
 _SHARED = "shared.json"
 _LOCAL = "#/$defs/"
+RESULT = "result"  # of shared.json, but in no file
 _DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 Schema = dict[str, Any]
@@ -78,11 +81,27 @@ def _bundled(file: str, schema: Any, definitions: dict[str, Schema]) -> Any:
         home = home or file
         # A command's own definitions are named after it: several commands have a `group`.
         known = name if home == _SHARED else f"{home.removesuffix('.json')}.{name}"
-        if known not in definitions:
+        if home == _SHARED and name == RESULT:
+            definitions |= _of_results()
+        elif known not in definitions:
             definitions[known] = {}  # before its own references are followed, which may come back to it
             definitions[known] = _bundled(home, _read(home)["$defs"][name], definitions)
         bundled["$ref"] = _LOCAL + known
     return bundled
+
+
+def _of_results() -> dict[str, Schema]:
+    """A result and its parts, from the structs that are written."""
+    import msgspec
+
+    from judge.run.result import Result
+
+    (result,), parts = msgspec.json.schema_components([Result], ref_template=_LOCAL + "{name}")
+    for part in parts.values():
+        part["description"] = cleandoc(part.get("description", ""))
+        if "properties" in part:  # every key is always there, and no other one
+            part |= {"required": list(part["properties"]), "additionalProperties": False}
+    return {**parts, RESULT: result}
 
 
 def _read(file: str) -> Schema:

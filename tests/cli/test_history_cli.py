@@ -17,7 +17,7 @@ from sampling import daily, nightly
 from judge import database
 from judge.kata.history import History
 from judge.problem import Verdict
-from judge.run import Mode, Result
+from judge.run import Result
 
 pytestmark = pytest.mark.slow
 SAID = "1 damaged row is left out of the history"
@@ -111,7 +111,7 @@ def test_every_run_is_kept(words, judge, submit, tmp_path):
         assert [run.verdict.value for run in runs] == ["AC", "WA"]
         assert [history.source(run.id).decode() for run in runs] == [MEAN, FLOOR]
     if words == ("--json",):
-        assert [run.result for run in runs] == [json.loads(line) for line in shown.lines]
+        assert [run.result.as_json() for run in runs] == [json.loads(line) for line in shown.lines]
 
 
 def test_unless_that_is_not_wanted(judge, submit, own_history, tmp_path):
@@ -130,7 +130,7 @@ def test_a_file_that_is_no_history_is_left_alone(judge, submit):
 
 def test_a_run_of_no_file_needs_a_name(judge):
     with History.open() as history:
-        history.add(Result("middle", "/dev/fd/63", Mode.FUNCTION, Verdict.AC), b"x = 1\n", "")
+        history.add(Result(problem="middle", submission="/dev/fd/63", verdict=Verdict.AC), b"x = 1\n", "")
     ended = judge("history", "--restore", "1")
     assert (ended.status, ended.err) == (
         2,

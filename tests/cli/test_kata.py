@@ -117,7 +117,7 @@ def test_a_kata_is_whole_and_sound_at_once(judge, tmp_path):
         (program,) = read_solutions(problem, kind).programs
         ended = judge("run", "--problems", "pack/problems", "my-own", program.path, "--json")
         assert ended.status == status
-    assert json.loads(ended.out)["pitfall"]["name"] == "sum-of-legs"
+    assert json.loads(ended.out)["pitfall"]["names"] == ["sum-of-legs"]
 
 
 @pytest.mark.parametrize(

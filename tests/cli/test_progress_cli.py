@@ -13,7 +13,7 @@ from judge.kata import history as kept
 from judge.kata.history import History
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.run.result import GroupResult, Mode, Pitfall, Result
+from judge.run.result import GroupResult, Pitfall, Result, earned
 
 pytestmark = pytest.mark.slow
 
@@ -50,18 +50,18 @@ def passed(*problems, without=(), mistake=None, when=None):
         for problem in problems:
             groups = tuple(
                 GroupResult(
-                    each.name,
-                    Verdict.WA if each.name in without else Verdict.AC,
-                    9,
-                    9,
-                    None,
-                    0.0,
-                    each.points,
+                    name=each.name,
+                    verdict=Verdict.WA if each.name in without else Verdict.AC,
+                    cases=9,
+                    passed=9,
+                    points=each.points,
                 )
                 for each in find_problem(problem).groups
             )
             source = str(len(history.runs())).encode()
-            result = Result(problem, "a.py", Mode.FUNCTION, verdict, groups, pitfall=pitfall)
+            result = Result(
+                problem=problem, submission="a.py", verdict=verdict, pitfall=pitfall, **earned(groups)
+            )
             history.add(result, source, "/a.py")
 
 

@@ -16,7 +16,7 @@ from terminals import on_a_terminal
 from judge.problem import Verdict
 from judge.report.glance import glance_lines, taken
 from judge.report.layout import printable
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Result
+from judge.run.result import Failure, GroupResult, Pitfall, Result, earned
 
 ESCAPE = "\x1b"
 PLAIN = {"NO_COLOR": "1"}
@@ -62,17 +62,24 @@ def big(digits, advice=""):
     """A result of thirty rejected groups, whose numbers have so many digits."""
     number = int("7" * digits)
     case = {"a": number, "b": -number}
-    groups = tuple(GroupResult(f"group-{at}", Verdict.WA, 9, 0, None, 0.1, 3) for at in range(30))
+    groups = [
+        GroupResult(name=f"group-{at}", verdict=Verdict.WA, cases=9, passed=0, points=3) for at in range(30)
+    ]
     failure = Failure("it is off", "group-0", 1, case, str(number), str(-number))
-    found = {"input": {"a": 1, "b": number}, "expected": str(number), "got": "1", "message": "it is off"}
+    found = Failure(
+        "it is off",
+        input={"a": 1, "b": number},
+        expected=str(number),
+        got="1",
+        replay=f"some-problem:group-0:v{number}:abcdef",
+    )
     return Result(
-        "some-problem",
-        "a/rather/long/path/to/some-submission.py",
-        Mode.FUNCTION,
-        Verdict.WA,
-        groups,
-        failure,
-        counterexample=found | {"replay": f"some-problem:group-0:v{number}:abcdef"},
+        problem="some-problem",
+        submission="a/rather/long/path/to/some-submission.py",
+        verdict=Verdict.WA,
+        failure=failure,
+        counterexample=found,
+        **earned(groups),
         pitfall=Pitfall(("some-mistake",), 0.9, (advice,), lines=(("a = 1\nb = 2", "b = 1"),))
         if advice
         else None,
@@ -95,7 +102,8 @@ def test_whatever_is_long_is_cut(digits, advice, width):
 
 def test_what_a_function_printed_is_cut_too():
     result = big(60, "Do it otherwise. " * 4)
-    found = {**(result.counterexample or {}), "printed": "\n".join(["x" * 160] * 6), "cut_short": True}
+    printed = "\n".join(["x" * 160] * 6)
+    found = replace(result.counterexample, printed=printed, cut_short=True)
     lines = glance_lines(replace(result, counterexample=found), 80, 23)
     text = "\n".join("".join(span.text for span in laid) for laid in lines)
     assert taken(lines, 80) <= 23

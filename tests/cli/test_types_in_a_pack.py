@@ -96,7 +96,7 @@ def test_a_mistake_is_told_shrunk_and_named(folder, judge):
     wrong = folder / "solutions" / "oddness" / "wrong" / "mistaken.py"
     ended = judge("run", "oddness", wrong, "--json")
     result = json.loads(ended.out)
-    assert (result["verdict"], result["pitfall"]["name"]) == ("WA", "mistaken")
+    assert (result["verdict"], result["pitfall"]["names"]) == ("WA", ["mistaken"])
     found = result["counterexample"]
     again = judge("replay", "--json", found["replay"], wrong)
     assert json.loads(again.out)["failure"]["input"] == found["input"]

@@ -40,7 +40,7 @@ from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
 from judge.report.page.reread import reread
 from judge.run import hurdle, printed, program
-from judge.run.execute import judge_fault
+from judge.run.result import judge_fault
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources

@@ -73,8 +73,8 @@ def test_a_mistake_is_named_and_its_smallest_case_is_a_valid_and_simpler_one(nam
     assert sorted(said) == sorted(stem.split("-and-"))
     module = load_module(problem)
     case, first = (
-        tuple(as_case(each) for each in found["input"].values())
-        for found in (result.counterexample, result.failure.as_json())
+        tuple(as_case(each) for each in found.input.values())
+        for found in (result.counterexample, result.failure)
     )
     assert Validator(problem, module.solve).proof(case).fault is None
     assert measure(case) <= measure(first)

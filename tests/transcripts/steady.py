@@ -47,7 +47,7 @@ def steady(result: Result) -> Result:
     if failure is not None and result.verdict is Verdict.TLE:
         failure = replace(failure, message=_timeless(failure.message))
     if smallest is not None and result.verdict is Verdict.TLE:
-        smallest = {**smallest, "message": _timeless(smallest["message"])}
+        smallest = replace(smallest, message=_timeless(smallest.message))
     return replace(
         result,
         counterexample=smallest,

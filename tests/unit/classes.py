@@ -10,7 +10,7 @@ from judge.batch.outcome import Outcome
 from judge.digest import digest_of
 from judge.problem.model import Verdict
 from judge.report.cohort.parts import EqualFiles
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 GROUPS = ("examples", "grid", "tangent")
 INPUT = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}
@@ -34,7 +34,11 @@ def row(
     ran = verdict not in (Verdict.CE, Verdict.JE)
     groups = [
         GroupResult(
-            name, Verdict.WA if name in fails else Verdict.AC, 10, 4 if name in fails else 10, None, 0.01, 30
+            name=name,
+            verdict=Verdict.WA if name in fails else Verdict.AC,
+            cases=10,
+            passed=4 if name in fails else 10,
+            points=30,
         )
         for name in (GROUPS if ran else ())
     ]
@@ -43,15 +47,14 @@ def row(
         failure = Failure("line 1: '(' was never closed")
     file = file or f"{student}/{problem}.py"
     result = Result(
-        problem,
-        file,
-        Mode.FUNCTION,
-        verdict,
-        tuple(groups),
-        failure,
-        Timing(0.02, 0.03, Ratio(1.5, 1.4, 1.6, 9) if verdict is Verdict.AC else None),
+        problem=problem,
+        submission=file,
+        verdict=verdict,
+        failure=failure,
+        time=Timing(cpu_seconds=0.02, ratio=Ratio(1.5, 1.4, 1.6, 9) if verdict is Verdict.AC else None),
         isolation=isolation,
         pitfall=Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None,
+        **earned(groups),
     )
     plain = Done(result.as_json(), machine=machine, worker="1", **done)
     score = sum(group.score for group in groups)

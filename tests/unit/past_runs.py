@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime, timedelta
 
 from judge.problem import Verdict
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 START = datetime(2026, 3, 1, 9, 0, tzinfo=UTC)
 
@@ -14,17 +14,19 @@ def past_result(
     problem="segment", passed=("grid", "tangent"), failed=(), *, name="mine.py", mistake=None, ratio=None
 ):
     """A result with these groups passed and failed; with the first ones only, half of the points."""
-    groups = [GroupResult(group, Verdict.AC, 10, 10, 0.5, 0.01, 50) for group in passed]
-    groups += [GroupResult(group, Verdict.WA, 10, 4, None, 0.01, 50) for group in failed]
+    groups = [
+        GroupResult(name=group, verdict=Verdict.AC, cases=10, passed=10, points=50, worst_ulps=0.5)
+        for group in passed
+    ]
+    groups += [GroupResult(name=group, verdict=Verdict.WA, cases=10, passed=4, points=50) for group in failed]
     return Result(
-        problem,
-        name,
-        Mode.FUNCTION,
-        Verdict.WA if failed else Verdict.AC,
-        tuple(groups),
-        Failure("off by 1", failed[0], 3, {"r": 10**30}, "1", "2") if failed else None,
-        Timing(0.02, 0.03, Ratio(ratio, ratio, ratio, 9) if ratio else None),
+        problem=problem,
+        submission=name,
+        verdict=Verdict.WA if failed else Verdict.AC,
+        failure=Failure("off by 1", failed[0], 3, {"r": 10**30}, "1", "2") if failed else None,
+        time=Timing(cpu_seconds=0.02, ratio=Ratio(ratio, ratio, ratio, 9) if ratio else None),
         pitfall=Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None,
+        **earned(groups),
     )
 
 

@@ -56,7 +56,7 @@ def test_a_task_is_judged_as_judge_run_does(task):
         "middle", FLOOR, name="ada/middle.py", folders=[PACK], options=judge.RunOptions(diagnosed=False)
     )
     assert without_times(done.result) == without_times(json.loads(json.dumps(plain.as_json())))
-    assert done.result["pitfall"]["name"] == "floor-division"
+    assert done.result["pitfall"]["names"] == ["floor-division"]
     assert (done.machine, done.worker) == (os.uname().nodename, f"{os.uname().nodename}:{os.getpid()}")
     assert done.seconds > 0
 

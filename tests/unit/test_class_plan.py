@@ -10,7 +10,7 @@ from judge.batch.model import Done, Handin, Standard
 from judge.batch.plan import Ground, current, planned, rows_of
 from judge.batch.shards import Shard
 from judge.errors import UsageError
-from judge.run.execute import judge_fault
+from judge.run.result import judge_fault
 
 STANDARD = Standard("1", "2", "3", "full", "5")
 GROUND = Ground({}, {"p": STANDARD, "q": STANDARD}, {"broken": "problem.toml: misspelt"}, "{}", ())
@@ -42,7 +42,7 @@ def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
     assert [work.task.name for work in plan.work] == ["p.py", "p.cpp", "q.py"]  # nobody's name goes along
     ada, bob, *_ = judged(plan)
     assert (ada.copied, bob.copied) == ("", "ada/p.py")
-    assert [row.result["submission"] for row in (ada, bob)] == ["ada/p.py", "bob/p.py"]
+    assert [row.result.submission for row in (ada, bob)] == ["ada/p.py", "bob/p.py"]
     assert (bob.verdict, bob.score, bob.machine, bob.points) == ("WA", 40, "lab1", 100)
 
 
@@ -61,7 +61,7 @@ def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried
     odd = Handin("ada", "p", "ada/p.py", why="it is no ordinary file")
     broken = Handin("ada", "broken", "ada/broken.py", b"x")
     plan = planned([odd, broken], [], GROUND)
-    assert [(row.verdict, row.result["failure"]["message"]) for row in plan.rows] == [
+    assert [(row.verdict, row.result.failure.message) for row in plan.rows] == [
         ("JE", "it is no ordinary file"),
         ("JE", "problem.toml: misspelt"),
     ]

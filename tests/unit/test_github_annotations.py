@@ -13,16 +13,20 @@ from judge.problem import Verdict
 from judge.report.editor import editor_lines
 from judge.report.github import annotation
 from judge.report.places import FilePlace, annotated_place, fault_place
-from judge.run import Failure, GroupResult, Mode, Result
+from judge.run import Failure, GroupResult, Result
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
 SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"
 
 
 def result(verdict: Verdict, message: str = "", **changes) -> Result:
-    groups = () if verdict in (Verdict.CE, Verdict.JE) else (GroupResult("grid", verdict, 2, 1, None, 0.0),)
+    ran = verdict not in (Verdict.CE, Verdict.JE)
+    groups = (GroupResult(name="grid", verdict=verdict, cases=2, passed=1),) if ran else ()
     failure = Failure(message, groups[0].name if groups else None, 7 if groups else None) if message else None
-    return Result("count", changes.pop("name", "mine.py"), Mode.FUNCTION, verdict, groups, failure, **changes)
+    name = changes.pop("name", "mine.py")
+    return Result(
+        problem="count", submission=name, verdict=verdict, groups=groups, failure=failure, **changes
+    )
 
 
 def parts(text: str) -> tuple[str, dict[str, str], list[str]]:

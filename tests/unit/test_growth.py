@@ -50,7 +50,7 @@ def test_a_quadratic_is_too_steep_after_two_rounds():
     assert str(grown.growth) == "it grows like n^1.9, the reference like n^1.2"
     assert (grown.growth.pairs, grown.growth.borderline) == (2, False)
     assert grown.growth.groups == ("n-2000", "n-8000", "n-32000")
-    assert [(point.size, point.seconds, point.reference) for point in grown.growth.points] == [
+    assert [(point.size, point.cpu_seconds, point.reference_seconds) for point in grown.growth.points] == [
         (size, pytest.approx(0.02 * n**1.9), pytest.approx(0.02 * n**1.2))
         for size, n in ((2_000, 1), (8_000, 4), (32_000, 16))
     ]

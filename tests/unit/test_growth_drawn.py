@@ -38,7 +38,7 @@ def test_a_law_is_drawn_beside_the_reference():
 def runs(tmp_path):
     with History.open(tmp_path / "history.sqlite3", clock=StoppedClock()) as history:
         result = past_result("count", "n-2000")
-        history.add(replace(result, time=Timing(4.3, 4.5, growth=GROWTH)), b"", "/x/mine.py")
+        history.add(replace(result, time=Timing(cpu_seconds=4.3, growth=GROWTH)), b"", "/x/mine.py")
         return list(history.runs())
 
 

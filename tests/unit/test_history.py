@@ -12,7 +12,7 @@ from past_runs import START, StoppedClock, past_result
 from judge.errors import UsageError
 from judge.kata.history import Current, History
 from judge.problem import Verdict
-from judge.run.result import Failure, Mode, Result
+from judge.run.result import Mode, judge_fault
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def test_a_run_comes_back_whole(history):
     assert (run.passed, run.failed) == (("grid",), ("tangent",))
     assert (run.mistake, run.ratio) == ("no-clamp", 1.25)
     assert run.source_hash == hashlib.sha256(b"x = 1\n").hexdigest()
-    assert run.result == result.as_json()
+    assert run.result == result
     assert history.source(number) == b"x = 1\n"
 
 
@@ -70,13 +70,13 @@ def test_a_run_that_is_not_there(number, history):
 def test_names_that_no_text_can_hold(history):
     name = os.fsdecode(b"caf\xe9 \x1b[31m\n\xff.py")
     run = history.run(history.add(past_result(name=name), b"\xff\x00", f"/tmp/{name}"))
-    assert (run.submission, run.path, run.result["submission"]) == (name, f"/tmp/{name}", name)
+    assert (run.submission, run.path, run.result.submission) == (name, f"/tmp/{name}", name)
 
 
 def test_only_a_whole_problem_is_solved(history):
     part = history.add(past_result(passed=("grid",)), b"", "")  # as with --group
     whole = history.add(past_result(), b"", "")
-    fault = history.add(Result("segment", "a.py", Mode.FUNCTION, Verdict.JE, failure=Failure("?")), b"", "")
+    fault = history.add(judge_fault("segment", "a.py", "?"), b"", "")
     assert [history.run(number).solved for number in (part, whole, fault)] == [False, True, False]
     assert [history.run(number).counts for number in (part, whole, fault)] == [True, True, False]
 

@@ -7,11 +7,11 @@ import math
 import pytest
 
 from judge.mistakes.agreement import Alike, WrongAnswer
-from judge.mistakes.answers import Answers
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import Likeness
 from judge.mistakes.naming import Known
 from judge.mistakes.nearest import nearest
+from judge.run.result import Answers
 from judge.values import Usual, outline, parse
 
 COUNT, USUAL = parse("count"), Usual(frozenset({0.0, 1.0, 2.0}))

@@ -10,14 +10,13 @@ import pytest
 
 from judge import RunOptions, Session
 from judge.data.load import load_data
-from judge.mistakes.answers import Answers
 from judge.mistakes.catalogue import Words
 from judge.mistakes.naming import Known
 from judge.mistakes.verified import verify_choices
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.run.result import Failure, GroupResult, Mode, Result
+from judge.run.result import Answers, Failure, GroupResult, Result
 from judge.run.verify import verify_problem
 from judge.sandbox import Boxes
 
@@ -116,18 +115,22 @@ def test_the_line_and_the_variants_own_words_are_shown(pack):
     assert result.pitfall.advice == (
         "Whole division drops the half; such a program is right for whole middles only.",
     )
-    assert result.pitfall.as_json()["lines"] == [{"wrong": "return total // 2", "right": "return total / 2"}]
 
 
 def of(groups, got="0"):
-    """A result of these groups: {name: (cases, wrong)}."""
+    """A result of these groups, and what was answered: {name: (cases, wrong)}."""
     found = tuple(
         GroupResult(
-            name, Verdict.WA if wrong else Verdict.AC, cases, cases - len(wrong), None, 0.0, 0, cases, wrong
+            name=name,
+            verdict=Verdict.WA if wrong else Verdict.AC,
+            cases=cases,
+            passed=cases - len(wrong),
         )
         for name, (cases, wrong) in groups.items()
     )
-    return Result("middle", "mine.py", Mode.FUNCTION, Verdict.WA, found, Failure("wrong", got=got))
+    failure = Failure("wrong", got=got)
+    result = Result(problem="middle", submission="mine.py", verdict=Verdict.WA, groups=found, failure=failure)
+    return result, {name: Answers(cases, wrong) for name, (cases, wrong) in groups.items()}
 
 
 ONE = ("number", (1.0,))
@@ -136,7 +139,7 @@ BOTH = Known("other", {name: Answers(20, dict.fromkeys(range(15), ONE)) for name
 
 
 def vetoes(problem, groups, *, form=False, fails=True, has=frozenset()):
-    return Vetoes(problem, of(groups), has, form=form, alone=lambda _group, _case: fails)
+    return Vetoes(problem, *of(groups), has, form=form, alone=lambda _group, _case: fails)
 
 
 def test_vetoes(pack):

@@ -18,7 +18,7 @@ from judge.report.page.compose import MOST_RUNS, compose_page
 from judge.report.page.known import KnownProblem
 from judge.report.page.plot import MOST
 from judge.report.page.render import is_report, render
-from judge.run.result import Failure, GroupResult, Mode, Pitfall, Ratio, Result, Timing
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 EVIL = (
     "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
@@ -32,15 +32,24 @@ ACTIVE |= {"form", "input", "base", "audio", "video", "use"}
 def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, name="mine.py", **failure):
     """A result with one passed group and, unless it is accepted, one failed on a case that can be drawn."""
     accepted = verdict is Verdict.AC
-    groups = [GroupResult("grid", Verdict.AC, 200, 200, None, 0.01, 100 if accepted else 30)]
+    points = 100 if accepted else 30
+    groups = [GroupResult(name="grid", verdict=Verdict.AC, cases=200, passed=200, points=points)]
     told = None
     if not accepted:
-        groups.append(GroupResult("tangent", verdict, 90, 41, None, 0.01, 70))
+        groups.append(GroupResult(name="tangent", verdict=verdict, cases=90, passed=41, points=70))
         case = {"group": "tangent", "case": 3, "input": INPUT, "expected": "1", "got": "2", "message": "off"}
         told = Failure(**{**case, **failure})
-    time = Timing(0.02, 0.03, Ratio(ratio, ratio * 0.9, ratio * 1.2, 9) if ratio else None)
+    time = Timing(cpu_seconds=0.02, ratio=Ratio(ratio, ratio * 0.9, ratio * 1.2, 9) if ratio else None)
     pitfall = Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None
-    return Result(problem, name, Mode.FUNCTION, verdict, tuple(groups), told, time, pitfall=pitfall)
+    return Result(
+        problem=problem,
+        submission=name,
+        verdict=verdict,
+        failure=told,
+        time=time,
+        pitfall=pitfall,
+        **earned(groups),
+    )
 
 
 def kept(path, results, source=b"print(1)\n"):

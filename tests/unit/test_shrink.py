@@ -62,13 +62,14 @@ LARGE = MIDDLE.format("if a * b > 100_000: return 7")
 def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
     problem, _, found = shrunk("middle", LARGE)
     assert shrunk("middle", LARGE)[2] == found
-    assert (found.case, found.cut_short, "cut_short" in found.as_json()) == ((200, 600), False, False)
+    case = tuple(found.input.values())
+    assert (case, found.cut_short) == ((200, 600), False)
     again = decode(found.replay, problem, load_module(problem))
-    assert again[:2] == (problem.group(found.group), found.case)
+    assert again[:2] == (problem.group(found.group), case)
     assert list(found.input) == [parameter.name for parameter in problem.parameters]
     space = {}
     exec(compile(LARGE, "mine.py", "exec"), space)
-    assert repr(space["middle"](*found.case)) == found.got != found.expected
+    assert repr(space["middle"](*case)) == found.got != found.expected
 
 
 @pytest.mark.nightly
@@ -89,10 +90,10 @@ def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
 
 @pytest.mark.parametrize("most", [0, 150])
 def test_the_budget_ends_the_search_and_it_says_so(most):
-    _, result, found = shrunk("middle", LARGE, budget=SearchBudget(most))
-    assert found.calls <= most + 100  # what is begun is ended
+    budget = SearchBudget(most)
+    _, result, found = shrunk("middle", LARGE, budget=budget)
+    assert budget.calls <= most + 100  # what is begun is ended
     assert found.cut_short
-    assert found.as_json()["cut_short"] is True
     if most < 100:
         assert found.input == result.failure.input
 
@@ -105,11 +106,13 @@ def test_the_budget_ends_the_search_and_it_says_so(most):
     ],
 )
 def test_what_gives_no_answer_shrinks_to_what_gives_none_either(deed, verdict, message):
-    _, result, found = shrunk("middle", MIDDLE.format(f"if a < 0:\n        {deed}"), cpu_seconds=0.1)
+    budget = SearchBudget(guard=Guard(cpu=600.0, wall=600.0))
+    source = MIDDLE.format(f"if a < 0:\n        {deed}")
+    _, result, found = shrunk("middle", source, cpu_seconds=0.1, budget=budget)
     assert result.verdict is verdict
     assert found.message.startswith(message)
-    assert found.case == (-1, 0)
-    assert found.calls < 5_000
+    assert found.input == {"a": -1, "b": 0}
+    assert budget.calls < 5_000
 
 
 @pytest.mark.parametrize(
@@ -132,7 +135,7 @@ def test_what_is_right_when_called_alone_is_told_so():
     _, result, found = shrunk("middle", source)
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
-    assert found.as_json()["input"] == result.failure.input
+    assert found.input == result.failure.input
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,9 @@ from broken_problems import broken
 from judging import make_group
 from msgspec.structs import replace
 
-from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run.matrix import kill_matrix
-from judge.run.result import GroupResult
+from judge.run.result import Answers
 from judge.run.verify import verify_problem
 
 pytestmark = pytest.mark.slow
@@ -63,34 +62,24 @@ def group(name, *kills):
     return replace(make_group(name), kills=kills)
 
 
-def results(cases=10, **rejected):
-    """A program's results: the places of the rejected cases of each group."""
-    return [
-        GroupResult(
-            name,
-            Verdict.WA if places else Verdict.AC,
-            cases,
-            cases - len(places),
-            None,
-            0.0,
-            wrong=dict.fromkeys(places, ("count", (0.0,))),
-        )
-        for name, places in rejected.items()
-    ]
+def does(**rejected):
+    """What a program answers: the places of the rejected cases of each group, of 10."""
+    return {name: Answers(10, dict.fromkeys(places, ("count", (0.0,)))) for name, places in rejected.items()}
 
 
 GROUPS = [group("examples"), group("grid", "blind", "deaf"), group("edge", "deaf"), group("spare", "blind")]
+SIZES = {each.name: 10 for each in GROUPS}
 PROGRAMS = [
-    ("wrong/blind.py", "blind", results(examples=(), grid=(0, 1, 2), edge=(), spare=(4,))),
-    ("wrong/deaf.py", "deaf", results(examples=(), grid=(2,), edge=(5, 6), spare=())),
-    ("wrong/deaf-once.py", "deaf", results(examples=(), grid=(), edge=(6,), spare=())),
-    ("wrong/immortal.py", "dumb", results(examples=(), grid=(), edge=(), spare=())),
+    ("wrong/blind.py", "blind", does(examples=(), grid=(0, 1, 2), edge=(), spare=(4,))),
+    ("wrong/deaf.py", "deaf", does(examples=(), grid=(2,), edge=(5, 6), spare=())),
+    ("wrong/deaf-once.py", "deaf", does(examples=(), grid=(), edge=(6,), spare=())),
+    ("wrong/immortal.py", "dumb", does(examples=(), grid=(), edge=(), spare=())),
 ]
 
 
 @pytest.fixture(scope="module")
 def matrix():
-    return kill_matrix(GROUPS, PROGRAMS)
+    return kill_matrix(GROUPS, SIZES, PROGRAMS)
 
 
 def test_a_row_tells_every_groups_share(matrix):
@@ -106,5 +95,5 @@ def test_groups_that_do_nothing_of_their_own(matrix):
     assert matrix.aimless == ("examples",)
     assert matrix.replaceable == ("grid", "spare")
     assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
-    empty = kill_matrix(GROUPS, [])
+    empty = kill_matrix(GROUPS, SIZES, [])
     assert (empty.rows, empty.unkilled) == ((), ())

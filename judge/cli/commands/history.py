@@ -89,7 +89,7 @@ def command(
             _check(name, folders, {run.problem for run in history.runs()})
     if as_json:
         for run in runs:
-            write_json(as_object(run) | {"result": run.result})
+            write_json(as_object(run) | {"result": run.result.as_json()})
     elif as_csv:
         _write_csv(runs)
     elif runs:

@@ -37,7 +37,7 @@ from judge.report.layout import Line
 from judge.report.progress import progress, stages
 from judge.report.screen import Notes, out
 from judge.report.stress import stress_lines
-from judge.run.execute import judge_fault
+from judge.run.result import judge_fault
 from judge.run.stress import Stressed
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again

@@ -18,7 +18,6 @@ from judge.problem import Verdict
 from judge.report.cohort.parts import EQUAL_CAUTION, Cohort, Counted, Example, MistakeBar, ProblemView
 from judge.report.page.known import KnownProblem
 from judge.report.page.parts import Drawing, Explained, Tile
-from judge.report.page.record import record_of
 from judge.report.page.render import filled
 from judge.report.page.told import Artist, kind_title, told_case
 
@@ -229,15 +228,15 @@ def _label(bar: MistakeBar) -> str:
 def _card(
     anchor: str, bar: MistakeBar, example: Example, artist: Artist, known: KnownProblem | None
 ) -> CaseCard:
-    record = record_of(example.published)
-    told = told_case(record, example.file, artist, anchor)
-    verdict = Verdict(example.published["verdict"])
-    advice = {**(known.advice if known else {}), **example.advice}
+    result = example.result
+    told = told_case(result, example.file, artist, anchor)
+    made = zip(result.pitfall.names, result.pitfall.advice, strict=True) if result.pitfall else ()
+    advice = {**(known.advice if known else {}), **{name: text for name, text in made if text}}
     names = bar.label.split(" + ") if bar.named else []
     return CaseCard(
         anchor=anchor,
-        title=bar.label if bar.named else kind_title(verdict, told.group),
-        verdict=verdict,
+        title=bar.label if bar.named else kind_title(result.verdict, told.group),
+        verdict=result.verdict,
         count=bar.count,
         file=PurePath(example.file).as_posix(),
         kind=told.kind,

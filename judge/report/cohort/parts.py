@@ -8,6 +8,7 @@ from typing import Any
 from msgspec import Struct
 
 from judge.problem.model import Verdict
+from judge.run.result import Result
 
 
 class Person(Struct, frozen=True):
@@ -139,16 +140,12 @@ class Machine(Struct, frozen=True):
 
 
 class Example(Struct, frozen=True):
-    """The hand-in that stands for a mistake, or for a verdict where none is named, and what it came to.
-
-    `advice` is what was told of its mistakes, by name, where it was judged once more.
-    """
+    """The hand-in that stands for a mistake, or for a verdict where none is named, and what it came to."""
 
     problem: str
     label: str
     file: str
-    published: Mapping[str, Any]
-    advice: Mapping[str, str] = {}
+    result: Result
 
 
 class Cohort(Struct, frozen=True):

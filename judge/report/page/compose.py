@@ -32,8 +32,9 @@ from judge.report.page.parts import (
     Tile,
 )
 from judge.report.page.plot import ratio_plot
-from judge.report.page.record import GroupRecord, read_record
+from judge.report.page.record import read_record
 from judge.report.values import counted, score_text, times
+from judge.run.result import GroupResult
 
 MOST_RUNS = 300  # of one problem in its tables
 _FIRST_RUNS = 12  # that are in sight; the earlier ones are folded away
@@ -217,7 +218,7 @@ def _levels(runs: Sequence[Run], problem: Problem | None) -> Iterator[LevelMark]
 
 def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]:
     """Every group as the latest run left it that ran it."""
-    found: dict[str, GroupRecord] = {}
+    found: dict[str, GroupResult] = {}
     names = [group.name for group in problem.groups] if problem else None
     for run in reversed(runs):
         if names is not None and all(name in found for name in names):
@@ -233,7 +234,7 @@ def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]
             yield GroupMark(name, about.get(name, ""), "open", "not run", level.get(name, ""))
             continue
         group = found[name]
-        accepted = group.verdict == Verdict.AC.value
+        accepted = group.verdict is Verdict.AC
         detail = "" if accepted else f"{group.passed} of {group.cases}"
         state = "passed" if accepted else "failed"
         yield GroupMark(name, about.get(name, ""), state, detail, level.get(name, ""))

@@ -10,8 +10,9 @@ from math import ceil, floor, log10
 
 from judge.kata.history import Run
 from judge.report.page.parts import GridLine, GrowthDot, GrowthLine, GrowthPlot
-from judge.report.page.record import GrowthRecord, PointRecord, read_record
+from judge.report.page.record import read_record
 from judge.report.values import seconds
+from judge.run.result import Growth, GrowthPoint
 
 _HEIGHT = 220.0
 _MOST_LEVELS = 6
@@ -26,7 +27,7 @@ def growth_plot(name: str, runs: Sequence[Run]) -> GrowthPlot | None:
     return None
 
 
-def _plot(name: str, growth: GrowthRecord, run: int) -> GrowthPlot:
+def _plot(name: str, growth: Growth, run: int) -> GrowthPlot:
     points = sorted(growth.points, key=lambda point: point.size)
     sizes = log10(points[0].size), log10(points[-1].size)
     times = [max(1e-9, value) for each in points for value in (each.cpu_seconds, each.reference_seconds)]
@@ -40,7 +41,7 @@ def _plot(name: str, growth: GrowthRecord, run: int) -> GrowthPlot:
     def down(value: float) -> float:
         return round(_HEIGHT * (high - log10(max(1e-9, value))) / (high - low), 1)
 
-    def line(kind: str, label: str, value: Callable[[PointRecord], float]) -> GrowthLine:
+    def line(kind: str, label: str, value: Callable[[GrowthPoint], float]) -> GrowthLine:
         dots = tuple(
             GrowthDot(
                 across(each.size), down(value(each)), kind == "own" and not each.ended, _title(each, value)
@@ -64,7 +65,7 @@ def _plot(name: str, growth: GrowthRecord, run: int) -> GrowthPlot:
     )
 
 
-def _title(point: PointRecord, value: Callable[[PointRecord], float]) -> str:
+def _title(point: GrowthPoint, value: Callable[[GrowthPoint], float]) -> str:
     return f"n = {point.size:,}: {seconds(value(point))}"
 
 

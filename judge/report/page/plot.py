@@ -12,8 +12,9 @@ from math import ceil, floor, log10
 from judge.kata.history import Run
 from judge.problem import Verdict
 from judge.report.page.parts import Dot, GridLine, Plot
-from judge.report.page.record import RatioRecord, read_record
+from judge.report.page.record import read_record
 from judge.report.values import counted, times
+from judge.run.result import Ratio
 
 MOST = 40  # runs: more could not be told apart on a phone
 _HEIGHT = 200.0
@@ -83,16 +84,16 @@ class _Scale:
         return found
 
 
-def _spread(run: Run) -> RatioRecord:
+def _spread(run: Run) -> Ratio:
     """The run's ratio with its quartiles; where these cannot be read, the median stands for all."""
     median = run.ratio or 1.0
     kept = read_record(run).time.ratio
     if kept is None or not 0 < kept.low <= median <= kept.high:
-        return RatioRecord(median, median, median, 1)
+        return Ratio(median, median, median, 1)
     return kept
 
 
-def _kind(run: Run, spread: RatioRecord) -> str:
+def _kind(run: Run, spread: Ratio) -> str:
     if run.verdict is not Verdict.AC:
         return "tle"
     return "doubt" if spread.unreliable else "ac"
@@ -102,9 +103,9 @@ def _held(runs: Sequence[Run]) -> str:
     """Which runs were held to the reference of another language: `Runs 3, 4: no reference in Go: …`."""
     found: dict[str, list[str]] = {}
     for run in runs:
-        reference = read_record(run).time.reference
-        if reference is not None and reference.why:
-            found.setdefault(reference.why, []).append(str(run.id))
+        why = read_record(run).time.why
+        if why:
+            found.setdefault(why, []).append(str(run.id))
     told = (f"{'run' if len(ids) == 1 else 'runs'} {', '.join(ids)}: {why}" for why, ids in found.items())
     return "; ".join(told)
 

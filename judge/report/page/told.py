@@ -18,9 +18,9 @@ from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
 from judge.report.names import shown_command
 from judge.report.page.parts import Drawing
-from judge.report.page.record import CaseRecord, Record
 from judge.report.page.reread import reread
 from judge.report.values import arguments, with_points
+from judge.run.result import Failure, Result
 from judge.values import parameters
 
 _LONGEST = 2000  # characters of a submission's own words that are shown
@@ -39,9 +39,9 @@ class ToldCase(Struct, frozen=True):
     marks: tuple[str, ...]
 
 
-def told_case(record: Record, file: str, artist: Artist, anchor: str) -> ToldCase:
+def told_case(record: Result, file: str, artist: Artist, anchor: str) -> ToldCase:
     """The failing case of a submission called `file`; `anchor` begins the ids within its drawings."""
-    first, small = record.failure or CaseRecord(""), record.counterexample
+    first, small = record.failure or Failure(""), record.counterexample
     smallest = small is not None and small.replay is not None
     shown = small if small is not None and smallest else first
     picture = artist.picture(shown, first.group)
@@ -60,7 +60,7 @@ def kind_title(verdict: Verdict, group: str | None) -> str:
     return f"{verdict.meaning}{where}".capitalize()
 
 
-def _kind(first: CaseRecord, *, smallest: bool) -> str:
+def _kind(first: Failure, *, smallest: bool) -> str:
     place = f"{first.group}, case {first.case}" if first.group and first.case else ""
     if smallest:
         return f"Smallest case found (first failed: {place})" if place else "Smallest case found"
@@ -68,7 +68,7 @@ def _kind(first: CaseRecord, *, smallest: bool) -> str:
 
 
 def _facts(
-    file: str, shown: CaseRecord, first: CaseRecord, small: CaseRecord | None, problem: Problem | None
+    file: str, shown: Failure, first: Failure, small: Failure | None, problem: Problem | None
 ) -> Iterable[tuple[str, str, str]]:
     if shown.input:
         yield "input", arguments(_as_called(problem, shown.input)), "code"
@@ -118,7 +118,7 @@ class Artist:
         self.problem = problem
         self._module: Module | None = None
 
-    def picture(self, case: CaseRecord, group: str | None) -> Picture | None:
+    def picture(self, case: Failure, group: str | None) -> Picture | None:
         """The picture of a case, or None where there is none: the problem may have changed since."""
         problem = self.problem
         known = problem.group(group) if problem and group else None

@@ -20,9 +20,9 @@ from judge.kata.quiz.typed import letters_of, option
 
 if TYPE_CHECKING:
     from judge.data.draw import Draw
-    from judge.mistakes.answers import Behaviour
     from judge.mistakes.makers import Maker
     from judge.problem import Group, Problem
+    from judge.run.result import Behaviour
 
 _OPTIONS = 4
 _TRIES = 12  # programs that are looked at
