@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     "--on",
     "where",
     metavar="WHERE",
-    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help cluster'.",
+    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help class'.",
 )
 @click.option(
     "--out",

@@ -34,13 +34,13 @@ def command(words: tuple[str, ...], sought: bool, as_json: bool) -> ExitCode:
         _list(as_json=as_json)
         return ExitCode.ACCEPTED
     name = "-".join(words).lower()
-    if name in topics():
+    try:
         _read(page(name), as_json=as_json)
-        return ExitCode.ACCEPTED
-    if name in COMMANDS and not as_json:
+    except KeyError:
+        if name not in COMMANDS or as_json:
+            raise _unknown(name) from None
         _usage_of(name)
-        return ExitCode.ACCEPTED
-    raise _unknown(name)
+    return ExitCode.ACCEPTED
 
 
 def _unknown(name: str) -> UsageError:
