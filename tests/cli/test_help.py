@@ -103,7 +103,7 @@ def test_the_words_and_options_of_each_example_are_its_commands_own():
         assert {parse(example) for example in examples} == {name}
 
 
-PIPED = re.compile(r"^(?:\$ )?(?:printf .* \| )?(judge [^&|]*)$", re.MULTILINE)
+PIPED = re.compile(r"^(?:\$ )?(?:printf .* \| )?(judge [^&|\n]*)", re.MULTILINE)
 SPOKEN = re.compile(r"`judge ([a-z]+)([^`]*)`")
 
 
