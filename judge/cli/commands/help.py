@@ -16,13 +16,13 @@ _FORM = 1
 
 @click.command("help")
 @click.argument("words", metavar="[TOPIC]", nargs=-1)
-@click.option("-s", "--search", "sought", is_flag=True, help="Say where the manual has all these words.")
+@click.option("-s", "--search", "sought", is_flag=True, help="Find the sections that have all these words.")
 @json_option
 def command(words: tuple[str, ...], sought: bool, as_json: bool) -> ExitCode:
     """Read the manual, or search it.
 
-    Without words, its topics. A page that is longer than the terminal is shown by your pager ($PAGER); into a
-    pipe it goes as Markdown. The name of a command shows that command's --help.
+    Without words, it lists the pages. A page that is longer than the terminal is shown by your pager
+    ($PAGER); into a pipe it goes as Markdown. The name of a command shows that command's --help.
 
     \b
     Examples: judge help time
