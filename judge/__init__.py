@@ -4,7 +4,7 @@
 
     result = judge.judge("count", pathlib.Path("mine.py"))
 
-Nothing of it is imported before it is asked for; judge/manual/library.md has more examples. Imports
+Nothing of it is imported before it is asked for; judge/manual/testing.md has more examples. Imports
 point one way: cli → batch → judging → report → kata → geometry → mistakes → diagnose → run → data →
 problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging,
 and none of them but `geometry` what a problem is about.

@@ -82,7 +82,7 @@ class Commands(click.Group):
         for aim, rows in FIRST.items():
             with formatter.section(aim):
                 formatter.write_dl(rows)
-        with formatter.section("More, told by `judge help commands`"):
+        with formatter.section("More (judge help start has them all)"):
             formatter.write(f"{click.wrap_text(', '.join(FURTHER), formatter.width, '  ', '  ')}\n")
         names = [name for each in self.get_params(ctx) for name in each.opts if name[:2] == "--"]
         formatter.write(f"Options: {', '.join(names)}\n")

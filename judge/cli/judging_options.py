@@ -20,7 +20,7 @@ isolation_option: Callable[[F], F] = click.option(
     "level",
     metavar="LEVEL",
     type=click.Choice(LEVELS),
-    help="Demand full, strong or limits; without it, the best there is. See 'judge doctor'.",
+    help="Demand full, strong or limits; the best available by default. See 'judge doctor'.",
 )
 jobs_option: Callable[[F], F] = click.option(
     "-j",
@@ -28,11 +28,9 @@ jobs_option: Callable[[F], F] = click.option(
     type=click.IntRange(1, 256),
     default=1,
     metavar="N",
-    help="Judge so many files at once; time is still measured alone.",
+    help="Judge N files at once; timing stays one at a time.",
 )
-no_name_option: Callable[[F], F] = click.option(
-    "--no-name", is_flag=True, help="Do not look for the mistake behind wrong answers."
-)
+no_name_option: Callable[[F], F] = click.option("--no-name", is_flag=True, help="Do not name the mistake.")
 no_shrink_option: Callable[[F], F] = click.option(
     "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
 )
@@ -41,28 +39,28 @@ save_regression_option: Callable[[F], F] = click.option(
     "regression",
     metavar="FILE",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="Write the smallest failing case as a pytest case; add to FILE if it holds such cases.",
+    help="Write the smallest failing case as a pytest case; FILE may hold others.",
 )
 svg_option: Callable[[F], F] = click.option(
     "--svg",
     metavar="FILE",
     type=click.Path(path_type=Path),
-    help="Draw the failing case of a submission into an SVG file.",
+    help="Draw the failing case into an SVG file.",
 )
 all_option: Callable[[F], F] = click.option(
-    "--all", "whole", is_flag=True, help="Show all there is, the table of every test group too."
+    "--all", "whole", is_flag=True, help="Show everything, with a table of all test groups."
 )
 picture_option: Callable[[F], F] = click.option(
-    "--picture", "pictured", is_flag=True, help="Draw the failing case, on a terminal that is not tall, too."
+    "--picture", "pictured", is_flag=True, help="Draw the failing case on a low terminal too."
 )
 mode_option: Callable[[F], F] = click.option(
     "--mode",
     metavar="MODE",
     type=click.Choice(MODES),
-    help="program: run the file as one, even where it defines the problem's function.",
+    help="program: run the file as a program, even if it defines the function.",
 )
 follow_links_option: Callable[[F], F] = click.option(
-    "--follow-links", is_flag=True, help="Follow the links in a folder, wherever they lead."
+    "--follow-links", is_flag=True, help="Follow links in a folder, wherever they lead."
 )
 format_option: Callable[[F], F] = click.option(
     "--format",
@@ -75,10 +73,10 @@ junit_option: Callable[[F], F] = click.option(
     "--junit",
     metavar="FILE",
     type=click.Path(path_type=Path),
-    help="Write the results into a JUnit XML file too.",
+    help="Also write the results as JUnit XML.",
 )
 no_history_option: Callable[[F], F] = click.option(
-    "--no-history", "unrecorded", is_flag=True, help="Do not keep the runs in the history."
+    "--no-history", "unrecorded", is_flag=True, help="Keep nothing in the history."
 )
 
 

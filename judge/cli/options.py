@@ -25,23 +25,23 @@ json_option: Callable[[F], F] = click.option(
     "--json", "as_json", is_flag=True, help="Write JSON, one object a line, and nothing else."
 )
 group_option: Callable[[F], F] = click.option(
-    "--group", "groups", metavar="G", multiple=True, help="Only this test group; may be given again."
+    "--group", "groups", metavar="G", multiple=True, help="Only this test group; repeatable."
 )
 level_option: Callable[[F], F] = click.option(
     "--level",
     "kata_level",
     metavar="|".join(LEVELS),
     type=click.Choice(LEVELS),
-    help="Only the test groups of that level of the kata.",
+    help="Only the test groups of this level.",
 )
 seed_option: Callable[[F], F] = click.option(
-    "--seed", type=int, metavar="N", help="Build other cases, from this seed, instead of the pinned ones."
+    "--seed", type=int, metavar="N", help="Use other cases, made from this seed."
 )
 db_option: Callable[[F], F] = click.option(
     "--db",
     metavar="FILE",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="The history's file, instead of $JUDGE_DB or the one in your data folder.",
+    help="The history's file; by default $JUDGE_DB, or one in your data folder.",
 )
 
 

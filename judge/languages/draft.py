@@ -121,7 +121,7 @@ def _foreign(language: Language, path: Path) -> Any:
     lacking = [name for name in DRIVER if not callable(getattr(module, name, None))]
     if lacking:
         what = f"the driver of {language.name} has no {' and no '.join(lacking)}"
-        raise JudgeError(what, where=str(path), remedy="define what 'judge help languages' says")
+        raise JudgeError(what, where=str(path), remedy="define what 'judge help programs' says")
     for name in DRIVER:
         setattr(module, name, _guarded(getattr(module, name), f"{language.name}'s {name}", path))
     return module

@@ -1,6 +1,6 @@
-"""The manual: one Markdown file a topic, read by `judge help` and on the web alike.
+"""The manual: one Markdown file for each topic, shown by `judge help` and on the web.
 
-A page's name is its file's, its title the line `# …`, its sections the lines `## …` and what is below each.
+A page's name is its file's name, its title the line `# …`; each `## …` begins a section.
 """
 
 from __future__ import annotations
@@ -13,17 +13,34 @@ from msgspec import Struct
 
 _FOLDER = Path(__file__).parent
 _FENCE = "```"
+_FORMER = {  # a page's name in earlier versions -> the page that has its matter now
+    "answers": "programs",
+    "cluster": "class",
+    "commands": "start",
+    "containment": "sandbox",
+    "explore": "failures",
+    "failure": "failures",
+    "hack": "interview",
+    "katas": "start",
+    "languages": "programs",
+    "library": "testing",
+    "new-type": "problem",
+    "problem-py": "problem",
+    "problem-toml": "problem",
+    "quiz": "interview",
+    "security": "sandbox",
+}
 
 
 class Section(Struct, frozen=True):
-    """A part of a page: its heading, empty for what stands above the first one, and the lines below it."""
+    """A part of a page: its heading (empty for the part above the first one) and its lines."""
 
     heading: str
     lines: tuple[str, ...]
 
 
 class Page(Struct, frozen=True):
-    """A topic of the manual: `name` is the word for `judge help`, `text` the whole Markdown."""
+    """A page of the manual: `name` is the word for `judge help`, `text` the whole Markdown."""
 
     name: str
     title: str
@@ -31,7 +48,7 @@ class Page(Struct, frozen=True):
 
     @property
     def sections(self) -> list[Section]:
-        """What the page consists of, in order; what looks like a heading within a block is none."""
+        """The parts of the page, in order; a line in a fenced block is not a heading."""
         found: list[tuple[str, list[str]]] = [("", [])]
         fenced = False
         for row in self.text.splitlines():
@@ -44,7 +61,7 @@ class Page(Struct, frozen=True):
 
 
 class Hit(Struct, frozen=True):
-    """Where the manual speaks of something: the page, the section, and the line that says most of it."""
+    """Where words were found: the page, the section, and the line with most of them."""
 
     page: str
     heading: str
@@ -52,12 +69,13 @@ class Hit(Struct, frozen=True):
 
 
 def topics() -> list[str]:
-    """The names of all pages, in order of name."""
+    """The names of all pages, sorted."""
     return sorted(path.stem for path in _FOLDER.glob("*.md"))
 
 
 def page(name: str) -> Page:
-    """The page of that name. Raises KeyError if there is none."""
+    """The page of that name, or the one that replaced it. Raises KeyError if there is none."""
+    name = _FORMER.get(name, name)
     if name not in topics():
         raise KeyError(name)
     text = (_FOLDER / f"{name}.md").read_text(encoding="utf-8")
@@ -70,7 +88,7 @@ def pages() -> list[Page]:
 
 
 def search(words: Sequence[str]) -> Iterator[Hit]:
-    """The sections that have all the words, in any case of letters; those with all in the heading first."""
+    """The sections that contain all the words, ignoring case; those with all in the heading come first."""
     wanted = [word.casefold() for word in words]
     hits: list[tuple[bool, Hit]] = []
     for each in pages():
@@ -85,13 +103,13 @@ def search(words: Sequence[str]) -> Iterator[Hit]:
 
 
 def _telling(section: Section, words: Sequence[str]) -> str:
-    """The line of a section that has most of the words, without its marks; its first where none has any."""
+    """The line with most of the words, without Markdown; the first line if none has any."""
     lines = [text for row in section.lines if (text := _bare(row))]
     return max(lines, key=lambda text: sum(word in text.casefold() for word in words), default="")
 
 
 def _bare(row: str) -> str:
-    """A line without what makes it Markdown; nothing for the borders of blocks and tables."""
+    """A line without its Markdown; empty for the borders of blocks and tables."""
     if row.startswith(_FENCE) or re.fullmatch(r"[|\-: ]*", row):
         return ""
     return re.sub(r"\]\([^)]*\)|[*`\[\]]", "", row).replace("|", " ").strip()

@@ -83,7 +83,7 @@ def words_beside(folder: Path) -> dict[str, str]:
 def _read(folder: Path, solutions: Path) -> Problem:
     file = TomlFile(folder / "problem.toml", exact=True)
     if "groups" in file.raw:
-        remedy = "write GROUPS = [group(name, about, draw), …] there: judge help problem-py"
+        remedy = "write GROUPS = [group(name, about, draw), …] there: judge help problem"
         raise file.fault("test groups are declared in problem.py now", remedy, "groups", 0)
     types = folder.parent / "types"
     own = types if types.is_dir() else None

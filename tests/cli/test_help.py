@@ -24,7 +24,7 @@ pytestmark = pytest.mark.slow
 
 QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --row Q7",
-    "judge help quiz",
+    "judge help interview",
     "judge help --search tolerance",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
@@ -35,7 +35,16 @@ def test_pages_go_into_a_pipe_as_they_are(judge):
     for name in topics():
         ended = judge("help", name)
         assert (ended.status, ended.out.rstrip()) == (0, page(name).text.rstrip())
-    assert judge("help", "problem", "toml").out == judge("help", "problem-toml").out
+    assert judge("help", "New", "kata").out == judge("help", "new-kata").out
+
+
+@pytest.mark.parametrize(
+    ("former", "now"), [("languages", "programs"), ("quiz", "interview"), ("problem toml", "problem")]
+)
+def test_a_former_name_finds_the_page_that_replaced_it(former, now, judge):
+    assert judge("help", *former.split()).out == judge("help", now).out
+    told = json.loads(judge("help", *former.split(), "--json").out)
+    assert told["topic"] == now
 
 
 @pytest.mark.slow
@@ -43,12 +52,12 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
     seen, pager = tmp_path / "seen", tmp_path / "pager"
     pager.write_text(f"#!/bin/sh\ncat > {seen}\n")
     pager.chmod(0o755)
-    _, shown = on_a_terminal("help", "problem-toml", PAGER=str(pager))
+    _, shown = on_a_terminal("help", "problem", PAGER=str(pager))
     paged = seen.read_text(encoding="utf-8")
     assert "Sets and skills" in paged
     assert "## " not in paged  # it is rendered
     assert "Sets and skills" not in shown
-    assert "The report loads and runs nothing" in on_a_terminal("help", "privacy", PAGER="false")[1]
+    assert "Nothing leaves your machine" in on_a_terminal("help", "privacy", rows=60, PAGER="false")[1]
 
 
 # -- the help of each command -------------------------------------------------------------------------------
@@ -66,7 +75,8 @@ def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, j
     assert ended.lines[-1] == f"  More: judge help {TOPICS[name]}"
     assert max(map(len, ended.lines)) < 80
     assert "--json" in ended.out
-    assert f"`judge {name}" in page("commands").text
+    assert f"judge {name}" in page(TOPICS[name]).text
+    assert f"`judge {name}" in page("start").text
 
 
 def test_the_help_is_one_screen_and_names_every_command(judge, monkeypatch):
@@ -78,14 +88,35 @@ def test_the_help_is_one_screen_and_names_every_command(judge, monkeypatch):
     assert all(re.search(rf"\b{name}\b", shown) for name in COMMANDS)
 
 
+def parse(line: str) -> str:
+    """The name of a command line's command; fails where an option or a number is not valid."""
+    program, name, *words = shlex.split(line, comments=True)
+    assert program == "judge"
+    command = importlib.import_module(f"judge.cli.commands.{name}").command
+    with command.make_context(name, words) as parsed:
+        assert parsed.args == []
+    return name
+
+
 def test_the_words_and_options_of_each_example_are_its_commands_own():
     for name, examples in EXAMPLES.items():
-        command = importlib.import_module(f"judge.cli.commands.{name}").command
-        for example in examples:
-            program, first, *words = shlex.split(example)
-            assert (program, first) == ("judge", name)
-            with command.make_context(name, words) as parsed:  # raises where an option or a number is none
-                assert parsed.args == []
+        assert {parse(example) for example in examples} == {name}
+
+
+PIPED = re.compile(r"^(?:\$ )?(?:printf .* \| )?(judge [^&|\n]*)", re.MULTILINE)
+SPOKEN = re.compile(r"`judge ([a-z]+)([^`]*)`")
+
+
+@pytest.mark.parametrize("name", topics())
+def test_the_command_lines_of_a_page_are_valid(name):
+    """Those in blocks word for word; of those within a sentence, the command and its options."""
+    text = page(name).text
+    for block in re.findall(r"(?ms)^```(?:sh|console)\n(.*?)^```$", text):
+        for line in PIPED.findall(block):
+            parse(line)
+    for command, words in SPOKEN.findall(re.sub(r"(?ms)^```.*?^```$", "", text)):
+        known = {option for each in app.get_command(None, command).params for option in each.opts}
+        assert set(re.findall(r"(?<!\S)--?[a-z][\w-]*", words)) <= known | {"--help"}, (command, words)
 
 
 @pytest.mark.parametrize("example", QUIET)

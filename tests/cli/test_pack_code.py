@@ -163,7 +163,7 @@ def test_an_installed_pack_is_imported_where_its_name_is_looked_up(
 
 
 def test_the_manual_names_the_same_commands():
-    readme = " ".join(page("containment").text.split())
+    readme = " ".join(page("sandbox").text.split())
     (told,) = re.findall(r"runs with your rights when you use ([^.]*)\.", readme)
     assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == {*RUN_IT, "watch"}
     assert "docker run --init" in readme

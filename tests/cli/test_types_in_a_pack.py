@@ -14,8 +14,8 @@ from cli_support import ROOT
 
 pytestmark = pytest.mark.slow
 
-_PAGE = (ROOT / "judge" / "manual" / "new-type.md").read_text(encoding="utf-8")
-TRUTH = re.search(r"^## `problems/types/truth\.py`$.*?^```py\n(.*?)^```$", _PAGE, re.MULTILINE | re.DOTALL)[1]
+_PAGE = (ROOT / "judge" / "manual" / "problem.md").read_text(encoding="utf-8")
+TRUTH = re.search(r'^```py\n("""`truth`.*?)^```$', _PAGE, re.MULTILINE | re.DOTALL)[1]
 TOML = """\
 title = "Oddness"
 tier = "junior"

@@ -27,10 +27,11 @@ from pseudoterminal import run
 ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = "…"
 WALKS = (
-    ("README.md", "A tour of five minutes"),
+    ("README.md", "A tour of two minutes"),
     (".github/CONTRIBUTING.md", "Add a kata in 15 minutes"),
-    ("judge/manual/answers.md", "A program"),
+    ("judge/manual/programs.md", "A program"),
     (".github/CONTRIBUTING.md", "Add a language in 15 minutes"),
+    ("judge/manual/start.md", "Solve one"),
 )
 
 _BLOCK = re.compile(

@@ -1,7 +1,8 @@
-"""Pages of the manual say what the code does: every key, type, hook and attack, and no other."""
+"""Pages of the manual say what is true: every key, type, hook and attack, and formulas that compute."""
 
 from __future__ import annotations
 
+import doctest
 import inspect
 import re
 import tomllib
@@ -18,7 +19,7 @@ from judge.values.grammar import ALIASES, ATOMS, VECTORS
 
 ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "judge" / "manual"
-PAGE = (MANUAL / "problem-toml.md").read_text(encoding="utf-8")
+PAGE = (MANUAL / "problem.md").read_text(encoding="utf-8")
 TABLES = {
     "The file": Head,
     "Parameters": Row,
@@ -55,13 +56,22 @@ def test_every_type_of_the_loader_is_told():
 
 
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
-    rows = re.findall(r"^\| `(\w+)", (MANUAL / "problem-py.md").read_text(encoding="utf-8"), re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+)", sections()["problem.py"], re.MULTILINE)
     names = ["solve", *(level.name for level in KataLevel), "GROUPS", "HOOKS"]
     arguments = [*inspect.signature(group).parameters]
     assert rows == [*names, *arguments, *Hooks.__struct_fields__]
 
 
-SECURITY = (MANUAL / "security.md").read_text(encoding="utf-8")
+def test_every_formula_computes_what_its_example_shows():
+    text = (MANUAL / "formulas.md").read_text(encoding="utf-8")
+    examples = "\n".join(re.findall(r"(?ms)^```py\n(.*?)^```$", text))
+    ended = doctest.DocTestRunner().run(
+        doctest.DocTestParser().get_doctest(examples, {}, "formulas.md", None, 0)
+    )
+    assert (ended.failed, ended.attempted > 20) == (0, True)
+
+
+SECURITY = (MANUAL / "sandbox.md").read_text(encoding="utf-8")
 ROWS = [
     [cell.strip() for cell in line.split("|")[1:-1]]
     for line in SECURITY.splitlines()

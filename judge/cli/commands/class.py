@@ -32,14 +32,14 @@ if TYPE_CHECKING:
     "--students",
     metavar="LIST",
     type=click.Path(path_type=Path),
-    help="A CSV file with the columns id, name and group: who is in the class.",
+    help="A CSV file of the class, with the columns id, name and group.",
 )
 @jobs_option
 @click.option(
     "--on",
     "where",
     metavar="WHERE",
-    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help cluster'.",
+    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help class'.",
 )
 @click.option(
     "--out",
@@ -48,20 +48,18 @@ if TYPE_CHECKING:
     type=click.Path(path_type=Path),
     help="Keep the results in this file, instead of FOLDER.judge.sqlite3.",
 )
-@click.option(
-    "--problem", "only", metavar="PROBLEM", multiple=True, help="Only this problem; may be given again."
-)
+@click.option("--problem", "only", metavar="PROBLEM", multiple=True, help="Only this problem; repeatable.")
 @click.option(
     "--again",
     metavar="WHOSE",
     multiple=True,
-    help="Judge a student's, a problem's or one file anew; may be given again.",
+    help="Judge a student, a problem or one file again; repeatable.",
 )
 @follow_links_option
 @no_name_option
 @level_option
 @isolation_option
-@click.option("--shard", metavar="K/N", help="Judge only part K of N, without a word to the others.")
+@click.option("--shard", metavar="K/N", help="Judge only part K of N; the parts need no contact.")
 @click.option(
     "--merge",
     "part",
@@ -71,7 +69,7 @@ if TYPE_CHECKING:
 )
 @json_option
 @click.option("-q", "--quiet", is_flag=True, help="Only the table.")
-@click.option("--all", "whole", is_flag=True, help="Show all of the cohort; with --json, as a last object.")
+@click.option("--all", "whole", is_flag=True, help="Show the whole cohort; with --json, as a last object.")
 @click.option(
     "--csv",
     "csv",
@@ -91,7 +89,7 @@ if TYPE_CHECKING:
     "--similar",
     metavar="DETECTOR",
     type=click.Choice(["dolos"]),
-    help="Write what the detector dolos reads, and call it where it is installed.",
+    help="Write what the detector dolos reads, and run it if it is installed.",
 )
 @problems_option
 def command(
@@ -120,10 +118,10 @@ def command(
 ) -> ExitCode:
     """Judge what a class has handed in.
 
-    FOLDER holds STUDENT/PROBLEM.py, or PROBLEM/STUDENT.py, in any language; a file of another name is for the
-    problem whose function it defines. Each row is kept in FOLDER.judge.sqlite3 as soon as it is there: the
-    same command goes on after Ctrl-C or a crash, and judges only what is new. Of several files of a student
-    for one problem the best counts. Equal texts are judged once.
+    FOLDER holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py, in any language. A file of another name is for the
+    problem whose function it defines. Each row is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a
+    crash the same command goes on, and judges only what is new. If a student has several files for one
+    problem, the best counts. Equal files are judged once.
 
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
     """

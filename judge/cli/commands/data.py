@@ -35,7 +35,7 @@ _REMEDY = "name another folder with --out"
 @click.option(
     "--out", "target", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Where to write."
 )
-@click.option("--force", is_flag=True, help="Write over files that are there already.")
+@click.option("--force", is_flag=True, help="Overwrite existing files.")
 @json_option
 @group_option
 @seed_option
@@ -51,8 +51,8 @@ def command(
 ) -> ExitCode:
     """Write a problem's test data and exact answers as files.
 
-    For each test group: G.in is what a program reads, G.ans what a perfect one prints, and G.json holds every
-    case with its exact answer in up to 40 digits and the least and greatest double that is accepted.
+    For each test group: G.in is what a program reads, G.ans what a perfect one prints, and G.json has every
+    case with its exact answer in up to 40 digits, and the least and greatest double that is accepted.
     """
     problem = find_problem(name, folders)
     chosen = chosen_groups(problem, groups)

@@ -36,24 +36,23 @@ SCHEMA = 1
 @click.option(
     "--languages", "tries", is_flag=True, help="Compile and run the empty program of each language."
 )
-@click.option("--attack", "attacks", is_flag=True, help="Run harmless attacks, and say which were held.")
+@click.option("--attack", "attacks", is_flag=True, help="Run harmless attacks, and say which were stopped.")
 @isolation_option
 @json_option
 def command(tries: bool, attacks: bool, level: str | None, as_json: bool) -> ExitCode:
     """Say how well submissions are contained on this machine.
 
-    Each isolation level is tried with a submission that looks for the judge, its problems and its solutions.
-    What is missing for a better level, or for another language than Python, is named with the command that
-    would help. With --languages the empty program of each is compiled and run there, which takes seconds.
-    The best level is kept: from then on the other commands refuse to judge below it, until `judge doctor`
-    finds another or --isolation asks for one.
+    Each isolation level is tried with a submission that looks for the judge, its problems and its
+    solutions. If something is missing for a better level, or for another language than Python, you see the
+    command that helps. --languages also compiles and runs an empty program in each, which takes seconds.
+    The best level is remembered: other commands refuse to judge below it, until `judge doctor` finds
+    another or --isolation asks for one.
 
-    With --attack, submissions try what none may: read the judge's files and yours, use the network, start and
-    signal processes, fill memory and disk, never end. They are harmless where they succeed. They are held at
-    the level that is used, or at the one that --isolation names.
+    With --attack, submissions try what they must not do: read the judge's files and yours, use the network,
+    start and signal processes, fill memory and disk, never end. They do no harm if they succeed. They run
+    at the level that is used, or at the one that --isolation names.
 
-    Exit status: 0, or 1 where an attack was not held. The level that is used without --isolation is the first
-    that works.
+    Exit status: 0, or 1 if an attack succeeded.
     """
     if level is not None and not attacks:
         raise UsageError("--isolation goes with --attack", remedy="leave it out")

@@ -37,7 +37,7 @@ _MARK = b'name="generator" content="judge explore"'
     default=_USUAL,
     help=f"Where to write the page; {_USUAL} in the current folder if not given.",
 )
-@click.option("--force", is_flag=True, help="Overwrite a file that is no such page.")
+@click.option("--force", is_flag=True, help="Overwrite a file that is not such a page.")
 @click.option("--open", "opened", is_flag=True, help="Open it in the browser.")
 @json_option
 @db_option
@@ -54,11 +54,11 @@ def command(
 ) -> ExitCode:
     """Write a page on which a case can be moved about.
 
-    Drag the figure in your browser, by mouse, finger or keyboard: what is decided, and every number on the
-    way, is shown exactly, beside what the same formulas make of it in doubles. Every kata of two dimensions
-    has a page, which is one file that loads nothing. It begins with the CASE, written as for 'judge try', or
-    with that of a replay ID, which 'judge run' shows beside a failing case. Without a PROBLEM the kata in
-    hand is meant, or the first that has such a page.
+    Drag the figure in your browser with the mouse, a finger or the keyboard. The page shows what is decided,
+    and every number on the way, exactly; beside it is what the same formulas give in doubles. It is one file
+    that loads nothing. It begins with the CASE, written as for 'judge try', or with the case of a replay ID,
+    which 'judge run' shows with a failing case. Without a PROBLEM it is about your current kata, or the first
+    that has such a page. Every kata in the plane has one.
 
     Exit status: 0 written, 2 usage, 3 a fault of a problem.
     """

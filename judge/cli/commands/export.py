@@ -35,7 +35,7 @@ _BOTH = "both"
     type=click.Choice(["kattis"]),
     default="kattis",
     metavar="kattis",
-    help="The only one.",
+    help="The format; kattis is the only one.",
 )
 @click.option(
     "--version",
@@ -43,15 +43,18 @@ _BOTH = "both"
     type=click.Choice([*(each.value for each in Version), _BOTH]),
     default=_BOTH,
     metavar="|".join([*(each.value for each in Version), _BOTH]),
-    help="Of the format; both by default.",
+    help="The version of the format; both by default.",
 )
 @click.option(
     "--out", "target", metavar="DIR", required=True, type=click.Path(path_type=Path), help="Where to write."
 )
-@click.option("--zip", "archives", is_flag=True, help="Write archives too, one of them for DOMjudge.")
-@click.option("--no-submissions", "bare", is_flag=True, help="Packages without programs.")
+@click.option("--zip", "archives", is_flag=True, help="Also write archives, one of them for DOMjudge.")
+@click.option("--no-submissions", "bare", is_flag=True, help="Write no programs into the packages.")
 @click.option(
-    "--wrong", type=click.IntRange(0), metavar="N", help="At most so many wrong programs; one a mistake."
+    "--wrong",
+    type=click.IntRange(0),
+    metavar="N",
+    help="At most N wrong programs; there is one for each mistake.",
 )
 @json_option
 @problems_option
@@ -69,12 +72,13 @@ def command(
 ) -> ExitCode:
     """Write problems as packages that other judges read.
 
-    Kattis, DOMjudge and others do. DIR/legacy/ID and DIR/2025-09/ID are one package in two versions of the
-    format: test groups as files, a validator that decides as judge does in program mode, exactly, the
-    statement as LaTeX, and the programs of solutions/, each in the folder of the verdict that it gets there.
-    With --zip also DIR/*/ID.kpp, and DIR/domjudge/ID.zip. A package of the same problem is replaced.
+    Kattis, DOMjudge and others read them. DIR/legacy/ID and DIR/2025-09/ID are one package in two versions
+    of the format. It has the test groups as files, a validator that decides exactly as judge does for
+    programs, the statement as LaTeX, and the programs of solutions/, each in the folder of the verdict that
+    it gets there. --zip also writes DIR/*/ID.kpp and DIR/domjudge/ID.zip. A package of the same problem is
+    replaced.
 
-    What no package can hold is left out and told.
+    What a package cannot hold is left out, and named.
 
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a problem is broken.
     """

@@ -32,9 +32,9 @@ _AROUND = 4  # rows of a terminal beside a picture: one above it, one below, the
 @click.command("hack", context_settings={"ignore_unknown_options": True})
 @click.argument("name", metavar="PROBLEM")
 @click.argument("words", metavar="[MISTAKE] [CASE]", nargs=-1, type=click.UNPROCESSED)
-@click.option("--list", "listed", is_flag=True, help="List the wrong programs, and which are broken.")
+@click.option("--list", "listed", is_flag=True, help="List the wrong programs, and which ones you broke.")
 @click.option(
-    "--give-up", "giving_up", is_flag=True, help="Tell the mistake, and show a smallest case that breaks it."
+    "--give-up", "giving_up", is_flag=True, help="Name the mistake, and show a smallest case that breaks it."
 )
 @json_option
 @isolation_option
@@ -52,14 +52,14 @@ def command(
 ) -> ExitCode:
     """Break a wrong program with one case.
 
-    Its source is shown. Find a case that keeps the statement's bounds and promise, and that it answers
-    wrongly. MISTAKE is the program's number or its mistake's name; without it the next one that is not yet
-    broken is meant, the easiest first. CASE is written as for 'judge try': as Python arguments,
-    "0, 0, 1, (-1, 1), (1, 1)", or as the line that a program reads; - takes it from standard input, and a
-    terminal asks for it. What the mistake is called is told once you have won or given up.
+    You see its source. Find a valid case that it answers wrongly. MISTAKE is the program's number or the
+    name of its mistake; without it you get the next one that you have not broken, the easiest first. Write
+    CASE as for 'judge try': as Python arguments, "0, 0, 1, (-1, 1), (1, 1)", or as the line that a program
+    reads. - reads it from standard input, and a terminal asks for it. You learn the name of the mistake
+    when you win or give up.
 
-    Exit status: 0 won, or no case given, 1 not won, 2 usage, also a case that cannot be read, 3 the judge's
-    or the problem's own fault.
+    Exit status: 0 won, or no case given, 1 not won, 2 usage, or a case that cannot be read, 3 a fault of
+    the judge or of the problem.
     """
     problem = find_problem(name, folders)
     if not problem.parameters:

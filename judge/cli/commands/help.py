@@ -16,13 +16,13 @@ _FORM = 1
 
 @click.command("help")
 @click.argument("words", metavar="[TOPIC]", nargs=-1)
-@click.option("-s", "--search", "sought", is_flag=True, help="Say where the manual has all these words.")
+@click.option("-s", "--search", "sought", is_flag=True, help="Find the sections that have all these words.")
 @json_option
 def command(words: tuple[str, ...], sought: bool, as_json: bool) -> ExitCode:
     """Read the manual, or search it.
 
-    Without words, its topics. A page that is longer than the terminal is shown by your pager ($PAGER); into a
-    pipe it goes as Markdown. The name of a command shows that command's --help.
+    Without words, it lists the pages. A page that is longer than the terminal is shown by your pager
+    ($PAGER); into a pipe it goes as Markdown. The name of a command shows that command's --help.
 
     \b
     Examples: judge help time
@@ -34,13 +34,13 @@ def command(words: tuple[str, ...], sought: bool, as_json: bool) -> ExitCode:
         _list(as_json=as_json)
         return ExitCode.ACCEPTED
     name = "-".join(words).lower()
-    if name in topics():
+    try:
         _read(page(name), as_json=as_json)
-        return ExitCode.ACCEPTED
-    if name in COMMANDS and not as_json:
+    except KeyError:
+        if name not in COMMANDS or as_json:
+            raise _unknown(name) from None
         _usage_of(name)
-        return ExitCode.ACCEPTED
-    raise _unknown(name)
+    return ExitCode.ACCEPTED
 
 
 def _unknown(name: str) -> UsageError:

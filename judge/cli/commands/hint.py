@@ -21,9 +21,9 @@ SCHEMA = 1
 
 @click.command("hint")
 @click.argument("name", metavar="[PROBLEM|FILE]", required=False)
-@click.option("--again", is_flag=True, help="The last one you have seen, once more.")
-@click.option("--step", type=int, metavar="N", help="This one, the first being 1.")
-@click.option("--all", "every", is_flag=True, help="All of them.")
+@click.option("--again", is_flag=True, help="Repeat the last one.")
+@click.option("--step", type=int, metavar="N", help="Show hint N; the first is 1.")
+@click.option("--all", "every", is_flag=True, help="Show all hints.")
 @json_option
 @db_option
 @problems_option
@@ -38,8 +38,8 @@ def command(
 ) -> ExitCode:
     """Give the next hint.
 
-    To that problem, to the one that a file is to solve, or to the kata in hand. The first is a nudge, the
-    last nearly everything. Which ones you have seen is remembered.
+    The hint is for that problem, for the problem of a file, or for your current kata. The first hint is a
+    nudge, the last is nearly the whole solution. The judge remembers which ones you have seen.
     """
     if again + every + (step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")

@@ -44,7 +44,7 @@ _ON_SCREEN = 20  # runs, unless it is said how many
 )
 @click.option("--force", is_flag=True, help="Restore it over another source.")
 @json_option
-@click.option("--csv", "as_csv", is_flag=True, help="Write CSV, a run a line below the columns' names.")
+@click.option("--csv", "as_csv", is_flag=True, help="Write CSV, one run a line.")
 @db_option
 @problems_option
 def command(
@@ -61,10 +61,10 @@ def command(
     """Show the runs so far.
 
     The latest is last. With a PROBLEM, only its runs. The screen shows the last 20 unless --limit says
-    otherwise; JSON and CSV hold all of them.
+    otherwise; JSON and CSV have all of them.
 
-    With --restore, nothing is shown but where the source that a run judged is again. A file that holds
-    something else by now is left as it is, unless you say --force; then you are told whether a run keeps it.
+    --restore writes the source of a run back to its file, and says where it is. If the file holds something
+    else by now, it stays as it is unless you add --force; then you are told whether a run keeps the old text.
 
     A run that is damaged is left out, and a note says so. If the file cannot be read, it is renamed to
     FILE.damaged-1, a new one is begun, and a note says that.

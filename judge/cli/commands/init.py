@@ -22,8 +22,8 @@ SCHEMA = 1
 @click.command("init")
 @click.argument("name", metavar="PROBLEM")
 @click.argument("file", metavar="[FILE]", required=False)
-@click.option("--language", metavar="LANGUAGE", help="The language of the file; Python where none is named.")
-@click.option("--force", is_flag=True, help="Write over a file that is there.")
+@click.option("--language", metavar="LANGUAGE", help="The language of the file; Python by default.")
+@click.option("--force", is_flag=True, help="Overwrite an existing file.")
 @json_option
 @db_option
 @problems_option
@@ -38,10 +38,10 @@ def command(
 ) -> ExitCode:
     """Begin a kata: write the file for your solution.
 
-    It has the signature, the statement and its examples, and fails until you have written the function. FILE
-    is named after the problem where you name none; its ending says the language, or --language does: c, cpp,
-    go, java, javascript, rust, pypy. The kata is then in hand: judge run, judge watch and
-    judge hint are about it until you begin another one.
+    The file has the head of the function, the statement and its examples. It fails until you write the
+    function. Without FILE, it is named after the kata. The end of its name says the language, or --language
+    does: c, cpp, go, java, javascript, rust, pypy. This is then your current kata: judge run, judge watch
+    and judge hint use it until you begin another one.
     """
     problem = find_problem(name, folders)
     path = Path(_usual(problem, language) if file is None else file)

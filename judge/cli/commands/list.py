@@ -24,7 +24,7 @@ SCHEMA = 1
 def command(as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
     """List the problems.
 
-    Easiest first. A broken one is named on standard error and the others are listed all the same.
+    The easiest is first. A broken problem is named on standard error, and the others are listed.
     """
     problems, faults = sound_problems(folders)
     if as_json:

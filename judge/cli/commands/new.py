@@ -22,9 +22,9 @@ SCHEMA = 1
 def command(folder: Path, name: str | None, as_json: bool) -> ExitCode:
     """Write a kata of your own to begin with.
 
-    It goes into DIR/problems/NAME and DIR/solutions/NAME; a DIR that is itself a folder of problems is taken
-    as that. NAME is that of DIR where you give none. The kata is whole, a small one about two points, and
-    judge verify finds it sound: change it file by file into yours. Nothing is ever written over.
+    It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
+    there. Without NAME, the kata is named after DIR. It is a small, complete kata about two points, which
+    judge verify finds sound: change it file by file into yours. No file is ever overwritten.
 
     Exit status: 0 written, 2 usage.
     """

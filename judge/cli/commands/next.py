@@ -31,9 +31,9 @@ SCHEMA = 1
 def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCode:
     """Go on to the next kata.
 
-    That is the next of the path that is not passed. It is then in hand: judge run, judge watch and judge hint
-    are about it. Its file is looked for in the current folder, under the problem's name; one is written only
-    with --init, which is said first.
+    The next kata is the next one of the path that you have not solved. It becomes your current kata, for
+    judge run, judge watch and judge hint. Its file is looked for in the current folder, under the problem's
+    name. Only --init writes one, and says so first.
     """
     current = _current(db)
     folders = with_folder_of(current, folders)

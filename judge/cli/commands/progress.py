@@ -45,9 +45,11 @@ SCHEMA = 1
 
 @click.command("progress")
 @click.argument("name", metavar="[SET]", default=USUAL)
-@click.option("--all", "whole", is_flag=True, help="Every skill and kata, of all sets too.")
-@click.option("--rows", "every", is_flag=True, help="Every question of the checklist, with what drills it.")
-@click.option("--row", "one", metavar="ROW", help="That question alone, with all that may tick it.")
+@click.option("--all", "whole", is_flag=True, help="Show every skill and kata.")
+@click.option(
+    "--rows", "every", is_flag=True, help="List every question of the checklist, and what practises it."
+)
+@click.option("--row", "one", metavar="ROW", help="Show one question, with all that can tick it.")
 @json_option
 @db_option
 @problems_option
@@ -62,16 +64,16 @@ def command(
 ) -> ExitCode:
     """Tick off the skills that your runs have shown.
 
-    A skill is shown once a run has passed all test groups it needs on one problem of the SET that asks for
-    it; the date is that of the first time. It is lost where the latest run fails such a group again.
-    Beside it are the runs that it took, and the mistakes that were named on the way. Below are the katas that
-    have levels: when a run first passed the interview level and the production level, or how much of them.
-    Then comes the share of the wrong programs that you broke with 'judge hack'.
+    A skill is ticked when one run passes all its test groups on one problem of the SET; the date is that of
+    the first time. The tick goes if your latest run fails one of them. Beside it are the number of runs that
+    it took, and the mistakes that were named. Below are the katas with levels: when a run first passed the
+    interview level and the production level, or how much of them. Then comes how many wrong programs you
+    broke with 'judge hack'.
 
-    Of all sets together only these shares are shown, a row a set, unless --all is asked for.
+    Without a SET you see one row for each set; --all shows everything.
 
-    Last are the questions of the checklist, first those to be ready for an interview. One is ticked by the
-    katas it names, by its skills, by its cards (judge quiz), or by a known mistake that you broke.
+    The questions of the checklist come last, first those to be ready for. One is ticked by the katas that it
+    names, by its skills, by its cards (judge quiz), or by a known mistake that you broke.
     """
     chosen = find_set(name, folders)
     if every or one:

@@ -31,15 +31,17 @@ _SEED_BYTES = 4
 
 @click.command("quiz")
 @click.argument("name", metavar="[SET]", default=USUAL)
-@click.option("--cards", "count", type=click.IntRange(0, 1000), metavar="N", help=f"So many cards; {_COUNT}.")
-@click.option("--row", metavar="ROW", help="Only cards that drill this row of the checklist, due or not.")
+@click.option(
+    "--cards", "count", type=click.IntRange(0, 1000), metavar="N", help=f"How many cards; {_COUNT}."
+)
+@click.option("--row", metavar="ROW", help="Only cards of this question of the checklist, due or not.")
 @click.option("--form", metavar="FORM", help="Only cards of this form, due or not.")
 @click.option("--card", "key", metavar="CARD", help="Only this card, as deck/id, due or not.")
-@click.option("--ahead", is_flag=True, help="Cards that are not due yet, too.")
-@click.option("--seed", type=click.IntRange(0), metavar="N", help="The figures that this seed makes.")
+@click.option("--ahead", is_flag=True, help="Also ask cards that are not due yet.")
+@click.option("--seed", type=click.IntRange(0), metavar="N", help="Repeat the figures of this seed.")
 @click.option("--list", "listing", is_flag=True, help="List the cards instead of asking them.")
-@click.option("--check", "checking", is_flag=True, help="Check every deck, and make a question of each card.")
-@click.option("--interview", is_flag=True, help="A mock interview: cards and a kata, then what to drill.")
+@click.option("--check", "checking", is_flag=True, help="Check every deck and every card.")
+@click.option("--interview", is_flag=True, help="A mock interview: cards and a kata, then what to practise.")
 @click.option("--minutes", type=click.IntRange(1, 600), metavar="N", help=f"Of the interview; {_MINUTES}.")
 @click.option("--kata", metavar="PROBLEM", help="The kata of the interview.")
 @click.option(
@@ -68,12 +70,12 @@ def command(
 ) -> ExitCode:
     """Ask cards, or hold a mock interview.
 
-    Cards are questions that are no kata: of the SET those that are due, then new ones. An answer is a line:
-    what you say freely you compare with a model answer and rate. `?` is "I do not know", `q` stops, and so
-    do Ctrl-D and Ctrl-C; what was answered is kept, and decides when a card comes again.
+    Cards are short questions that need no code: first the cards of SET that are due, then new ones. You type
+    one line. What you say in your own words you compare with a model answer, and rate. `?` means "I do not
+    know". `q`, Ctrl-D and Ctrl-C stop; your answers are kept, and decide when a card comes again.
 
-    --interview is a mock interview: some cards, a kata whose file is judged on every save, some cards more,
-    and a page of what to drill. Without a terminal answers are read from a pipe, a line each.
+    --interview is a mock interview: some cards, a kata whose file is judged on every save, more cards, and a
+    page of what to practise. Without a terminal the answers are read from a pipe, one a line.
     """
     asked = {"--interview": interview, "--list": listing, "--check": checking}
     modes = [name for name, on in asked.items() if on]

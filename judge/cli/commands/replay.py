@@ -38,10 +38,10 @@ def command(
 ) -> ExitCode:
     """Judge a submission on one case, by its replay id.
 
-    `judge run` shows the id of the smallest case that breaks a submission; it works on any machine with the
-    same version of the problem. Without a FILE, the problem's usual one here or that of the kata in hand.
+    `judge run` shows the id of the smallest failing case. It works on any machine with the same version of
+    the problem. Without a FILE: the problem's usual file in this folder, or that of your current kata.
 
-    Exit status: as that of `judge run`.
+    Exit status: as for `judge run`.
     """
     from judge.diagnose.replay import problem_name
     from judge.judging.replaying import replayed

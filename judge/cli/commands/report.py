@@ -40,12 +40,12 @@ _USUAL = Path("judge-report.html")
     default=_USUAL,
     help=f"Where to write the page; {_USUAL} in the current folder if not given.",
 )
-@click.option("--force", is_flag=True, help="Overwrite a file that is no report.")
+@click.option("--force", is_flag=True, help="Overwrite a file that is not a report.")
 @click.option("--name", "person", metavar="NAME", default="", help="Whose report it is, for its heading.")
 @click.option(
     "--matrix/--no-matrix",
     default=True,
-    help="Show which test group catches which mistake; made anew where a problem has changed.",
+    help="Show which test group rejects which mistake.",
 )
 @json_option
 @db_option
@@ -61,9 +61,9 @@ def command(
 ) -> ExitCode:
     """Write the history as one HTML page.
 
-    It shows what was solved, every run, the time over the attempts, and for each mistake the latest case that
-    failed, drawn. The page holds all it shows: it can be sent, printed and kept. A file that is there already
-    is overwritten only if it is such a report.
+    It shows what you solved, every run, the time of your attempts, and for each mistake the latest failing
+    case, drawn. The page loads nothing: you can send, print and keep it. An existing file is overwritten only
+    if it is such a report.
 
     Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
     """

@@ -50,7 +50,7 @@ from judge.problem.model import chosen_groups
 @json_option
 @format_option
 @junit_option
-@click.option("-q", "--quiet", is_flag=True, help="Only the verdicts: one line a submission.")
+@click.option("-q", "--quiet", is_flag=True, help="Only the verdicts, one line a submission.")
 @all_option
 @picture_option
 @group_option
@@ -93,18 +93,18 @@ def command(
 ) -> ExitCode:
     """Judge submissions on a problem.
 
-    Without arguments, the file of the kata in hand. A PROBLEM alone means its file here, count.py, and a FILE
-    alone tells its problem: by the entry function it defines, the line its stub begins with, or its name.
-    Files of several problems are each judged on their own. A first word that is a problem's name is the
-    problem; write ./count for a file that is called so. A folder stands for every *.py in it and its folders.
+    Without arguments: the file of your current kata. A PROBLEM alone means its file in this folder, such as
+    count.py. A FILE alone says its problem by the function that it defines, by the first line of its stub,
+    or by its name. A first word that is a problem's name is the problem: write ./count for a file of that
+    name. A folder stands for every *.py in it and below. Files of several problems are judged one by one.
 
-    A FILE that defines the problem's entry function has it called; any other is run as a program that reads
+    If a FILE defines the problem's function, that is called. Any other file is run as a program that reads
     standard input.
 
-    Of several, one that cannot be read or that fits no problem is a row of the table (JE). Ctrl-C shows the
+    Of several files, one that cannot be read or fits no problem is a row of the table (JE). Ctrl-C shows the
     table so far.
 
-    Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 the judge's or the problem's own fault.
+    Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 a fault of the judge or of a problem.
     """
     from judge.cli.judging import all_judged
 

@@ -18,8 +18,8 @@ from judge.schema import commands, files, schema_of, schema_of_file, whole
 def command(name: str | None, as_json: bool) -> ExitCode:
     """Print the JSON Schema of what a command writes with --json.
 
-    Of every command, where none is named. The schemas are of draft 2020-12 and refuse unknown keys; each
-    describes one line of output. `cards` and `checklist` are the schemas of files that a setter writes.
+    Without a name: of every command. The schemas are draft 2020-12 and refuse unknown keys; each describes
+    one line of output. `cards` and `checklist` describe files that a setter writes.
     """
     known = [*commands(), *files()]
     if name is not None and name not in known:

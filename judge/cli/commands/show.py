@@ -24,15 +24,15 @@ SCHEMA = 1
 @click.command("show")
 @click.argument("name", metavar="PROBLEM")
 @click.option(
-    "--groups", "listing", is_flag=True, help="What each test group shows, and the mistakes it rejects."
+    "--groups", "listing", is_flag=True, help="What each test group tests, and the mistakes it rejects."
 )
 @json_option
 @problems_option
 def command(name: str, listing: bool, as_json: bool, folders: tuple[Path, ...]) -> ExitCode:
     """Show a problem: its statement, parameters and test groups.
 
-    Parameters come with their bounds, test groups with what they show, their points and tolerances. With
-    --groups you see the test groups alone, each with the names of the mistakes that it rejects.
+    The parameters come with their bounds, the test groups with what they test, their points and tolerances.
+    --groups shows only the groups, with the names of the mistakes that each one rejects.
     """
     problem = find_problem(name, folders)
     if as_json:

@@ -28,13 +28,14 @@ SCHEMA = 1
 @click.argument("name", metavar="[PROBLEM", required=False)
 @click.argument("approach", metavar="[APPROACH]]", required=False)
 @click.option(
-    "--give-up", "giving_up", is_flag=True, help="Show it before you have solved it; that is remembered."
+    "--give-up",
+    "giving_up",
+    is_flag=True,
+    help="Show it before you have solved the kata; this is remembered.",
 )
+@click.option("--no-time", "untimed", is_flag=True, help="Do not measure times.")
 @click.option(
-    "--no-time", "untimed", is_flag=True, help="Do not measure how long the approaches and yours take."
-)
-@click.option(
-    "--language", metavar="NAME", help="Show the one in that language: go, cpp, java …; Python's without it."
+    "--language", metavar="NAME", help="Show the one in this language: go, cpp, java …; Python by default."
 )
 @json_option
 @db_option
@@ -51,12 +52,12 @@ def command(
 ) -> ExitCode:
     """Explain a model solution.
 
-    Of that problem or the kata in hand, once you have solved it; before that only with --give-up, and the
-    problem then comes back for review sooner. Below it are the other approaches, which their names show, each
-    with its time beside that of your own latest accepted run, measured now.
+    Without PROBLEM: of your current kata. It is shown once yours is accepted, or with --give-up; the kata
+    then comes back sooner. Below it are the other approaches by name, each with its time beside your latest
+    accepted run, measured now.
 
-    Approaches in other languages than Python are called by their files: judge solution distance reference.go,
-    or judge solution distance --language go. Their time is a multiple of the reference in their own language.
+    Approaches in other languages have the names of their files: judge solution distance reference.go, or
+    judge solution distance --language go. Their time is a multiple of the reference in that language.
     """
     problem = problem_in_hand(name, folders, db)
     models = approaches(problem)

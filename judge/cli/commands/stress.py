@@ -59,7 +59,7 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 @picture_option
 @group_option
 @level_option
-@click.option("--seed", type=int, metavar="N", help="Repeat the cases of this seed; without it, new ones.")
+@click.option("--seed", type=int, metavar="N", help="Repeat the cases of this seed; new ones by default.")
 @no_name_option
 @isolation_option
 @no_shrink_option
@@ -84,16 +84,15 @@ def command(
 ) -> ExitCode:
     """Judge a submission on fresh cases until the time is up or something breaks.
 
-    The file tells its problem, and a problem its usual file, as with judge run.
+    The file says its problem, and a problem its usual file, as for judge run.
 
-    The test groups take turns. Each time a group's builder makes cases from new parameters, drawn from the
-    seed, and each of them is proved and solved exactly like the pinned ones. What breaks is shrunk and shown
-    as `judge run` does.
+    The test groups take turns. Each makes new cases, drawn from the seed, and each case is checked and solved
+    exactly. A failing case is made smaller and shown as in `judge run`.
 
     Ctrl-C ends it early and keeps what was found.
 
-    Exit status: 0 the time was up and nothing broke, 1 something broke, 2 usage, 3 the judge's or the
-    problem's own fault, 130 interrupted before anything broke.
+    Exit status: 0 the time was up and nothing failed, 1 something failed, 2 usage, 3 a fault of the judge or
+    of the problem, 130 interrupted before anything failed.
     """
     seed = random.randrange(_SEEDS) if seed is None else seed
     words = (first,) if second is None else (first, second)

@@ -38,7 +38,7 @@ _AROUND = 3  # rows of a terminal: one above a picture, one below it, and the pr
 @click.command("try", context_settings={"ignore_unknown_options": True})
 @click.argument("name", metavar="PROBLEM")
 @click.argument("words", metavar="CASE [FILE]", nargs=-1, type=click.UNPROCESSED)
-@click.option("--group", metavar="G", help="Hold it against the tolerance of this test group.")
+@click.option("--group", metavar="G", help="Use the tolerance of this test group.")
 @json_option
 @isolation_option
 @svg_option
@@ -54,13 +54,13 @@ def command(
 ) -> ExitCode:
     """Answer a case of your own, exactly.
 
-    CASE is what the function is called with, "0, 0, 1, (-1, 1), (1, 1)", with or without names, or the whole
-    call; or the line that a program reads, 0 0 1 -1 1 1 1. It must keep the statement's bounds and promise.
-    Shown are the exact answer, from where to where an answer is accepted, and the picture. With a FILE, what
-    that says of the case too; it runs contained.
+    Write CASE as Python arguments, "0, 0, 1, (-1, 1), (1, 1)", with or without names, as a whole call, or
+    as the line that a program reads, 0 0 1 -1 1 1 1. It must be valid by the statement. You see the exact
+    answer, which answers are accepted, and the picture. With a FILE you also see what that answers; it runs
+    isolated.
 
-    Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage, also a case that is none, 3 the judge's or
-    the problem's own fault.
+    Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage or an invalid case, 3 a fault of the judge
+    or of the problem.
     """
     problem = find_problem(name, folders)
     if group is not None:

@@ -40,7 +40,7 @@ SCHEMA = 1
 @click.option(
     "--matrix",
     is_flag=True,
-    help="Show which test group kills which wrong program, and which edges have cases.",
+    help="Show which test group rejects which wrong program, and which edges have cases.",
 )
 @click.option("--pin", is_flag=True, help="Pin the data as they are now: write pins.json.")
 @click.option("--figures", is_flag=True, help="Draw the statement's figure: write figure.svg.")
@@ -51,9 +51,9 @@ SCHEMA = 1
     metavar="N",
     help="Check N sets of data, pinned ones first.",
 )
-@click.option("--group", "groups", multiple=True, metavar="NAME", help="Look at this group alone.")
+@click.option("--group", "groups", multiple=True, metavar="NAME", help="Check only this group.")
 @click.option(
-    "--solution", metavar="FILE", default="", help="Judge this solution alone, as accepted/exact.py."
+    "--solution", metavar="FILE", default="", help="Judge only this solution, such as accepted/exact.py."
 )
 @click.option(
     "-j", "jobs", type=click.IntRange(1, 64), default=1, metavar="N", help="Check N problems at once."
@@ -74,18 +74,18 @@ def command(
 ) -> ExitCode:
     """Check problems from the setter's side.
 
-    That every case keeps the promise, that examples agree with the reference, that the data are the pinned
-    ones, and that every solution gets the verdict its folder says; that hints can be read and a stub can be
-    made. Without a name: all problems of the folders that --problems gives, or of all there are.
+    It checks that every case is valid, that the examples agree with the reference, that the data are the
+    pinned ones, that every solution gets the verdict of its folder, that the hints can be read, and that a
+    stub can be made. Without a name: all problems of the folders that --problems gives, or all there are.
 
     A wrong program that fewer than five cases reject is a warning.
 
-    With --matrix, each wrong program with the groups that reject it, and in how many of their cases; the
-    groups that are the only ones to reject no program; and how many cases reach which edge: a parameter is 0,
-    two are equal, a decision is exact or nearly so.
+    --matrix shows each wrong program with the groups that reject it, and in how many of their cases; the
+    groups that no program needs; and how many cases reach which edge: a parameter is 0, two are equal, a
+    decision is exact or nearly so.
 
-    With --group or --solution, only a part is checked, as a setter works on it: how many cases of a group
-    reject each mistake, or whether one program is right.
+    --group and --solution check only a part: how many cases of a group reject each mistake, or whether one
+    program is right.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """

@@ -74,10 +74,9 @@ def command(
 ) -> ExitCode:
     """Judge a file again on every save.
 
-    Without arguments, that of the kata in hand. The file tells its problem, and a problem its usual file, as
-    with judge run. On a terminal single keys give the next kata, a hint, a list,
-    the reasons of the failing test group, a picture of the failing case, another run, or end it. Elsewhere
-    each result is written as judge run does.
+    Without arguments: the file of your current kata. Otherwise name a file or a problem, as for judge run. On
+    a terminal, single keys show a hint, the list, a picture of the failing case or what its test group tests,
+    go on to the next kata, judge again, or quit. Elsewhere each result is written as judge run does.
     """
     if first is None:
         current, file = file_in_hand(db)
