@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from judge.batch.model import Row
 from judge.batch.outcome import Outcome, counting
 from judge.problem.model import Verdict
-from judge.report.cohort.parts import (
+from judge.report.cohort import (
     Cohort,
     Counted,
     EqualFiles,
@@ -68,10 +68,6 @@ def _mark(row: Row, handins: int) -> Counted:
         points=row.points,
         mistake=row.mistake,
         handins=handins,
-        machine=row.machine,
-        isolation=row.isolation,
-        copied=row.copied,
-        doubt=row.done.busy,
     )
 
 

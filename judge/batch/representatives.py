@@ -1,11 +1,11 @@
-"""Of every mistake in a class one hand-in, with the smallest case that breaks it.
+"""The smallest failing cases of hand-ins, for the pages that show them.
 
-Looking for that case takes about two seconds, so it is done for these alone, and only where a page shows it.
+Looking for one takes about two seconds, so it is done only for what a page shows, and once for equal texts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import PurePath
 
 from msgspec.structs import replace
@@ -16,59 +16,61 @@ from judge.judging.job import RunOptions
 from judge.judging.naming import Bars
 from judge.judging.session import Session, silent
 from judge.problem import Problem, Verdict
-from judge.report.cohort.parts import Cohort, Example
+from judge.report.cohort import Cohort
 from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
 
 
 def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
-    """A row for each bar of each problem, in their order: that of its first student."""
+    """For each mistake of each problem, the row of the first student who made it."""
     by_file = {(row.problem, row.file): row for row in rows}
-    found = []
-    for view in cohort.views:
-        for bar in view.mistakes:
-            counted = cohort.marks[bar.students[0], view.problem]
-            found.append(by_file[view.problem, counted.file])
-    return found
+    firsts = [(view.problem, bar.students[0]) for view in cohort.views for bar in view.mistakes]
+    return [by_file[problem, cohort.marks[student, problem].file] for problem, student in firsts]
 
 
-def examples(
+def smallest_cases(
     rows: Sequence[Row],
     handins: Iterable[Handin],
     problems: Mapping[str, Problem],
     options: RunOptions = RunOptions(),  # noqa: B008 - frozen
     bars: Bars = silent,
-) -> Iterator[Example]:
-    """What each of these rows shows, shrunk where its source and its problem are there.
+) -> dict[tuple[str, str], Result]:
+    """The result of each row, by problem and file, with its smallest case.
 
-    One that cannot be judged again, or that another verdict comes of now, is shown as it was.
+    One whose source or problem is not there, or that another verdict comes of now, is as it was.
     """
     sources = {each.file: each.source for each in handins if each.source}
     options = replace(options, timed=False, diagnosed=True)
+    found: dict[tuple[str, str], Result] = {}
     for problem in dict.fromkeys(row.problem for row in rows):
         own = [row for row in rows if row.problem == problem]
-        wanted = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
-        shrunk = _shrunk(problems[problem], wanted, sources, options, bars) if problem in problems else {}
+        broken = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
+        texts = {row.digest: row for row in broken}
+        shrunk = _shrunk(problems[problem], texts, sources, options, bars) if problem in problems else {}
         for row in own:
-            yield Example(problem, row.mistake or row.verdict, row.file, shrunk.get(row.file, row.result))
+            found[problem, row.file] = shrunk.get((row.digest, row.verdict), row.result)
+    return found
 
 
 def _shrunk(
-    problem: Problem, rows: Sequence[Row], sources: Mapping[str, bytes], options: RunOptions, bars: Bars
-) -> dict[str, Result]:
-    """By the files of these rows: the result with the smallest case."""
-    found: dict[str, Result] = {}
-    if not rows:
+    problem: Problem,
+    texts: Mapping[str, Row],
+    sources: Mapping[str, bytes],
+    options: RunOptions,
+    bars: Bars,
+) -> dict[tuple[str, str], Result]:
+    """The results by digest and verdict, with the smallest failing cases."""
+    found: dict[tuple[str, str], Result] = {}
+    if not texts:
         return found
     try:
         with bars(f"smallest cases of {problem.id}") as advance, Session(problem, options) as session:
-            for done, row in enumerate(rows):
+            for done, (digest, row) in enumerate(texts.items()):
                 if advance:
-                    advance(done, len(rows))
+                    advance(done, len(texts))
                 result = session.judge(sources[row.file], PurePath(row.file).name)
-                if result.verdict.value == row.verdict:
-                    found[row.file] = result
-    except JudgeError:  # the page shows the failing cases as they are
+                found[digest, result.verdict.value] = result
+    except JudgeError:  # the pages show the failing cases as they are
         return found
     return found

@@ -11,14 +11,15 @@ from msgspec import Struct
 from judge.batch.model import Handin, Row
 from judge.batch.outcome import Outcome
 from judge.cli.target import OutFile, moment
-from judge.errors import JudgeError
+from judge.errors import JudgeError, unwritable
 from judge.judging.job import RunOptions
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.screen import note, out
+from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from judge.report.cohort.parts import Cohort
+    from judge.report.cohort import Cohort
 
 
 class Views(Struct, frozen=True):
@@ -26,6 +27,7 @@ class Views(Struct, frozen=True):
 
     csv: Path | None = None
     html: Path | None = None
+    feedback: Path | None = None
     junit: Path | None = None
     similar: str | None = None
     whole: bool = False
@@ -33,22 +35,26 @@ class Views(Struct, frozen=True):
     @property
     def any_file(self) -> bool:
         """Whether anything but the screen was asked for."""
-        return any((self.csv, self.html, self.junit, self.similar))
+        return any((self.csv, self.html, self.feedback, self.junit, self.similar))
 
     def check(self) -> None:
         """Refuse, before anything is judged, what cannot be written. Raises UsageError."""
         for target in self._targets().values():
             target.check()
-        if self.html:
+        if self.html or self.feedback:
             moment()
+        if self.feedback:
+            try:
+                self.feedback.mkdir(exist_ok=True)
+            except OSError as fault:
+                raise unwritable(self.feedback, fault, "name another folder with --feedback") from fault
 
     def _targets(self) -> dict[str, OutFile]:
-        from judge.report.cohort.gradebook import is_gradebook
-        from judge.report.cohort.page import is_class_page
+        from judge.report.cohort import is_gradebook
 
         kinds = {
             "csv": (self.csv, "gradebook", is_gradebook),
-            "html": (self.html, "page of a class", is_class_page),
+            "html": (self.html, "page of a class", _is_class_page),
             "junit": (self.junit, "JUnit XML", _is_junit),
         }
         return {
@@ -63,7 +69,7 @@ class Views(Struct, frozen=True):
         """
         cohort = scene.cohort()
         if screen:
-            from judge.report.cohort.lines import Glyphs, cohort_lines
+            from judge.report.klass import Glyphs, cohort_lines
 
             shown = out()
             lines = list(cohort_lines(cohort, shown.width, whole=self.whole, glyphs=Glyphs.of(shown)))
@@ -78,15 +84,28 @@ class Views(Struct, frozen=True):
     def _write(self, scene: Scene, cohort: Cohort) -> None:
         targets = self._targets()
         if "csv" in targets:
-            from judge.report.cohort.gradebook import gradebook
+            from judge.report.cohort import gradebook
 
             targets["csv"].write(gradebook(cohort))
         if "junit" in targets:
             from judge.report.junit import junit
 
             targets["junit"].write(junit([row.result for row in scene.outcome.rows]))
-        if "html" in targets:
-            targets["html"].write(scene.page(cohort))
+        if not (self.html or self.feedback):
+            return
+        from judge.report.html.klass import class_page, feedback_pages
+
+        results = scene.results(cohort, everybody=self.feedback is not None)
+        title = scene.folder.resolve().name or "class"
+        if self.html:
+            page = class_page(cohort, results, scene.problems, title=title, generated=moment())
+            targets["html"].write(page)
+        if self.feedback:
+            pages = feedback_pages(cohort, results, scene.problems, title=title, generated=moment())
+            for name, content in pages:
+                target = OutFile(self.feedback / name, "--feedback", "feedback page", _is_feedback)
+                target.check()
+                target.write(content)
 
 
 class Scene(Struct, frozen=True):
@@ -112,22 +131,15 @@ class Scene(Struct, frozen=True):
         handins = [each for each in self.handins if (each.problem, each.file) in present]
         return cohort_of(self.outcome, self.history, equal_files(handins, self.problems))
 
-    def page(self, cohort: Cohort) -> bytes:
-        """The class as a page, the smallest cases found now."""
-        from judge.batch.representatives import examples, representatives
-        from judge.mistakes.told import told_mistakes
-        from judge.report.cohort.page import render_class
-        from judge.report.page.known import KnownProblem
+    def results(self, cohort: Cohort, *, everybody: bool) -> dict[tuple[str, str], Result]:
+        """What pages show, the smallest cases found now: one hand-in a mistake, or all that count."""
+        from judge.batch.outcome import counting
+        from judge.batch.representatives import representatives, smallest_cases
         from judge.report.progress import progress
 
-        rows = representatives(cohort, self.outcome.rows)
-        shown = list(examples(rows, self.handins, self.problems, self.options, progress))
-        known = {
-            name: KnownProblem(each, {name: told.advice for name, told in told_mistakes(each).items()})
-            for name, each in self.problems.items()
-        }
-        title = self.folder.resolve().name or "class"
-        return render_class(cohort, shown, known, title=title, generated=moment())
+        all_rows = self.outcome.rows
+        rows = list(counting(all_rows).values()) if everybody else representatives(cohort, all_rows)
+        return smallest_cases(rows, self.handins, self.problems, self.options, progress)
 
 
 def problems_of(names: Sequence[str], folders: Sequence[Path]) -> dict[str, Problem]:
@@ -161,6 +173,20 @@ def _tell_similar(scene: Scene) -> None:
         note(f"Dolos is not installed here: {INSTALL}, and the same command once more")
     else:
         note("likeness is no proof: short solutions are often alike")
+
+
+def _is_class_page(start: bytes) -> bool:
+    from judge.report.html import is_page
+    from judge.report.html.klass import CLASS_MARK
+
+    return is_page(start, CLASS_MARK)
+
+
+def _is_feedback(start: bytes) -> bool:
+    from judge.report.html import is_page
+    from judge.report.html.klass import FEEDBACK_MARK
+
+    return is_page(start, FEEDBACK_MARK)
 
 
 def _is_junit(start: bytes) -> bool:

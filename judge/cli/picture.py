@@ -20,6 +20,7 @@ from judge.run.result import Result
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
+    from judge.drawing.chart import Chart
 
 
 class Drawing(Struct, frozen=True):
@@ -53,15 +54,15 @@ class Drawing(Struct, frozen=True):
 
         return hurdle_lines(self.result, self.problem, width)
 
-    def picture(self) -> Picture | None:
+    def picture(self) -> Picture | Chart | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
         failure = self.result.failure
         group = self.problem.group(failure.group) if failure and failure.group else None
         growth = self.result.time.growth
         if growth is not None and (failure is None or failure.input is None):
-            from judge.report.growth import growth_picture
+            from judge.report.picture import growth_chart
 
-            return growth_picture(growth, self.problem.title)
+            return growth_chart(growth)
         if failure is None or group is None:
             return None
         shown, heading = failure, f"{group.name}, case {failure.case}"
@@ -117,6 +118,8 @@ class Drawing(Struct, frozen=True):
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
         if path is None:
             return
+        from judge.drawing import Picture
+        from judge.drawing.chart import chart_svg
         from judge.drawing.svg import to_svg
 
         picture = self.picture()
@@ -124,4 +127,5 @@ class Drawing(Struct, frozen=True):
             text = f"nothing to draw, {path} is not written: no case failed that can be drawn"
             note(text)
             return
-        svg_target(path).write(to_svg(picture).encode())
+        drawn = to_svg(picture) if isinstance(picture, Picture) else chart_svg(picture, alone=True)
+        svg_target(path).write(drawn.encode())

@@ -37,35 +37,29 @@ def to_braille(picture: Picture, rows: int = ROWS, *, answered: bool = True) -> 
     A lower drawing is narrower too: true scale stays true. Rows that are blank in every panel at the top and
     at the bottom are left out.
     """
-    raster = _Raster(min(max(rows, LEAST_ROWS), ROWS) - 2)
-    grids = [_grid(panel, raster) for panel in picture.panels]
-    levels = [level for level in range(raster.high) if any(_inked(grid[level]) for grid in grids)]
+    high = min(max(rows, LEAST_ROWS), ROWS) - 2
+    raster = Raster(high, 2 * high + 1)
+    gap = Piece(" " * (_WIDE + 2 - raster.wide))  # to where the next panel begins, below its title
+    grids = [grid(panel, raster) for panel in picture.panels]
+    levels = [level for level in range(raster.high) if any(_inked(each[level]) for each in grids)]
     titles = [_heading(panel.title.removeprefix("Lens: ")) for panel in picture.panels]
     drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]] if answered or any(titles) else []
     for level in range(levels[0], levels[-1] + 1) if levels else ():
-        drawn.append([piece for grid in grids for piece in (*_pieces(grid[level]), Piece(raster.gap))])
+        drawn.append([piece for each in grids for piece in (*pieces(each[level]), gap)])
     if answered:
         first, second = (
             f"{letter} {key}" for letter, key in zip(_LETTERS.values(), picture.keys, strict=True)
         )
         drawn.append([Piece(first, Role.WANTED), Piece("  "), Piece(second, Role.GOT), Piece("  * both")])
-    return [_trimmed(row) for row in drawn]
+    return [trimmed(row) for row in drawn]
 
 
 @dataclass(frozen=True, slots=True)
-class _Raster:
-    """The characters of a panel: so many rows, and as many columns as make it square."""
+class Raster:
+    """The characters of a panel: rows and columns; twice as many columns as rows, and one, are square."""
 
     high: int
-
-    @property
-    def wide(self) -> int:
-        return 2 * self.high + 1
-
-    @property
-    def gap(self) -> str:
-        """From the end of a panel to where the next one begins, below its title."""
-        return " " * (_WIDE + 2 - self.wide)
+    wide: int
 
     def fine(self, dot: Dot) -> Dot:
         """Where a dot of the panel is on the raster, rows downwards."""
@@ -84,7 +78,8 @@ def _heading(title: str) -> str:
 Cell = tuple[str, Role | None]
 
 
-def _grid(panel: Panel, raster: _Raster) -> list[list[Cell]]:
+def grid(panel: Panel, raster: Raster) -> list[list[Cell]]:
+    """The characters of a panel by row, each with the role that colours it."""
     dots = [[0] * raster.wide for _ in range(raster.high)]
     roles: list[list[Role | None]] = [[None] * raster.wide for _ in range(raster.high)]
     for stroke in panel.strokes:
@@ -101,7 +96,7 @@ def _grid(panel: Panel, raster: _Raster) -> list[list[Cell]]:
     return cells
 
 
-def _draw(stroke: Stroke, raster: _Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
+def _draw(stroke: Stroke, raster: Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
     """Set the dots of a stroke, those beyond a line's ends two on, two off."""
     travelled = 0
     for (x1, y1), (x2, y2) in pairwise(map(raster.fine, stroke.dots)):
@@ -118,7 +113,7 @@ def _draw(stroke: Stroke, raster: _Raster, dots: list[list[int]], roles: list[li
                 roles[row][column] = stroke.role
 
 
-def _set(mark: Mark, raster: _Raster, cells: list[list[Cell]]) -> None:
+def _set(mark: Mark, raster: Raster, cells: list[list[Cell]]) -> None:
     x, y = raster.cell(*raster.fine(mark.at))
     row, column = y // 4, x // 2
     letter = _LETTERS.get(mark.role) or mark.text[:1]
@@ -134,17 +129,18 @@ def _inked(cells: list[Cell]) -> bool:
     return any(letter != " " for letter, _ in cells)
 
 
-def _pieces(cells: list[Cell]) -> list[Piece]:
-    pieces: list[Piece] = []
+def pieces(cells: list[Cell]) -> list[Piece]:
+    """A row of characters, neighbours of one role together."""
+    found: list[Piece] = []
     for letter, role in cells:
-        if pieces and pieces[-1].role is role:
-            pieces[-1] = Piece(pieces[-1].text + letter, role)
+        if found and found[-1].role is role:
+            found[-1] = Piece(found[-1].text + letter, role)
         else:
-            pieces.append(Piece(letter, role))
-    return pieces
+            found.append(Piece(letter, role))
+    return found
 
 
-def _trimmed(row: list[Piece]) -> list[Piece]:
+def trimmed(row: list[Piece]) -> list[Piece]:
     """A row without spaces at its end."""
     kept = list(row)
     while kept and not kept[-1].text.rstrip(" "):

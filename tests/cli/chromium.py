@@ -18,7 +18,7 @@ for (const folded of document.querySelectorAll("details")) folded.open = true;
 const parts = text => { const found = text.match(/[\\d.]+/g).map(Number); return [...found, 1].slice(0, 4); };
 const over = (top, below) => [0, 1, 2].map(i => top[i] * top[3] + below[i] * (1 - top[3])).concat(1);
 function ground(element) {
-  const drawing = element.closest(".drawing svg");
+  const drawing = element.closest("figure svg");
   if (drawing) return parts(getComputedStyle(drawing.querySelector("rect.panel")).fill);
   const layers = [];
   for (let each = element; each; each = each.parentElement) {
@@ -41,8 +41,9 @@ while (walker.nextNode()) {
   const ink = over(parts(element.closest("svg") ? looks.fill : looks.color), below);
   const [dark, light] = [luminance(ink), luminance(below)].sort((a, b) => a - b);
   const ratio = (light + 0.05) / (dark + 0.05);
-  const svg = element.closest(".drawing svg");
-  const scale = svg ? svg.getBoundingClientRect().width / svg.viewBox.baseVal.width : 1;
+  const svg = element.closest("figure svg");
+  const drawn = svg ? svg.viewBox.baseVal.width : 0;  // a chart keeps its letters' size
+  const scale = drawn ? svg.getBoundingClientRect().width / drawn : 1;
   words += 1;
   least = Math.min(least, parseFloat(looks.fontSize) * scale);
   if (ratio < 4.5) faint.push([word.slice(0, 40), ratio]);

@@ -48,6 +48,7 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     monkeypatch.setenv("PATH", os.environ["PATH"])
     files = ("--csv", "grades.csv", "--html", "class.html", "--junit", "class.xml", "--similar", "dolos")
+    files += ("--feedback", "pages")
     ended = judge("class", homework, "--students", "list.csv", *files)
     assert ended.status == 1
     shown = ended.out.split("middle  4 of 5 handed in, 1 accepted\n")[1]
@@ -62,9 +63,18 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert sorted(each.get("name") for each in suites)[1] == "middle ada/middle.py"
     assert len(suites) == 4
     html = Path("class.html").read_text(encoding="utf-8")
-    assert "Smallest case found" in html
-    assert "1 of 4" in html
+    assert "Smallest failing case" in html
+    assert "middle: 4 of 5 submitted, 1 accepted" in html
     assert not re.findall(r"<img|<script", html)
+    pages = {path.name: path.read_text(encoding="utf-8") for path in Path("pages").iterdir()}
+    assert sorted(pages)[1:] == ["ada.html", "bob.html", "cy.html"]
+    assert "bob/middle.py" in pages["bob.html"]
+    assert "ada" not in pages["bob.html"]
+    assert not re.findall(r"<img|<script", "".join(pages.values()))
+    Path("pages/bob.html").write_text("precious", encoding="utf-8")
+    ended = judge("class", homework, "-q", "--feedback", "pages")
+    assert "pages/bob.html: it is there already and is no feedback page" in ended.err
+    assert Path("pages/bob.html").read_text(encoding="utf-8") == "precious"
     assert Path("homework.judge.similar/middle-python.zip").exists()
     assert judge("class", homework, "--students", "list.csv", "-q", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html

@@ -44,7 +44,7 @@ RUN_IT = {
     "data": "data middle --out made",
     "export": "export middle --out packages --no-submissions",
     "verify": "verify middle",
-    "report": "report --no-matrix",
+    "report": "report",
     "quiz": "quiz --interview --cards 0 --kata middle --file mine.py",
 }
 BY_DAY = ("try", "data")

@@ -38,7 +38,6 @@ from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.tables import key_lines
 from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
-from judge.report.page.reread import reread
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
 from judge.sandbox import calls, ends
@@ -205,7 +204,6 @@ def _answers(text: str) -> None:
     for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?"):
         type_ = parse(form)
         lines.read_line(type_, text)
-        reread(type_, text[:5000])
 
 
 def _case(text: str) -> None:

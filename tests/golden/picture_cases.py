@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
+from typing import Any
 
 from judge.drawing.svg import to_svg
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.report.page.reread import reread
 from judge.values import check, show
 
 ROOT = Path(__file__).parent.parent.parent
@@ -39,6 +40,20 @@ CASES = {
 }
 
 
+def given_by(text: str) -> Any:
+    """The answer that a person is shown in these words, as JSON; None where it is no answer."""
+    try:
+        return plain(ast.literal_eval(text))
+    except (SyntaxError, ValueError):
+        return None
+
+
+def plain(value: Any) -> Any:
+    if isinstance(value, list | tuple):
+        return [plain(each) for each in value]
+    return {"word": value} if isinstance(value, str) else value
+
+
 def wanted_words(problem, exact):
     return show.wanted(problem.answer, check.target(problem.answer, exact, problem.groups[0].tolerance))
 
@@ -47,7 +62,7 @@ def picture_of(problem, case, got, module=None, heading="a case"):
     module = module or load_module(problem)
     exact = module.solve(*case)
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
-    given = reread(problem.answer, got)
+    given = given_by(got)
     words = wanted_words(problem, exact)
     return module.hooks.picture(Shown(problem, values, exact, words, got, given, heading))
 

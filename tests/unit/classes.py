@@ -9,7 +9,7 @@ from judge.batch.model import Done, Row, Student
 from judge.batch.outcome import Outcome
 from judge.digest import digest_of
 from judge.problem.model import Verdict
-from judge.report.cohort.parts import EqualFiles
+from judge.report.cohort import EqualFiles
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 GROUPS = ("examples", "grid", "tangent")

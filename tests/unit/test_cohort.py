@@ -1,29 +1,21 @@
-"""A class shown: table, cohort, gradebook and page, where nothing a student says is more than text."""
+"""A class on the screen: table, cohort and gradebook, where nothing a student says is more than text."""
 
 from __future__ import annotations
 
 import csv
 import io
-import re
-from datetime import UTC, datetime
 
 import msgspec
 import pytest
-from classes import ROWS, STUDENTS, class_of, row, small_class
+from classes import class_of, row, small_class
 
 from judge.batch.model import Done, Row, Student
 from judge.batch.outcome import Outcome, counting
-from judge.batch.representatives import representatives
 from judge.batch.table import table_lines
 from judge.errors import ExitCode
-from judge.problem.find import find_problem
-from judge.problem.model import Verdict
-from judge.report.cohort.gradebook import gradebook, is_gradebook
-from judge.report.cohort.lines import cohort_lines
-from judge.report.cohort.page import is_class_page, render_class
-from judge.report.cohort.parts import Example
+from judge.report.cohort import gradebook, is_gradebook
+from judge.report.klass import cohort_lines
 from judge.report.layout import cells
-from judge.report.page.known import KnownProblem
 from judge.report.screen import Screen
 from judge.report.sheet import cell
 
@@ -161,45 +153,3 @@ def test_no_cell_is_calculated(name, shown):
             for each in line
             if each.lstrip(' "')[:1] in tuple("=+-@")
         ]
-
-
-NOW = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
-MARKUP = "</title></style></svg><script>document.title='pwned'</script><img src=x onerror=alert(1)>"
-
-
-def page(cohort, rows=ROWS, title="geo"):
-    """The page with the rows' own cases, of count alone drawn."""
-    known = {"count": KnownProblem(find_problem("count"), {"forgotten-abs": "Take its absolute value."})}
-    shown = [
-        Example(each.problem, each.mistake or each.verdict, each.file, each.result)
-        for each in representatives(cohort, rows)
-    ]
-    return render_class(cohort, shown, known, title=title, generated=NOW)
-
-
-@pytest.fixture(scope="module")
-def hostile():
-    """A class in which everything that a student can name is markup."""
-    who = [Student(MARKUP, MARKUP, MARKUP), *STUDENTS]
-    rows = [
-        row(MARKUP, "count", MARKUP, ("grid",), file=f"{MARKUP}.py", machine=MARKUP, busy=MARKUP),
-        row("ann", "count", MARKUP, ("grid",), file="2.py"),
-        row("bob", MARKUP, verdict=Verdict.JE),
-    ]
-    return page(class_of(*rows, students=who, problems=("count", MARKUP)), rows, title=MARKUP)
-
-
-def test_the_same_class_gives_the_same_page():
-    html = page(small_class())
-    assert page(small_class()) == html
-    assert is_class_page(html[:2000])
-    assert not is_class_page(b"<!doctype html><title>mine</title>")
-
-
-def test_markup_is_text(hostile):
-    html = hostile.decode()
-    assert html.count("pwned") > 10
-    assert not re.findall(r"<script|<img| on\w+=\"| style=\"", html)
-    (policy,) = re.findall(r'Policy" content="([^"]*)"', html)
-    assert policy.startswith("default-src &#39;none&#39;; style-src &#39;sha256-")
-    assert not re.findall(r'(?:src|href)="(?!#)', html)

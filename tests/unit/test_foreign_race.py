@@ -9,8 +9,9 @@ import pytest
 from judging import make_data
 from msgspec.structs import replace
 
-from judge.errors import JudgeError
+from judge.errors import JudgeError, UsageError
 from judge.problem import TimeRule, Verdict
+from judge.problem.find import find_problem
 from judge.run.budget import Budget
 from judge.run.foreign import LONG_SECONDS
 from judge.run.function import FunctionRunner
@@ -18,7 +19,7 @@ from judge.run.group import GroupRun
 from judge.run.laps import passes_for
 from judge.run.program import ProgramRunner
 from judge.run.races import measure
-from judge.run.reference import Reference
+from judge.run.reference import Reference, check_needs
 from judge.run.replies import Replies
 from judge.run.timing import Pair, decide
 from judge.sandbox.boundary import Inspection, ProgramResult, Reply, SourceFault, Stop, Usage
@@ -267,3 +268,12 @@ def test_passes_are_enough_and_nothing_short_is_divided_by():
 def test_a_cautious_decision(ratios, too_slow, borderline):
     decision = decide([Pair(0.1 * ratio, 0.1) for ratio in ratios], LIMIT, cautious=True)
     assert (decision.too_slow, decision.borderline) == (too_slow, borderline)
+
+
+def test_what_the_reference_needs_is_told_where_it_is_missing():
+    problem = find_problem("vector")
+    assert problem.time.needs == ("numpy",)
+    check_needs(problem)
+    missing = replace(problem, time=replace(problem.time, needs=("no_such_module",)))
+    with pytest.raises(UsageError, match=r"imports no_such_module, which is not installed; .*pip install"):
+        check_needs(missing)

@@ -84,6 +84,13 @@ if TYPE_CHECKING:
     type=click.Path(path_type=Path),
     help="Write one page of it all, with a picture of each mistake.",
 )
+@click.option(
+    "--feedback",
+    "feedback",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Write a page for each student into this folder.",
+)
 @junit_option
 @click.option(
     "--similar",
@@ -112,6 +119,7 @@ def command(
     whole: bool,
     csv: Path | None,
     html: Path | None,
+    feedback: Path | None,
     junit: Path | None,
     similar: str | None,
     folders: tuple[Path, ...],
@@ -141,7 +149,7 @@ def command(
         remedy = "leave one out"
         raise UsageError(f"--on and {'--merge' if parts else '-j'} contradict each other", remedy=remedy)
     root_of(folder)  # before a file is made beside it
-    views = Views(csv, html, junit, similar, whole)
+    views = Views(csv, html, feedback, junit, similar, whole)
     if shard is not None and views.any_file:
         remedy = "give these options with --merge, when all parts are there"
         raise UsageError("a shard is no whole class", where="--shard", remedy=remedy)

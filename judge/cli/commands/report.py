@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,22 +10,17 @@ import click
 
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.table import COMMANDS
 from judge.cli.target import OutFile, moment
-from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
+from judge.errors import ExitCode, ProblemError, UsageError
 from judge.kata.history import Run
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
 from judge.report.names import shown_name
-from judge.report.progress import progress
 from judge.report.screen import note, out
 
 if TYPE_CHECKING:
-    from judge.kata.checklist import RowProgress, Section
     from judge.kata.skills import SkillProgress
-    from judge.report.page.known import KnownProblem
-    from judge.run.matrix import Matrix
 
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
@@ -42,11 +37,6 @@ _USUAL = Path("judge-report.html")
 )
 @click.option("--force", is_flag=True, help="Overwrite a file that is not a report.")
 @click.option("--name", "person", metavar="NAME", default="", help="Whose report it is, for its heading.")
-@click.option(
-    "--matrix/--no-matrix",
-    default=True,
-    help="Show which test group rejects which mistake.",
-)
 @json_option
 @db_option
 @problems_option
@@ -54,16 +44,15 @@ def command(
     path: Path,
     force: bool,
     person: str,
-    matrix: bool,
     as_json: bool,
     db: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
     """Write the history as one HTML page.
 
-    It shows what you solved, every run, the time of your attempts, and for each mistake the latest failing
-    case, drawn. The page loads nothing: you can send, print and keep it. An existing file is overwritten only
-    if it is such a report.
+    It shows what you have solved, the skills that your runs have shown, every run, and for each mistake the
+    latest case that failed, drawn. The page holds all it shows: you can send it, print it and keep it. An
+    existing file is overwritten only if it is such a report.
 
     Exit status: 0 written, 2 usage, 3 a fault of the history or of a problem.
     """
@@ -71,54 +60,27 @@ def command(
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with history_at(db, reading=True) as history:
         runs = history.runs()
-        answers, hacks = history.answers(), history.hacks()
-        if not (runs or answers or hacks):
+        if not runs:
             remedy = "judge something first: judge run PROBLEM FILE"
             raise UsageError("there is nothing to report", where=str(history.path), remedy=remedy)
-        last = {run.problem: run.id for run in runs}
-        sources = {name: history.source(number) for name, number in last.items()}
-    from judge.report.page.compose import compose_page
-    from judge.report.page.render import render
+        solved = {run.problem: run.id for run in runs if run.solved}
+        sources = {name: history.source(number) for name, number in solved.items()}
+    from judge.report.html.learner import learner_page
 
-    # What only accepted its own solutions, as README's first command does, has nothing to learn from.
-    told = {run.problem for run in runs if run.counts or not run.whole}
-    known = _known(folders, told, matrix=matrix)
-    skills = _skills([each.problem for each in known], folders, runs)
-    ready = _ready([each.problem for each in known], folders, db)
-    page = render(
-        compose_page(
-            runs,
-            known,
-            sources,
-            skills,
-            ready=ready,
-            answers=answers,
-            hacks=hacks,
-            generated=moment(),
-            person=person,
-        )
-    )
-    target.write(page)
-    _tell(path, page, runs, last, as_json=as_json)
-    return ExitCode.ACCEPTED
-
-
-def _known(folders: Sequence[Path], told: Collection[str], *, matrix: bool) -> list[KnownProblem]:
-    """Every sound problem, with the mistakes of those that are told of."""
-    from judge.mistakes.told import told_mistakes
-    from judge.report.page.known import KnownProblem
-
-    found = []
     problems, faults = sound_problems(folders)
-    for fault in faults:  # its runs are told of all the same
+    for fault in faults:  # its runs are shown all the same
         note(f"a problem is left out: {fault}")
-    for problem in problems:
-        if problem.id not in told:
-            found.append(KnownProblem(problem))
-            continue
-        advice = {name: told.advice for name, told in told_mistakes(problem).items()}
-        found.append(KnownProblem(problem, advice, _matrix(problem) if matrix else None))
-    return found
+    skills = _skills(problems, folders, runs)
+    generated = moment().astimezone()
+    page = learner_page(runs, problems, skills, sources, person=person, generated=generated)
+    target.write(page)
+    if as_json:
+        tried = sorted({run.problem for run in runs})
+        told = {"schema": SCHEMA, "out": str(path), "bytes": len(page), "runs": len(runs), "problems": tried}
+        write_json(told)
+    else:
+        out().show([line(Span(shown_name(str(path)), link=Link(str(path))))])
+    return ExitCode.ACCEPTED
 
 
 def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
@@ -135,55 +97,8 @@ def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence
     return assess(skills, runs, problems)
 
 
-def _ready(
-    problems: Sequence[Problem], folders: Sequence[Path], db: Path | None
-) -> list[tuple[Section, list[RowProgress]]]:
-    """The questions of the checklist by section; one that is broken is left out."""
-    from judge.kata.assessed import assessed_rows
-    from judge.kata.checklist import by_section
-
-    try:
-        with history_at(db, reading=True) as history:
-            checklist, rows, faults = assessed_rows(history, problems, folders, COMMANDS)
-    except ProblemError as fault:
-        note(f"the questions are left out: {fault}")
-        return []
-    for each in faults:
-        note(str(each))
-    return by_section(checklist, rows)
-
-
-def _matrix(problem: Problem) -> Matrix | None:
-    """The kill matrix, as it is kept or by judging the known-wrong programs now; a fault is but a note."""
-    from judge.judging.session import Session
-
-    try:
-        with Session(problem, bars=progress) as session:
-            matrix, notes = session.naming.matrix()
-    except JudgeError as fault:
-        note(f"the matrix of {problem.id} is left out: {fault}")
-        return None
-    for text in (*session.data.notes, *notes):
-        note(text)
-    return matrix
-
-
 def _is_report(start: bytes) -> bool:
-    from judge.report.page.render import is_report
+    from judge.report.html import is_page
+    from judge.report.html.learner import MARK
 
-    return is_report(start)
-
-
-def _tell(path: Path, page: bytes, runs: Sequence[Run], tried: dict[str, int], *, as_json: bool) -> None:
-    if as_json:
-        write_json(
-            {
-                "schema": SCHEMA,
-                "out": str(path),
-                "bytes": len(page),
-                "runs": len(runs),
-                "problems": sorted(tried),
-            }
-        )
-        return
-    out().show([line(Span(shown_name(str(path)), link=Link(str(path))))])
+    return is_page(start, MARK)

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.report.cohort.parts import EQUAL_CAUTION, Cohort, GroupBar, MistakeBar, ProblemView
+from judge.report.cohort import EQUAL_CAUTION, Cohort, GroupBar, MistakeBar, ProblemView
 from judge.report.layout import (
     READABLE,
     Line,

@@ -1,4 +1,8 @@
-"""What a class is shown of itself: values in the order in which they are shown."""
+"""A class as it stands: values in the order in which they are shown, and the gradebook.
+
+The gradebook is CSV, a line a student. Excel takes a CSV for UTF-8 only by its byte order mark; LibreOffice
+and Python's `utf-8-sig` skip it.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,10 @@ from typing import Any
 from msgspec import Struct
 
 from judge.problem.model import Verdict
-from judge.run.result import Result
+from judge.report.sheet import csv_text
+
+BOM = "\ufeff"
+_HEAD = ("student", "name", "group")
 
 
 class Person(Struct, frozen=True):
@@ -23,8 +30,7 @@ class Person(Struct, frozen=True):
 class Counted(Struct, frozen=True):
     """What counts of one student on one problem: the best of so many `handins`.
 
-    `score` and `points` are what was reached and what there is; `doubt` says why its time ratio deserves less
-    belief, empty where it does not.
+    `score` and `points` are what was reached and what there is.
     """
 
     file: str
@@ -33,10 +39,6 @@ class Counted(Struct, frozen=True):
     points: int
     mistake: str = ""
     handins: int = 1
-    machine: str = ""
-    isolation: str = ""
-    copied: str = ""
-    doubt: str = ""
 
     @property
     def accepted(self) -> bool:
@@ -139,15 +141,6 @@ class Machine(Struct, frozen=True):
     handins: int
 
 
-class Example(Struct, frozen=True):
-    """The hand-in that stands for a mistake, or for a verdict where none is named, and what it came to."""
-
-    problem: str
-    label: str
-    file: str
-    result: Result
-
-
 class Cohort(Struct, frozen=True):
     """The class: who and what in the order of the table; `marks` by student and problem.
 
@@ -191,3 +184,25 @@ class Cohort(Struct, frozen=True):
                 for each in self.machines
             ],
         }
+
+
+def gradebook(cohort: Cohort) -> bytes:
+    """The file. Points, empty where nothing was handed in; the total; then verdict and mistake by problem."""
+    details = [f"{problem} {what}" for problem in cohort.problems for what in ("verdict", "mistake")]
+    rows: list[list[object]] = [[*_HEAD, *cohort.problems, "total", *details]]
+    for person in cohort.people:
+        marks = [cohort.marks.get((person.id, problem)) for problem in cohort.problems]
+        points = ["" if mark is None else mark.score for mark in marks]
+        told = [text for mark in marks for text in _told(mark)]
+        rows.append([person.id, person.name, person.group, *points, cohort.total(person.id), *told])
+    return (BOM + csv_text(rows)).encode("utf-8", "backslashreplace")
+
+
+def is_gradebook(start: bytes) -> bool:
+    """Whether a file that begins like this is such a gradebook."""
+    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # an older judge quoted none of its titles
+    return plain.startswith(",".join(_HEAD).encode())
+
+
+def _told(mark: Counted | None) -> tuple[str, str]:
+    return (mark.verdict.value, mark.mistake) if mark else ("", "")

@@ -1,0 +1,168 @@
+"""The one chart: lines of dots over two axes, linear or logarithmic, as SVG and in braille.
+
+    Chart("CPU time of a case", (Series("reference", ((500, 0.01), (8000, 0.16)), Role.WANTED),), x, y)
+
+On logarithmic axes a power law is a straight line, and its slope is the power.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil, floor, log10
+
+from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, Piece, Raster, grid, pieces, trimmed
+from judge.drawing.shapes import Dot, Mark, Panel, Role, Stroke
+from judge.drawing.svg import style, words
+
+_MOST_TICKS = 6
+_LEAST = 1e-9  # a smaller value stands here on a logarithmic axis
+_HEIGHT, _TOP, _BELOW = 210, 24, 44  # pixels: of the plot, above it, and below it for the labels
+_LEFT, _WIDTH = 14, 82  # percent of the chart's width
+_LETTERS = 38  # of labels below the axis that a phone has room for
+_ALONE = 720  # pixels: the width of a chart that is a file of its own
+_CLASSES = {Role.WANTED: ("wanted", "t-wanted"), Role.GOT: ("got", "t-got")}
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """What an axis measures; `text` writes one of its values. A linear axis counts whole things."""
+
+    label: str
+    text: Callable[[float], str] = "{:,.6g}".format
+    log: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """Dots (x, y) by x, joined by a line. At the x in `bounds` y is only a lower bound: the dot is hollow."""
+
+    name: str
+    points: tuple[Dot, ...]
+    role: Role
+    bounds: frozenset[float] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """At least one series with two different x; `about` says in a sentence what the chart shows."""
+
+    title: str
+    series: tuple[Series, ...]
+    x: Axis
+    y: Axis
+    about: str = ""
+
+
+class _Scale:
+    """Where the values of an axis are, from 0 to 1, and its round values."""
+
+    def __init__(self, axis: Axis, values: Sequence[float]) -> None:
+        self._axis = axis
+        self._low, high = min(map(self._level, values)), max(map(self._level, values))
+        self._span = (high - self._low) or 1.0
+
+    def _level(self, value: float) -> float:
+        return log10(max(_LEAST, value)) if self._axis.log else value
+
+    def __call__(self, value: float) -> float:
+        return (self._level(value) - self._low) / self._span
+
+    def ticks(self) -> list[tuple[float, str]]:
+        """At most six round values: where they are, and their texts."""
+        low, high = self._low, self._low + self._span
+        slack = self._span * 1e-9
+        if self._axis.log:
+            decades = range(floor(low), ceil(high) + 1)
+            values = [step * 10.0**decade for decade in decades for step in (1, 2, 5)]
+            inside = [each for each in values if low - slack <= log10(each) <= high + slack]
+            if len(inside) > _MOST_TICKS:
+                tens = [10.0**decade for decade in range(ceil(low - slack), floor(high + slack) + 1)]
+                inside = tens[:: ceil(len(tens) / _MOST_TICKS)]
+        else:
+            power = max(1.0, 10.0 ** floor(log10(self._span / _MOST_TICKS)))
+            steps = (step for step in (power, 2 * power, 5 * power, 10 * power))
+            step = next(each for each in steps if self._span / each < _MOST_TICKS)
+            inside = [at * step for at in range(ceil((low - slack) / step), floor((high + slack) / step) + 1)]
+        return [(self(value), self._axis.text(value)) for value in inside]
+
+
+def _scales(chart: Chart) -> tuple[_Scale, _Scale]:
+    points = [point for series in chart.series for point in series.points]
+    x, y = zip(*points, strict=True)
+    return _Scale(chart.x, x), _Scale(chart.y, y)
+
+
+def chart_svg(chart: Chart, *, alone: bool = False) -> str:
+    """An SVG element as wide as its place in a page that holds `style()`; `alone`, a file of its own."""
+    across, up = _scales(chart)
+
+    def x(value: float) -> str:
+        return f"{_LEFT + _WIDTH * value:.2f}%"
+
+    def y(value: float) -> str:
+        return f"{_TOP + _HEIGHT * (1 - value):.1f}"
+
+    bottom = _TOP + _HEIGHT
+    size = f'width="{_ALONE if alone else "100%"}" height="{bottom + _BELOW}"'
+    name = words(f"{chart.title}. {chart.about}" if chart.about else chart.title)
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{name}" {size}>',
+        f"<style>{style()}</style>" if alone else "",
+        f'<rect class="panel" width="100%" height="{bottom + _BELOW}"/>',
+    ]
+    for at, text in up.ticks():
+        parts.append(
+            f'<line class="leader" stroke-opacity="0.4" x1="0" x2="100%" y1="{y(at)}" y2="{y(at)}"/>'
+        )
+        parts.append(f'<text class="halo quiet" x="8" y="{float(y(at)) - 4:.1f}">{words(text)}</text>')
+    marks = across.ticks()
+    for at, text in marks[:: ceil(sum(len(text) + 2 for _, text in marks) / _LETTERS)]:
+        parts.append(_text(x(at), str(bottom + 18), "middle", "quiet", text))
+    parts.append(_text("50%", str(bottom + 36), "middle", "quiet", f"{chart.y.label} over {chart.x.label}"))
+    ends = [up(series.points[-1][1]) for series in chart.series]
+    for series, end in zip(chart.series, ends, strict=True):
+        line, fill = _CLASSES.get(series.role, ("line", "case"))
+        spots = [(x(across(a)), y(up(b))) for a, b in series.points]
+        for (x1, y1), (x2, y2) in pairwise(spots):
+            parts.append(f'<line class="{line}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>')
+        for (a, b), (cx, cy) in zip(series.points, spots, strict=True):
+            told = words(f"{series.name}, {chart.x.text(a)}: {chart.y.text(b)}")
+            kind = line if a in series.bounds else fill
+            parts.append(f'<circle class="{kind}" cx="{cx}" cy="{cy}" r="4"><title>{told}</title></circle>')
+        label = float(spots[-1][1]) + (-11 if end == max(ends) else 21)
+        parts.append(_text(spots[-1][0], f"{label:.1f}", "end", f"halo {fill}", series.name))
+    return "\n".join([*(part for part in parts if part), "</svg>"]) + "\n" * alone
+
+
+def _text(x: str, y: str, anchor: str, kind: str, text: str) -> str:
+    return f'<text class="{kind}" x="{x}" y="{y}" text-anchor="{anchor}">{words(text)}</text>'
+
+
+def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:
+    """Rows for a terminal, at most `rows` or `LEAST_ROWS`, of at most `COLUMNS` columns."""
+    across, up = _scales(chart)
+    high = min(max(rows, LEAST_ROWS), ROWS) - 2
+    levels = {round((1 - at) * (high - 1)): text for at, text in up.ticks()}
+    left = max(map(len, levels.values()), default=0) + 1
+    raster = Raster(high, COLUMNS - left)
+    strokes, marks = [], []
+    for series in chart.series:
+        dots = [(2 * across(a) - 1, 2 * up(b) - 1) for a, b in series.points]
+        strokes += [Stroke(pair, series.role) for pair in pairwise(dots)]
+        marks += [Mark(dot, series.role, series.name) for dot in dots]
+    cells = grid(Panel("", tuple(strokes), tuple(marks), ()), raster)
+    drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in enumerate(cells)]
+    foot = " " * COLUMNS
+    for share, text in across.ticks():
+        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(text))
+        if not foot[max(0, at - 1) : at + len(text)].strip():
+            foot = foot[:at] + text + foot[at + len(text) :]
+    legend = [Piece(f"{_letter(series)} {series.name}  ", series.role) for series in chart.series]
+    legend.append(Piece(f"{chart.y.label} over {chart.x.label}"))
+    return [trimmed(row) for row in (*drawn, [Piece(foot)], legend)]
+
+
+def _letter(series: Series) -> str:
+    return {Role.WANTED: "o", Role.GOT: "x"}.get(series.role, series.name[:1])

@@ -1,0 +1,86 @@
+"""HTML pages: one file each, which loads nothing and runs nothing.
+
+    learner.py    what one person has done: runs, skills, mistakes
+    klass.py      a class, and a page for each student
+    case.py       a failing case: its facts, its drawing and its mistake
+    templates/    a template a page, their common parts, and the one style sheet
+
+Templates escape whatever they are given; only drawings, which `judge.drawing` has escaped, go in as they are.
+The policy of a page allows its style sheet, by its hash, and nothing else.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from datetime import date, datetime
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from judge import __version__
+from judge.drawing.svg import style
+from judge.report.layout import printable
+from judge.report.values import times
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
+
+_TEMPLATES = Path(__file__).parent / "templates"
+_MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+
+
+def page(template: str, mark: str, **values: Any) -> bytes:
+    """The file that a template makes of these values; the same values always give the same bytes.
+
+    `mark` says what kind of page it is, for `is_page`.
+    """
+    from markupsafe import Markup
+
+    sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
+    sheet += style("figure", "screen and (prefers-color-scheme:dark)")
+    digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
+    policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
+    given = values | {"mark": mark, "version": __version__, "style": Markup(sheet), "policy": policy}
+    return _environment().get_template(template).render(given).encode()
+
+
+def is_page(head: bytes, mark: str) -> bool:
+    """Whether a file that begins like this is a page of that kind, which may be written over."""
+    return b"<!doctype html>" in head[:40] and f'content="{mark},'.encode() in head
+
+
+def day(when: date) -> str:
+    """`3 Mar 2026`, in the page's language."""
+    return f"{when.day} {_MONTHS[when.month - 1]} {when.year}"
+
+
+@cache
+def _environment() -> Environment:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    environment = Environment(
+        loader=FileSystemLoader(_TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        finalize=lambda value: printable(value) if type(value) is str else value,
+    )
+    environment.filters |= {"date": _date, "drawing": Markup, "lines": _lines, "times": times}
+    return environment
+
+
+def _date(when: datetime) -> Markup:
+    from markupsafe import Markup
+
+    return Markup(f'<time datetime="{when.date().isoformat()}">{day(when)}</time>')
+
+
+def _lines(text: str) -> Markup:
+    """A program's lines, escaped; whatever does not print is written out."""
+    from markupsafe import escape
+
+    return escape("\n".join(printable(each.expandtabs(4)) for each in text.splitlines()))

@@ -1,0 +1,249 @@
+"""The HTML pages: what they say, that they are sound HTML, and that nothing gets out of its place."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+import zlib
+from datetime import UTC, datetime
+from html.parser import HTMLParser
+
+import pytest
+from classes import ROWS, STUDENTS, class_of, row, small_class
+from msgspec.structs import replace
+from past_runs import StoppedClock
+
+from judge.batch.model import Student
+from judge.batch.representatives import representatives
+from judge.kata.history import History
+from judge.problem import Verdict
+from judge.problem.find import find_problem
+from judge.report.html import is_page
+from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, class_page, feedback_pages
+from judge.report.html.learner import MARK, learner_page
+from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
+
+NOW = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
+EVIL = (
+    "</style></title><script>document.title='pwned'</script>\"'><img src=x onerror=alert(1)>&amp;\x00\u202e"
+)
+INPUT = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}
+VOID = {"meta", "br", "img", "input", "hr", "link", "base", "wbr"}
+ACTIVE = {"script", "img", "iframe", "object", "embed", "link"}
+ACTIVE |= {"form", "input", "base", "audio", "video", "use"}
+
+
+def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, name="mine.py", **failure):
+    """A result with one passed group and, unless it is accepted, one failed on a case that can be drawn."""
+    accepted = verdict is Verdict.AC
+    points = 100 if accepted else 30
+    groups = [GroupResult(name="grid", verdict=Verdict.AC, cases=200, passed=200, points=points)]
+    told = None
+    if not accepted:
+        groups.append(GroupResult(name="tangent", verdict=verdict, cases=90, passed=41, points=70))
+        case = {"group": "tangent", "case": 3, "input": INPUT, "expected": "1", "got": "2", "message": "off"}
+        told = Failure(**{**case, **failure})
+    time = Timing(cpu_seconds=0.02, ratio=Ratio(ratio, ratio * 0.9, ratio * 1.2, 9) if ratio else None)
+    pitfall = Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None
+    return Result(
+        problem=problem,
+        submission=name,
+        verdict=verdict,
+        failure=told,
+        time=time,
+        pitfall=pitfall,
+        **earned(groups),
+    )
+
+
+def kept(path, results, source=b"print(1)\n"):
+    """The runs that these results make, a day after another."""
+    clock = StoppedClock()
+    with History.open(path, clock=clock) as history:
+        for result in results:
+            history.add(result, source, "/home/somebody/mine.py")
+            clock.forward(days=1)
+        return history.runs()
+
+
+def learner(runs, source=b"", person=""):
+    problems = [find_problem("count"), find_problem("segment")]
+    sources = {"count": source}
+    return learner_page(runs, problems, [], sources, person=person, generated=NOW).decode()
+
+
+class Outline(HTMLParser):
+    """What is in a page; raises AssertionError for a tag that is not closed where it must be."""
+
+    def __init__(self, html):
+        super().__init__(convert_charrefs=True)
+        self.open, self.tags, self.text = [], [], ""
+        self.feed(html)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        assert len(attrs) == len(dict(attrs)), (tag, attrs)
+        self.tags.append((tag, dict(attrs)))
+        self.text += " "
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        assert "svg" in self.open, tag  # elsewhere the slash means nothing
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if "style" not in self.open:
+            self.text += data
+
+
+def checked(html):
+    """A page that is well-formed, loads and runs nothing, and whose links lead somewhere in it."""
+    outline = Outline(html)
+    ids = [attributes["id"] for _, attributes in outline.tags if "id" in attributes]
+    assert len(ids) == len(set(ids))
+    assert not {tag for tag, _ in outline.tags} & ACTIVE
+    for _tag, attributes in outline.tags:
+        for name, value in attributes.items():
+            assert not name.startswith("on")
+            assert name not in ("style", "src", "srcset", "action")
+            assert name != "href" or (value[0] == "#" and value[1:] in ids)
+            assert name != "aria-labelledby" or set(value.split()) <= set(ids)
+    assert "url(" not in html
+    assert "@import" not in html
+    assert not set("\x00\u202e") & set(html)
+    (sheet,) = re.findall("<style>(.*?)</style>", html, re.DOTALL)
+    digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
+    (policy,) = [each["content"] for tag, each in outline.tags if tag == "meta" and "http-equiv" in each]
+    allowed = f"default-src 'none'; style-src 'sha256-{digest}'"
+    assert policy == f"{allowed}; base-uri 'none'; form-action 'none'"
+    return outline
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "history.sqlite3"
+
+
+def test_the_page_of_a_learner(path):
+    wrong = outcome(mistake="absolute-epsilon")
+    small = {"input": INPUT, "expected": "1", "got": "2", "message": "", "replay": "count:x:1:abc"}
+    solved = outcome(verdict=Verdict.AC, ratio=1.25)
+    runs = kept(path, [wrong, replace(wrong, counterexample=small), solved])
+    html = learner(runs, b"print(1)\n", "Ada")
+    assert html == learner(runs, b"print(1)\n", "Ada")
+    assert is_page(html.encode()[:2000], MARK)
+    text = " ".join(checked(html).text.split())
+    assert "Ada 1 Mar 2026 to 3 Mar 2026" in text
+    assert "katas solved 1 of 2" in text
+    assert "mistakes overcome 1 of 1" in text
+    assert "2 Mar 2026, the latest of 2 runs" in text
+    assert "Smallest failing case input cx=0, cy=0, r=1, A=(-1, 1), B=(0, 1) expected 1 got 2" in text
+    assert "print(1)" in text
+    assert html.count("<figure") == 2  # the chart and the case
+
+
+def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
+    evil = outcome(name=EVIL, mistake=EVIL, got=EVIL, expected=EVIL, message=EVIL, printed=EVIL)
+    outline = checked(learner(kept(path, [evil]), EVIL.encode(), EVIL))
+    assert outline.text.count("document.title='pwned'") >= 7
+    assert "\\x00\\u202e" in outline.text
+
+
+@pytest.mark.parametrize("result", [{}, {"failure": 3}, {"failure": {"input": 7}}, {"failure": None}])
+def test_a_result_of_another_form_is_shown_without_its_case(path, result):
+    runs = kept(path, [outcome(), outcome(verdict=Verdict.AC, ratio=1.0)])
+    packed = zlib.compress(json.dumps(result).encode()) if result else b"rubbish"
+    html = learner([replace(runs[0], packed=packed), runs[1]])
+    checked(html)
+    assert "Wrong answer" in html
+    assert 'class="expected"' not in html.partition("<footer>")[0]
+
+
+def test_a_kata_that_is_gone_is_shown_by_its_runs(path):
+    outline = checked(learner(kept(path, [outcome("gone")])))
+    assert "This kata is not here any more." in outline.text
+
+
+def test_long_histories_are_cut_and_say_so(path):
+    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=2.0)])
+    html = learner([replace(run, id=place + 1) for place in range(340)], b"#" * 100_000)
+    text = checked(html).text
+    assert html.count('<abbr class="badge good"') == 300 + 1  # in the footer
+    assert "292 earlier runs" in text
+    assert "40 older runs are not shown." in text
+    assert "(the rest is left out)" in text
+    assert len(html) < 200_000
+
+
+# -- classes -----------------------------------------------------------------------------------------------
+
+
+def pages_of(cohort, rows, title="geo"):
+    """The page of a class, of which count alone is there, and the pages of its students by file."""
+    problems = {"count": find_problem("count")}
+    results = {(each.problem, each.file): each.result for each in rows}
+    html = class_page(cohort, results, problems, title=title, generated=NOW)
+    return html.decode(), {
+        name: content.decode()
+        for name, content in feedback_pages(cohort, results, problems, title=title, generated=NOW)
+    }
+
+
+def test_the_page_of_a_class():
+    cohort = small_class()
+    html, _ = pages_of(cohort, representatives(cohort, ROWS))
+    assert html == pages_of(cohort, representatives(cohort, ROWS))[0]
+    assert is_page(html.encode()[:2000], CLASS_MARK)
+    text = " ".join(checked(html).text.split())
+    assert "students 6" in text
+    assert "zoe not on the list" in text
+    assert "count, forgotten-abs: Bob\\x1b[31m" in text  # stuck
+    assert "Nothing submitted <script>alert(1)</script>" in text
+    assert "count: 4 of 6 submitted, 1 accepted" in text
+    assert "identical after removing names, spacing and comments: Bob\\x1b[31m, =HYPERLINK(1)" in text
+    assert html.count('<article id="kata-2-case-') == 2  # of each mistake on count one case
+    assert html.count('<figure class="drawing"') == 2
+
+
+def test_the_page_of_a_student_has_nothing_of_others():
+    _, pages = pages_of(small_class(), ROWS)
+    assert list(pages) == ["ann.html", "bob.html", "cid.html", "dee__31m王.html", "zoe.html"]
+    for html in pages.values():
+        assert is_page(html.encode()[:2000], FEEDBACK_MARK)
+        checked(html)
+    assert "forgotten-abs" in pages["bob.html"]
+    assert "bob/count-" in pages["bob.html"]
+    for other in ("Ann Lee", "HYPERLINK", "cid/", "tangent-twice"):
+        assert other not in pages["bob.html"]
+    text = " ".join(Outline(pages["ann.html"]).text.split())
+    assert "katas solved 1 of 2 points of 200 120" in text
+
+
+def test_a_student_may_be_called_anything():
+    ids = ["../../etc/passwd", "a/b", "a_b", "A_B", "..", "", "x" * 300, EVIL]
+    rows = [row(who, "count", EVIL, ("grid",), file=f"{EVIL}{at}.py") for at, who in enumerate(ids)]
+    students = [*(Student(who, EVIL, EVIL) for who in ids), *STUDENTS]
+    html, pages = pages_of(class_of(*rows, students=students), rows, EVIL)
+    assert checked(html).text.count("document.title='pwned'") > 10
+    assert len(pages) == len(ids)
+    assert len({name.casefold() for name in pages}) == len(ids)
+    for name, page in pages.items():
+        assert re.fullmatch(r"[^./\\<>\x00][^/\\<>\x00]{0,70}\.html", name)
+        assert checked(page).text.count("document.title='pwned'") >= 4
+
+
+def test_no_other_page_is_written_over():
+    html, pages = pages_of(small_class(), ROWS)
+    assert not is_page(html.encode(), FEEDBACK_MARK)
+    assert not is_page(pages["bob.html"].encode(), CLASS_MARK)
+    assert not is_page(b"<!doctype html><title>mine</title>", MARK)
+    assert not is_page(b"", MARK)
+    older = b'<!doctype html>\n<meta name="generator" content="circle-line-judge report, judge 0.1.0">'
+    assert is_page(older, MARK)
