@@ -99,13 +99,13 @@ def test_what_is_due(judge, monkeypatch):
     passed("middle", when=START)
     passed("count", without=("band",), when=START)
     shown = judge("due")
-    assert shown.lines[0] == "Nothing today."
+    assert shown.lines[0] == "Nothing is due today."
     assert shown.lines[4].split()[:4] == ["count", "in", "1", "day"]
     monkeypatch.setattr(kept, "now", lambda: START + timedelta(days=2, hours=1))
     shown = judge("due")
     assert shown.lines[0] == "Today  1 kata"
     assert shown.lines[2].split()[:4] == ["count", "1", "day", "ago"]
-    assert "never solved: after 1 day" in shown.lines[2]
+    assert "2026-03-01: not solved, so again after 1 day" in shown.lines[2]
     assert "  next  judge init count count_0303.py" in shown.lines
     found = json.loads(judge("due", "--json").out)
     assert [review["problem"] for review in found["due"]] == ["count"]
