@@ -9,7 +9,8 @@ from pathlib import Path
 
 from judge.errors import ProblemError
 from judge.kata.checklist import Checklist, Record, RowProgress, assess_rows, read_checklist
-from judge.kata.hacks import Hack, broken
+from judge.kata.events import Answer, Hack
+from judge.kata.hacks import broken
 from judge.kata.history import History
 from judge.kata.quiz.cards import sound_decks
 from judge.kata.skills import SkillProgress, assess, skills_of
@@ -30,7 +31,7 @@ def assessed_rows(
     cards = [card for deck in decks for card in deck.cards]
     runs = history.runs()
     skills: list[SkillProgress] = assess(skills_of(problems, extra), runs, problems)
-    record = Record(standings(runs), skills, history.answers(), _broken(history))
+    record = Record(standings(runs), skills, history.events(Answer), _broken(history))
     here = [problem.id for problem in problems]
     rows = assess_rows(checklist.rows, record, cards, here, breaking="hack" in drills)
     return checklist, rows, faults
@@ -39,7 +40,7 @@ def assessed_rows(
 def _broken(history: History) -> dict[str, datetime]:
     """When each mistake was first broken with a case of the person's own, by "problem/mistake"."""
     of_problem: defaultdict[str, list[Hack]] = defaultdict(list)
-    for hack in history.hacks():
+    for hack in history.events(Hack):
         of_problem[hack.problem].append(hack)
     return {
         f"{problem}/{mistake}": when

@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
-from judge.kata.answers import Answered
+from judge.kata.events import Answer
 from judge.kata.skills import SkillProgress, SkillState
 from judge.kata.standing import Standing
 from judge.problem.find import problem_roots
@@ -199,7 +199,7 @@ class Record(Struct, frozen=True):
 
     standings: Mapping[str, Standing]
     skills: Sequence[SkillProgress]
-    answers: Sequence[Answered]
+    answers: Sequence[Answer]
     broken: Mapping[str, datetime]
 
 
@@ -212,7 +212,7 @@ def assess_rows(
     there already.
     """
     here = set(here)
-    answered: dict[str, list[Answered]] = {}
+    answered: dict[str, list[Answer]] = {}
     for answer in record.answers:
         answered.setdefault(answer.card, []).append(answer)
     skills = {each.skill.name: each for each in record.skills}
@@ -251,7 +251,7 @@ def _of_skill(progress: SkillProgress) -> Evidence:
     )
 
 
-def _of_card(row: Row, card: Card, answers: Sequence[Answered]) -> Evidence:
+def _of_card(row: Row, card: Card, answers: Sequence[Answer]) -> Evidence:
     known = [answer for answer in answers if answer.known]
     lost = bool(known) and not answers[-1].known
     return Evidence(Kind.CARD, card.key, f"judge quiz --row {row.id}", known[0].when if known else None, lost)

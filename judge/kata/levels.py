@@ -8,7 +8,7 @@ from datetime import datetime
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.problem import Problem
 from judge.problem.model import KataLevel
 

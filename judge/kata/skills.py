@@ -22,7 +22,7 @@ from typing import NamedTuple
 from msgspec import Struct
 
 from judge.errors import ProblemError, nearest
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.problem.model import group_place

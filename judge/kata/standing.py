@@ -8,7 +8,7 @@ from enum import Enum
 
 from msgspec import Struct
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 
 
 class State(Enum):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 
-from judge.kata.answers import Rating
+from judge.kata.events import Rating
 from judge.kata.review import Review
 from judge.languages import file_name
 from judge.report.history import day

@@ -8,9 +8,10 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from cli_support import ROOT
+from msgspec.structs import replace
 
-from judge.kata import history as kept
-from judge.kata.history import History
+from judge.kata import events
+from judge.kata.history import History, run_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Mode, Pitfall, Result
@@ -46,7 +47,7 @@ def passed(*problems, without=(), mistake=None, when=None):
     """Keep a run of each problem that passed the whole but for these groups."""
     verdict = Verdict.WA if without else Verdict.AC
     pitfall = Pitfall((mistake,), 0.9, ("",)) if mistake else None
-    with History.open(clock=lambda: when or datetime.now(UTC)) as history:
+    with History.open() as history:
         for problem in problems:
             groups = tuple(
                 GroupResult(
@@ -60,9 +61,9 @@ def passed(*problems, without=(), mistake=None, when=None):
                 )
                 for each in find_problem(problem).groups
             )
-            source = str(len(history.runs())).encode()
+            source = b"%d" % len(history.runs())
             result = Result(problem, "a.py", Mode.FUNCTION, verdict, groups, pitfall=pitfall)
-            history.add(result, source, "/a.py")
+            history.keep(replace(run_of(result, source, "/a.py"), when=when or datetime.now(UTC)), source)
 
 
 # -- judge progress ---------------------------------------------------------------------------------------
@@ -95,13 +96,13 @@ def test_the_checklist(judge, own_pack):
 
 
 def test_what_is_due(judge, monkeypatch):
-    monkeypatch.setattr(kept, "now", lambda: START)
+    monkeypatch.setattr(events, "now", lambda: START)
     passed("middle", when=START)
     passed("count", without=("band",), when=START)
     shown = judge("due")
     assert shown.lines[0] == "Nothing is due today."
     assert shown.lines[4].split()[:4] == ["count", "in", "1", "day"]
-    monkeypatch.setattr(kept, "now", lambda: START + timedelta(days=2, hours=1))
+    monkeypatch.setattr(events, "now", lambda: START + timedelta(days=2, hours=1))
     shown = judge("due")
     assert shown.lines[0] == "Today  1 kata"
     assert shown.lines[2].split()[:4] == ["count", "1", "day", "ago"]

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from datetime import timedelta
 
-import pytest
-from past_runs import START, StoppedClock
+from past_runs import START
 
-from judge.kata.answers import Answered, Rating
 from judge.kata.checklist import Kind, Record, Row, assess_rows
-from judge.kata.history import History
+from judge.kata.events import Answer, Rating
 from judge.kata.quiz.cards import Card
 from judge.kata.quiz.choose import due_cards, new_cards, next_cards, next_due
 from judge.kata.review import card_reviews
@@ -24,7 +22,7 @@ def card(name, *rows, form="choice", sets=(), problem=""):
 
 
 def answered(name, rating, when=START):
-    return Answered(when, f"deck/{name}", "choice", rating, True)
+    return Answer(f"deck/{name}", "choice", rating, True, when=when)
 
 
 def skill(name, since, failing=()):
@@ -75,25 +73,14 @@ def test_one_mistake_that_was_broken_is_enough():
     assert ticked.drills == ("judge hack count a", "judge hack count b")
 
 
-@pytest.fixture
-def quizzed():
-    clock = StoppedClock()
-    with History.open(clock=clock) as history:
-
-        def answer(name, rating, **pause):
-            history.answer(f"deck/{name}", "choice", rating, judged=True)
-            clock.forward(**(pause or {"minutes": 1}))
-
-        answer.history, answer.clock = history, clock
-        yield answer
-
-
-def test_what_is_due_comes_first_then_what_is_new(quizzed):
+def test_what_is_due_comes_first_then_what_is_new():
     cards = [card("new"), card("good"), card("bad"), card("drawn", form="count")]
-    quizzed("good", Rating.GOOD)
-    quizzed("bad", Rating.AGAIN)
-    quizzed("drawn", Rating.EASY, days=1, hours=1)
-    found, now = card_reviews(quizzed.history.answers()), quizzed.clock()
+    answers = [
+        answered("good", Rating.GOOD),
+        answered("bad", Rating.AGAIN, START + timedelta(minutes=1)),
+        answered("drawn", Rating.EASY, START + timedelta(minutes=2)),
+    ]
+    found, now = card_reviews(answers), START + timedelta(days=1, hours=1)
     assert [each.id for each in due_cards(cards, found, now)] == ["bad"]
     assert [each.id for each in new_cards(cards, found)] == ["new"]
     assert [each.id for each in next_cards(cards, found, now, 5)] == ["bad", "new"]

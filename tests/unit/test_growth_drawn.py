@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
-from past_runs import StoppedClock, past_result
+from past_runs import keep, past_result
 
 from judge.drawing.braille import to_braille
 from judge.drawing.svg import to_svg
@@ -36,9 +36,9 @@ def test_a_law_is_drawn_beside_the_reference():
 
 @pytest.fixture
 def runs(tmp_path):
-    with History.open(tmp_path / "history.sqlite3", clock=StoppedClock()) as history:
+    with History.open(tmp_path / "history.sqlite3") as history:
         result = past_result("count", "n-2000")
-        history.add(replace(result, time=Timing(4.3, 4.5, growth=GROWTH)), b"", "/x/mine.py")
+        keep(history, replace(result, time=Timing(4.3, 4.5, growth=GROWTH)), b"", "/x/mine.py")
         return list(history.runs())
 
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import shutil
 from datetime import timedelta
-from itertools import count
 from pathlib import Path
 
 import pytest
-from past_runs import START, StoppedClock, past_result
+from msgspec.structs import replace
+from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.kata.answers import Rating
-from judge.kata.history import History
+from judge.kata.events import Help, Rating, Run
+from judge.kata.history import run_of
 from judge.kata.review import LADDER, reviews
 from judge.kata.sets import find_set
 from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
@@ -107,16 +107,14 @@ CLAMP = Skill("clamp", "…", (Need("segment", ("beyond", "tangent-beyond")),))
 
 @pytest.fixture
 def after():
-    """The progress of skills after results, a day apart."""
-    clock = StoppedClock()
+    """The progress of a skill after results, a day apart; those of all calls follow each other."""
+    runs: list[Run] = []
 
     def run(skill, *results):
-        with History.open(clock=clock) as history:
-            for result in results:
-                history.add(result, repr(result).encode(), "")
-                clock.forward(days=1)
-            problems = [find_problem(name) for name in ("segment", "count")]
-            return assess([skill], history.runs(), problems)[0]
+        for result in results:
+            when = START + timedelta(days=len(runs))
+            runs.append(replace(run_of(result, repr(result).encode(), ""), when=when))
+        return assess([skill], runs, [find_problem(name) for name in ("segment", "count")])[0]
 
     return run
 
@@ -155,55 +153,55 @@ RIGHT = past_result()
 
 
 class Person:
-    """A person at work: results follow each other by minutes, each of a new source unless one is given."""
+    """A person at work: results follow each other by minutes, each of a new source."""
 
-    def __init__(self, history, clock):
-        self.history, self.clock = history, clock
-        self._sources = count()
+    def __init__(self):
+        self.runs, self.helps, self.now = [], [], START
 
-    def judge(self, *results, source=None):
+    def judge(self, *results):
         for result in results:
-            self.history.add(result, source or b"%d" % next(self._sources), "")
-            self.clock.forward(minutes=5)
+            source = b"%d" % len(self.runs)
+            self.runs.append(replace(run_of(result, source, ""), when=self.now))
+            self.now += timedelta(minutes=5)
 
-    def pause(self, **amount):
-        self.clock.forward(**amount)
+    def help(self, hints):
+        self.helps.append(Help("segment", hints, when=self.now))
+
+    def pause(self, days):
+        self.now += timedelta(days=days)
 
     def stands(self):
-        found = reviews(self.history.runs(), self.history.helps())
-        return [(each.rating, each.sittings, each.days) for each in found]
+        return [(each.rating, each.sittings, each.days) for each in reviews(self.runs, self.helps)]
 
 
 @pytest.fixture
 def person():
-    clock = StoppedClock()
-    with History.open(clock=clock) as history:
-        yield Person(history, clock)
+    return Person()
 
 
 def test_the_ladder(person):
     days = []
     for _ in range(len(LADDER)):
         person.judge(RIGHT)
-        (review,) = reviews(person.history.runs(), [])
+        (review,) = reviews(person.runs, [])
         assert review.due == review.last + timedelta(days=review.days)
         days.append(review.days)
-        person.pause(days=review.days)
+        person.pause(review.days)
     assert days == [3, 8, 21, 60, 180, 180]
     assert review.in_a_row == len(LADDER)
     person.judge(WRONG, RIGHT)
     assert person.stands() == [(Rating.HARD, 7, 60)]
-    person.pause(days=60)
+    person.pause(60)
     person.judge(WRONG)
     assert person.stands() == [(Rating.AGAIN, 8, 1)]
 
 
 def test_hints_and_giving_up(person):
-    person.history.see_hints("segment", 2)
+    person.help(2)
     assert person.stands() == []
     person.judge(RIGHT)
     assert person.stands() == [(Rating.HARD, 1, 1)]
-    person.pause(days=1)
-    person.history.give_up("segment")
+    person.pause(1)
+    person.help(0)
     person.judge(RIGHT)
     assert person.stands() == [(Rating.AGAIN, 2, 1)]

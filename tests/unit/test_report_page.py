@@ -3,12 +3,12 @@
 import base64
 import hashlib
 import re
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from html.parser import HTMLParser
 
 import pytest
 from msgspec.structs import replace
-from past_runs import StoppedClock
+from past_runs import START, keep
 
 from judge.kata.history import History
 from judge.mistakes.told import told_mistakes
@@ -45,11 +45,9 @@ def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, na
 
 def kept(path, results, source=b"print(1)\n"):
     """The runs that these results make, an hour after another."""
-    clock = StoppedClock()
-    with History.open(path, clock=clock) as history:
-        for result in results:
-            history.add(result, source, "/home/somebody/mine.py")
-            clock.forward(hours=1)
+    with History.open(path) as history:
+        for hours, result in enumerate(results):
+            keep(history, result, source, "/home/somebody/mine.py", START + timedelta(hours=hours))
         return history.runs()
 
 

@@ -16,8 +16,9 @@ from judge.cli.table import COMMANDS
 from judge.errors import ExitCode
 from judge.kata.assessed import assessed_rows
 from judge.kata.checklist import RowProgress, Section, by_section, find_row, in_set, read_checklist
+from judge.kata.events import Hack, Run
 from judge.kata.hacks import HackShare, hack_shares
-from judge.kata.history import History, Run
+from judge.kata.history import History
 from judge.kata.levels import LevelStanding, level_standings
 from judge.kata.overview import SetStanding, set_standings
 from judge.kata.sets import USUAL, find_set, set_names
@@ -82,7 +83,7 @@ def command(
     names = {problem.id for problem in chosen.problems}
     with history_at(db, reading=True) as history:
         runs = [run for run in history.runs() if run.problem in names]
-        hacks = history.hacks()
+        hacks = history.events(Hack)
         parts = _parts(history, chosen.name, folders)
     assessed = assess(skills_of(chosen.problems, folders), runs, chosen.problems)
     levels = level_standings(chosen.problems, runs)

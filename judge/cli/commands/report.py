@@ -13,7 +13,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.cli.table import COMMANDS
 from judge.cli.target import OutFile, moment
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
-from judge.kata.history import Run
+from judge.kata.events import Answer, Hack, Run
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
@@ -71,7 +71,7 @@ def command(
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with history_at(db, reading=True) as history:
         runs = history.runs()
-        answers, hacks = history.answers(), history.hacks()
+        answers, hacks = history.events(Answer), history.events(Hack)
         if not (runs or answers or hacks):
             remedy = "judge something first: judge run PROBLEM FILE"
             raise UsageError("there is nothing to report", where=str(history.path), remedy=remedy)

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.kata.skills import mistake_names
 from judge.problem import Problem, Verdict
 from judge.report.page.parts import Explained, FailingCase

@@ -9,10 +9,8 @@ from datetime import datetime, tzinfo
 from msgspec.structs import replace
 
 from judge import __version__
-from judge.kata.answers import Answered
 from judge.kata.checklist import RowProgress, Section
-from judge.kata.hacks import Hack
-from judge.kata.history import Run
+from judge.kata.events import Answer, Hack, Run
 from judge.kata.levels import level_standings
 from judge.kata.skills import SkillProgress, mistake_names
 from judge.problem import Problem, Tier, Verdict
@@ -49,7 +47,7 @@ def compose_page(
     skills: Sequence[SkillProgress] = (),
     *,
     ready: Sequence[tuple[Section, Sequence[RowProgress]]] = (),
-    answers: Sequence[Answered] = (),
+    answers: Sequence[Answer] = (),
     hacks: Sequence[Hack] = (),
     generated: datetime,
     zone: tzinfo | None = None,
@@ -116,7 +114,7 @@ def _place(known: KnownProblem | None) -> int:
 
 def _tiles(
     runs: Sequence[Run],
-    answers: Sequence[Answered],
+    answers: Sequence[Answer],
     names: Sequence[str],
     parts: Mapping[str, ProblemPart],
     skills: Sequence[SkillLine],

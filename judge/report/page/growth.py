@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import ceil, floor, log10
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.report.page.parts import GridLine, GrowthDot, GrowthLine, GrowthPlot
 from judge.report.page.record import GrowthRecord, PointRecord, read_record
 from judge.report.values import seconds

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import ceil, floor, log10
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.problem import Verdict
 from judge.report.page.parts import Dot, GridLine, Plot
 from judge.report.page.record import RatioRecord, read_record

@@ -9,7 +9,7 @@ import msgspec
 from msgspec import Struct
 
 from judge.errors import HistoryError
-from judge.kata.history import Run
+from judge.kata.events import Run
 
 
 class GroupRecord(Struct, frozen=True):
