@@ -24,11 +24,11 @@ from judge.judging.job import RunOptions
 from judge.kata.checklist import read_checklist
 from judge.kata.events import Answer, Help, now
 from judge.kata.history import History
+from judge.kata.progress import Standing, standings
 from judge.kata.quiz.cards import Card
 from judge.kata.quiz.choose import next_cards, rising
 from judge.kata.review import card_reviews, reviews
 from judge.kata.sets import FIRST, USUAL, find_set
-from judge.kata.standing import Standing, State, standings
 from judge.languages import file_name
 from judge.problem import Problem, Tier
 from judge.report.interview import Outcome, interview_lines, kata_lines, kata_prompt, over_lines, page_lines
@@ -131,7 +131,7 @@ def _usual_kata(wanted: Interview, folders: Sequence[Path], history: History) ->
         if review.name in named and review.is_due(now().astimezone()):
             return named[review.name]
     found = standings(runs)
-    new = [each for each in problems if found.get(each.id, Standing()).state is not State.PASSED]
+    new = [each for each in problems if found.get(each.id, Standing()).passed is None]
     later = [each for each in new if FIRST not in each.sets]
     return (later or new or list(problems))[0]
 

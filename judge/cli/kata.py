@@ -18,8 +18,8 @@ from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.kata.events import Started
+    from judge.kata.progress import Standing
     from judge.kata.sets import PracticeSet
-    from judge.kata.standing import Standing
 
 
 def kata_in_hand(db: Path | None) -> Started:
@@ -140,12 +140,10 @@ def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Probl
 
     None where all others are passed.
     """
-    from judge.kata.standing import State
-
     names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
     for problem, standing in [*katas[at:], *katas[:at]]:
-        if standing.state is not State.PASSED and problem.id != after:
+        if standing.passed is None and problem.id != after:
             return problem
     return None
 
@@ -153,8 +151,8 @@ def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Probl
 def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, list[tuple[Problem, Standing]]]:
     """The path: all katas in order, and how the person stands with each."""
     from judge.cli.kept import history_at
+    from judge.kata.progress import Standing, standings
     from judge.kata.sets import USUAL, find_set
-    from judge.kata.standing import Standing, standings
 
     path = find_set(USUAL, folders)
     with history_at(db, reading=True) as history:

@@ -16,7 +16,7 @@ _FIRST = {
         "hint": ("Give the next hint.", "katas"),
         "solution": ("Explain a model solution.", "katas"),
         "next": ("Go on to the next kata.", "katas"),
-        "progress": ("Tick off the skills that your runs have shown.", "katas"),
+        "progress": ("Show what you can do so far.", "katas"),
     },
     "To look around": {
         "list": ("List the problems.", "answers"),
@@ -64,7 +64,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "hint": ("judge hint", "judge hint count --step 2"),
     "solution": ("judge solution", "judge solution count --give-up"),
     "next": ("judge next", "judge next --init"),
-    "progress": ("judge progress", "judge progress junior", "judge progress --row Q7"),
+    "progress": ("judge progress", "judge progress junior", "judge progress --question Q7"),
     "list": ("judge list", "judge list --json"),
     "show": ("judge show count", "judge show count --groups"),
     "help": ("judge help quiz", "judge help --search tolerance"),

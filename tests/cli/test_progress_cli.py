@@ -76,20 +76,22 @@ def test_the_shipped_solutions_are_nobodys_progress(judge):
     assert "which-side" in judge("history").out
 
 
-def test_the_checklist(judge, own_pack):
-    assert judge("progress", "means").lines[0] == "Means  0 of 1 skills shown"
+def test_what_was_learned(judge, own_pack):
+    assert judge("progress", "means").lines[0] == "Means: 0 of 1 skill"
     passed("middle", without=("half",), mistake="floor-division", when=START)
-    assert judge("progress", "means").lines[3].split()[:3] == ["no", "floor", "1"]
+    assert judge("progress", "means").lines[2].split() == ["open", "no", "floor"]
     passed("middle", when=START + timedelta(days=1))
     shown = judge("progress", "means")
-    assert shown.lines[0] == "Means  1 of 1 skills shown"
-    assert shown.lines[3].split()[:3] == ["no", "floor", "✓"]
-    assert "floor-division" in "\n".join(shown.lines[4:])
+    assert shown.lines[0] == "Means: 1 of 1 skill"
+    assert shown.lines[2].split() == ["shown", "no", "floor"]
+    assert "1 of 1 solved: middle" in shown.out
+    assert "floor-division" in shown.out
     (skill,) = json.loads(judge("progress", "means", "--json").out)["skills"]
     assert (skill["state"], skill["attempts"], skill["since"]) == ("shown", 2, "2026-03-02T09:00:00+00:00")
     assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
     passed("middle", without=("half",))
-    assert "Fails middle half." in judge("progress", "means").out
+    assert "no floor: fails middle half" in judge("progress", "means").out
+    assert "Fails middle half." in judge("progress", "means", "--all").out
 
 
 # -- judge due --------------------------------------------------------------------------------------------

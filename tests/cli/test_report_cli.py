@@ -96,12 +96,12 @@ def test_every_question_is_there_with_its_state(report):
     assert re.search(r"Ready\?", ready)
 
 
-def test_a_broken_checklist_costs_the_report_its_questions_only(judge, submit, tmp_path):
+def test_a_broken_checklist_costs_the_report_its_skills_and_questions_only(judge, submit, tmp_path):
     source = (ROOT / "solutions" / "segment" / "accepted" / "quadratic.py").read_text(encoding="utf-8")
     assert judge("run", "segment", submit(source), "-q").status == 0
     (tmp_path / "own").mkdir()
     (tmp_path / "own" / "checklist.toml").write_text("sections = 3\nrows = []\n")
     ended = judge("report", "--no-matrix", "--problems", tmp_path / "own")
     assert ended.status == 0
-    assert "the questions are left out: own/checklist.toml:1" in ended.err
+    assert "skills and questions are left out: own/checklist.toml:1" in ended.err
     assert 'id="ready"' not in Path("judge-report.html").read_text(encoding="utf-8")

@@ -129,11 +129,11 @@ def _narrowed(
     if row is not None:
         from judge.kata.checklist import find_row, read_checklist
 
-        wanted = find_row(row, read_checklist(folders)).id
+        wanted = find_row(row, read_checklist(folders).rows).id
         found = [card for card in found if wanted in card.rows]
         if not found:
             raise UsageError(
-                f"no card drills the row {wanted!r}", remedy=f"see 'judge progress --row {wanted}'"
+                f"no card drills the row {wanted!r}", remedy=f"see 'judge progress --question {wanted}'"
             )
     if key is not None:
         meant = nearest(key, [card.key for card in found])

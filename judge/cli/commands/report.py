@@ -10,7 +10,6 @@ import click
 
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.table import COMMANDS
 from judge.cli.target import OutFile, moment
 from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.kata.events import Answer, Hack, Run
@@ -22,8 +21,7 @@ from judge.report.progress import progress
 from judge.report.screen import note, out
 
 if TYPE_CHECKING:
-    from judge.kata.checklist import RowProgress, Section
-    from judge.kata.skills import SkillProgress
+    from judge.kata.progress import Progress
     from judge.report.page.known import KnownProblem
     from judge.run.matrix import Matrix
 
@@ -83,15 +81,14 @@ def command(
     # What only accepted its own solutions, as README's first command does, has nothing to learn from.
     told = {run.problem for run in runs if run.counts or not run.whole}
     known = _known(folders, told, matrix=matrix)
-    skills = _skills([each.problem for each in known], folders, runs)
-    ready = _ready([each.problem for each in known], folders, db)
+    learned = _progress([each.problem for each in known], folders, db)
     page = render(
         compose_page(
             runs,
             known,
             sources,
-            skills,
-            ready=ready,
+            learned.skills,
+            ready=learned.sections,
             answers=answers,
             hacks=hacks,
             generated=moment(),
@@ -121,36 +118,20 @@ def _known(folders: Sequence[Path], told: Collection[str], *, matrix: bool) -> l
     return found
 
 
-def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
-    """How every skill stands; a checklist that is broken is left out."""
-    from judge.kata.skills import assess, skills_of, unknown_skills
-
-    try:
-        for fault in unknown_skills(problems, folders):
-            note(str(fault))
-        skills = skills_of(problems, folders)
-    except ProblemError as fault:
-        note(f"the checklist is left out: {fault}")
-        return []
-    return assess(skills, runs, problems)
-
-
-def _ready(
-    problems: Sequence[Problem], folders: Sequence[Path], db: Path | None
-) -> list[tuple[Section, list[RowProgress]]]:
-    """The questions of the checklist by section; one that is broken is left out."""
-    from judge.kata.assessed import assessed_rows
-    from judge.kata.checklist import by_section
+def _progress(problems: Sequence[Problem], folders: Sequence[Path], db: Path | None) -> Progress:
+    """What was learned; nothing where a file of skills or questions is broken."""
+    from judge.kata.checklist import unknown_skills
+    from judge.kata.progress import Progress, read_progress
 
     try:
         with history_at(db, reading=True) as history:
-            checklist, rows, faults = assessed_rows(history, problems, folders, COMMANDS)
+            found, faults = read_progress(history, problems, folders)
+        for fault in (*unknown_skills(problems, folders), *faults):
+            note(str(fault))
     except ProblemError as fault:
-        note(f"the questions are left out: {fault}")
-        return []
-    for each in faults:
-        note(str(each))
-    return by_section(checklist, rows)
+        note(f"skills and questions are left out: {fault}")
+        return Progress({}, (), ())
+    return found
 
 
 def _matrix(problem: Problem) -> Matrix | None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
 
 from judge.kata.events import Run
-from judge.kata.skills import mistake_names
+from judge.kata.progress import mistake_names
 from judge.problem import Problem, Verdict
 from judge.report.page.parts import Explained, FailingCase
 from judge.report.page.record import read_record

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from datetime import tzinfo
 
-from judge.kata.checklist import Kind, RowProgress, Section
+from judge.kata.checklist import Section
+from judge.kata.progress import Kind, RowProgress, SkillProgress, State
 from judge.kata.quiz.typed import listed
-from judge.kata.skills import SkillProgress, SkillState
 from judge.report.page.parts import ReadyLine, ReadyPart, SkillLine
 from judge.report.values import counted
 
@@ -45,14 +45,14 @@ def _ready(progress: RowProgress, zone: tzinfo | None) -> ReadyLine:
         id=progress.row.id,
         ask=progress.row.ask,
         state=progress.state.value,
-        by=(", " if progress.state is SkillState.SHOWN else ", or ").join(_by(progress)),
+        by=(", " if progress.state is State.SHOWN else ", or ").join(_by(progress)),
         since=since.astimezone(zone) if since else None,
     )
 
 
 def _by(progress: RowProgress) -> Iterator[str]:
     """What ticks the question; where nothing does, all that would."""
-    ticked = progress.state is SkillState.SHOWN
+    ticked = progress.state is State.SHOWN
     for kind in Kind:
         found = [each for each in progress.of(kind) if (each.since and not each.lost) or not ticked]
         if not found:

@@ -9,10 +9,9 @@ from datetime import datetime, tzinfo
 from msgspec.structs import replace
 
 from judge import __version__
-from judge.kata.checklist import RowProgress, Section
+from judge.kata.checklist import Section
 from judge.kata.events import Answer, Hack, Run
-from judge.kata.levels import level_standings
-from judge.kata.skills import SkillProgress, mistake_names
+from judge.kata.progress import RowProgress, SkillProgress, levels, mistake_names
 from judge.problem import Problem, Tier, Verdict
 from judge.report.page.cases import anchors, failing_cases, kind_of, left_out
 from judge.report.page.checklist import ready_parts, skill_lines
@@ -209,8 +208,9 @@ def _run_line(run: Run, case: str) -> RunLine:
 
 
 def _levels(runs: Sequence[Run], problem: Problem | None) -> Iterator[LevelMark]:
-    for each in level_standings([problem] if problem else [], runs):
-        yield LevelMark(each.level.value, each.groups, each.best, each.since)
+    for each in levels(problem, runs) if problem else ():
+        assert each.level is not None
+        yield LevelMark(each.level.value, len(each.groups), each.best, each.since)
 
 
 def _groups(runs: Sequence[Run], problem: Problem | None) -> Iterable[GroupMark]:
