@@ -141,7 +141,7 @@ def test_the_keys(watch, submit):
     terminal.press("h")
     assert last(terminal.sees("hint 2 of 3")).startswith("WA  ")
     terminal.press("l")
-    assert last(terminal.sees("The whole path", "more katas")).startswith("WA  ")
+    assert last(terminal.sees("All katas", "more katas")).startswith("WA  ")
     terminal.press("w")
     assert last(terminal.sees("The worked examples of the statement.")).startswith("WA  ")
     terminal.press("p")
