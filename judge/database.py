@@ -132,14 +132,9 @@ def _told(kind: Kind, fault: sqlite3.Error) -> tuple[str, str]:
     return f"the {kind.noun} cannot be used ({fault})", kind.elsewhere
 
 
-def is_busy(fault: JudgeError) -> bool:
-    """Whether it is another program that denied the file, or has put another in its place meanwhile."""
-    return _name(fault.__cause__).startswith(("SQLITE_BUSY", "SQLITE_LOCKED", "SQLITE_READONLY_DBMOVED"))
-
-
 def is_damaged(fault: JudgeError) -> bool:
-    """Whether SQLite found the file's own pages damaged."""
-    return _name(fault.__cause__).startswith(("SQLITE_CORRUPT", "SQLITE_NOTADB"))
+    """Whether SQLite found the file's own pages damaged, or another file in its place."""
+    return _name(fault.__cause__).startswith(("SQLITE_CORRUPT", "SQLITE_NOTADB", "SQLITE_READONLY_DBMOVED"))
 
 
 def _name(fault: BaseException | None) -> str:

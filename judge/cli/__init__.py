@@ -5,8 +5,8 @@
     options.py      options that several commands share; judging_options.py: those of the ones that judge
     submissions.py  reading the files to judge; target.py: the files that options write
     judging.py      what `judge run` and `judge watch` ask of `judge.judging`
-    regression.py, picture.py, recording.py, outputs.py
-                    what becomes of a result
+    regression.py, picture.py, outputs.py
+                    what becomes of a result; kept.py: the history
     kata.py         the kata in hand
     asking.py, interview.py, drilling.py
                     cards, the mock interview, and what to drill afterwards

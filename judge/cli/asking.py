@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from judge.cli.options import write_json
 from judge.errors import ProblemError
-from judge.kata.answers import Rating
+from judge.kata.events import Answer, Rating
 from judge.kata.quiz.question import MistypedError, Question, Reply
 from judge.report.layout import Span, Style, line
 from judge.report.screen import is_terminal, note, out
@@ -210,7 +210,7 @@ def drilled(drill: Drill) -> list[dict[str, Any]]:
     return [{"row": row.id, "ask": row.ask, "drill": list(commands)} for row, commands in drill]
 
 
-class Answer(Struct, frozen=True):
+class _Said(Struct, frozen=True):
     """What became of one question."""
 
     rating: Rating
@@ -242,7 +242,7 @@ class Round:
         self.voice.question(question, place, count)
         answer = _rated(question, self.voice) if question.check is None else _judged(question, self.voice)
         judged = question.check is not None
-        self.history.answer(card.key, card.form, answer.rating, judged=judged, given=answer.given[:_KEPT])
+        self.history.keep(Answer(card.key, card.form, answer.rating, judged, answer.given[:_KEPT]))
         self.asked.append((question, answer.rating))
         self.voice.reply(question, answer.reply, answer.rating)
 
@@ -257,13 +257,13 @@ class Round:
         return [question.card for question, rating in self.asked if rating in (Rating.AGAIN, Rating.HARD)]
 
 
-def _judged(question: Question, voice: Voice) -> Answer:
+def _judged(question: Question, voice: Voice) -> _Said:
     assert question.check is not None
     while True:
         voice.prompt(question.expects)
         typed = _line(voice)
         if typed == UNKNOWN:
-            return Answer(Rating.AGAIN)
+            return _Said(Rating.AGAIN)
         try:
             if not typed:
                 raise MistypedError(f"type {question.expects}; ? if you do not know, q to stop")
@@ -271,22 +271,22 @@ def _judged(question: Question, voice: Voice) -> Answer:
         except MistypedError as fault:
             voice.mistyped(str(fault))
             continue
-        return Answer(Rating.GOOD if reply.right else Rating.AGAIN, reply, reply.given)
+        return _Said(Rating.GOOD if reply.right else Rating.AGAIN, reply, reply.given)
 
 
-def _rated(question: Question, voice: Voice) -> Answer:
+def _rated(question: Question, voice: Voice) -> _Said:
     from judge.report.quiz import RATINGS
 
     voice.prompt(question.expects)
     typed = _line(voice)
     voice.model(question)
     if typed == UNKNOWN:
-        return Answer(Rating.AGAIN)
+        return _Said(Rating.AGAIN)
     while True:
         voice.prompt(RATINGS)
         rating = _RATINGS.get(_line(voice).lower())
         if rating is not None:
-            return Answer(rating, given=typed)
+            return _Said(rating, given=typed)
         voice.mistyped(f"type {RATINGS}")
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import AbstractContextManager
 
+from judge.cli.kept import Recording
 from judge.cli.picture import Drawing
-from judge.cli.recording import Recording
 from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish

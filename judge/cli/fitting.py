@@ -22,7 +22,7 @@ from judge.problem.find import find_problem, near_problem_folders, problem_folde
 from judge.problem.names import is_name
 
 if TYPE_CHECKING:
-    from judge.kata.history import Current
+    from judge.kata.events import Started
 
 
 def split(
@@ -191,7 +191,7 @@ def _in_hand(name: str, folders: Sequence[Path], db: Path | None) -> Problem | N
     return problem_of(current, folders)
 
 
-def _current(db: Path | None) -> Current | None:
+def _current(db: Path | None) -> Started | None:
     """The kata in hand; None, too, where the history cannot be read: whoever needs it says so."""
     from judge.kata.history import History
 

@@ -26,15 +26,17 @@ def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hin
 def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
     """Remember that the hints up to this one have been seen."""
     from judge.cli.kept import history_at
+    from judge.kata.events import Help
 
-    with history_at(db) as history:
-        if hint.number > history.hints_seen(problem.id):
-            history.see_hints(problem.id, hint.number)
+    if hint.number > hints_seen(problem, db):
+        with history_at(db) as history:
+            history.keep(Help(problem.id, hint.number))
 
 
 def hints_seen(problem: Problem, db: Path | None) -> int:
     """How many of the problem's hints have been seen."""
     from judge.cli.kept import history_at
+    from judge.kata.events import Help
 
     with history_at(db, reading=True) as history:
-        return history.hints_seen(problem.id)
+        return max((each.hints for each in history.events(Help, problem.id)), default=0)

@@ -22,12 +22,13 @@ from judge.cli.wish import Wish, named_problem
 from judge.errors import ExitCode, UsageError
 from judge.judging.job import RunOptions
 from judge.kata.checklist import read_checklist
-from judge.kata.history import History, now
+from judge.kata.events import Answer, Help, now
+from judge.kata.history import History
+from judge.kata.progress import Standing, standings
 from judge.kata.quiz.cards import Card
 from judge.kata.quiz.choose import next_cards, rising
 from judge.kata.review import card_reviews, reviews
 from judge.kata.sets import FIRST, USUAL, find_set
-from judge.kata.standing import Standing, State, standings
 from judge.languages import file_name
 from judge.problem import Problem, Tier
 from judge.report.interview import Outcome, interview_lines, kata_lines, kata_prompt, over_lines, page_lines
@@ -104,7 +105,7 @@ def _chosen(wanted: Interview, cards: Sequence[Card], history: History) -> tuple
         before = wanted.cards - after
     if not before + after:
         return [], []
-    known = card_reviews(history.answers())
+    known = card_reviews(history.events(Answer))
     pool = next_cards(cards, known, now(), len(cards), ahead=True)
     found = rising(pool, before + after, [tier.value for tier in Tier])
     return found[:before], found[before:]
@@ -126,11 +127,11 @@ def _usual_kata(wanted: Interview, folders: Sequence[Path], history: History) ->
         problems = find_set(USUAL, folders).problems
     named = {problem.id: problem for problem in problems}
     runs = history.runs()
-    for review in reviews(runs, history.helps()):
+    for review in reviews(runs, history.events(Help)):
         if review.name in named and review.is_due(now().astimezone()):
             return named[review.name]
     found = standings(runs)
-    new = [each for each in problems if found.get(each.id, Standing()).state is not State.PASSED]
+    new = [each for each in problems if found.get(each.id, Standing()).passed is None]
     later = [each for each in new if FIRST not in each.sets]
     return (later or new or list(problems))[0]
 

@@ -17,12 +17,12 @@ from judge.report.layout import Style
 from judge.report.screen import note
 
 if TYPE_CHECKING:
-    from judge.kata.history import Current
+    from judge.kata.events import Started
+    from judge.kata.progress import Standing
     from judge.kata.sets import PracticeSet
-    from judge.kata.standing import Standing
 
 
-def kata_in_hand(db: Path | None) -> Current:
+def kata_in_hand(db: Path | None) -> Started:
     """The kata that was taken up last; its file need not be there. Raises UsageError if there is none."""
     from judge.cli.kept import history_at
 
@@ -34,7 +34,7 @@ def kata_in_hand(db: Path | None) -> Current:
     return current
 
 
-def file_in_hand(db: Path | None) -> tuple[Current, str]:
+def file_in_hand(db: Path | None) -> tuple[Started, str]:
     """The kata in hand, and its file as a person would name it from here.
 
     Raises:
@@ -54,7 +54,7 @@ def problem_in_hand(name: str | None, folders: Sequence[Path], db: Path | None) 
     return problem_of(kata_in_hand(db), folders) if name is None else find_problem(name, folders)
 
 
-def problem_of(current: Current, folders: Sequence[Path]) -> Problem:
+def problem_of(current: Started, folders: Sequence[Path]) -> Problem:
     """The problem of the kata in hand, which keeps the folder it was found in. Raises UsageError."""
     try:
         return find_problem(current.problem, with_folder_of(current, folders))
@@ -66,7 +66,7 @@ def problem_of(current: Current, folders: Sequence[Path]) -> Problem:
         raise UsageError(what, where=current.problems, remedy=remedy) from fault
 
 
-def with_folder_of(current: Current | None, folders: Sequence[Path]) -> tuple[Path, ...]:
+def with_folder_of(current: Started | None, folders: Sequence[Path]) -> tuple[Path, ...]:
     """The folders to look in, the one of the kata in hand last."""
     kept = Path(current.problems) if current and current.problems else None
     return (*folders, kept) if kept is not None and kept.is_dir() else tuple(folders)
@@ -93,9 +93,10 @@ class Kata(Struct, frozen=True):
 def take_up(kata: Kata, db: Path | None) -> None:
     """Make it the kata in hand."""
     from judge.cli.kept import history_at
+    from judge.kata.events import Started
 
     with history_at(db) as history:
-        history.take_up(kata.problem.id, str(kata.path), folder_to_keep(kata.problem))
+        history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
 
 
 def _stub(problem: Problem, path: Path) -> str:
@@ -139,12 +140,10 @@ def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Probl
 
     None where all others are passed.
     """
-    from judge.kata.standing import State
-
     names = [problem.id for problem, _ in katas]
     at = names.index(after) + 1 if after in names else 0
     for problem, standing in [*katas[at:], *katas[:at]]:
-        if standing.state is not State.PASSED and problem.id != after:
+        if standing.passed is None and problem.id != after:
             return problem
     return None
 
@@ -152,8 +151,8 @@ def next_problem(after: str, katas: Sequence[tuple[Problem, Standing]]) -> Probl
 def the_path(folders: Sequence[Path], db: Path | None) -> tuple[PracticeSet, list[tuple[Problem, Standing]]]:
     """The path: all katas in order, and how the person stands with each."""
     from judge.cli.kept import history_at
+    from judge.kata.progress import Standing, standings
     from judge.kata.sets import USUAL, find_set
-    from judge.kata.standing import Standing, standings
 
     path = find_set(USUAL, folders)
     with history_at(db, reading=True) as history:

@@ -16,7 +16,7 @@ _FIRST = {
         "hint": ("Give the next hint.", "start"),
         "solution": ("Explain a model solution.", "start"),
         "next": ("Go on to the next kata.", "start"),
-        "progress": ("Tick off the skills that your runs have shown.", "start"),
+        "progress": ("Show what you can do so far.", "start"),
     },
     "To look around": {
         "list": ("List the problems.", "start"),
@@ -64,7 +64,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "hint": ("judge hint", "judge hint count --step 2"),
     "solution": ("judge solution", "judge solution count --give-up"),
     "next": ("judge next", "judge next --init"),
-    "progress": ("judge progress", "judge progress junior", "judge progress --row Q7"),
+    "progress": ("judge progress", "judge progress junior", "judge progress --question Q7"),
     "list": ("judge list", "judge list --json"),
     "show": ("judge show count", "judge show count --groups"),
     "help": ("judge help interview", "judge help --search tolerance"),

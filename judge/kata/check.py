@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from judge.errors import ProblemError
+from judge.kata.checklist import unknown_skills
 from judge.kata.sets import set_names, unknown_sets
-from judge.kata.skills import unknown_skills
 from judge.kata.stub import make_stub
 from judge.problem import Problem
 from judge.problem.hints import read_hints

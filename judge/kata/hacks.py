@@ -1,8 +1,8 @@
 """The wrong programs that a person broke with a case of their own (`judge hack`), as evidence.
 
     with History.open(reading=True) as history:
-        shares = hack_shares(problems, history.hacks())     # one for each problem that was tried
-        broken(history.hacks("count"))                      # mistake -> when it was first broken
+        shares = hack_shares(problems, history.events(Hack))     # one for each problem that was tried
+        broken(history.events(Hack, "count"))                      # mistake -> when it was first broken
 
 A program is broken by a case that keeps the promise and that it answers wrongly; by the case that was shown
 to whoever gave it up, it is not.
@@ -16,28 +16,8 @@ from enum import Enum
 
 from msgspec import Struct
 
+from judge.kata.events import Hack, Outcome
 from judge.problem import Problem
-
-
-class Outcome(Enum):
-    """How an attempt ended; the value is its name in the history and in JSON."""
-
-    WON = "won"
-    LOST = "lost"
-    GIVEN_UP = "given-up"
-
-
-class Hack(Struct, frozen=True):
-    """One attempt at the wrong program that makes `mistake`.
-
-    `case` is the line that a program reads; of one that was given up, the case that was shown, or nothing.
-    """
-
-    when: datetime
-    problem: str
-    mistake: str
-    case: str
-    outcome: Outcome
 
 
 class HackState(Enum):

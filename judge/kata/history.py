@@ -1,310 +1,305 @@
-"""Every run and its source, the kata in hand, the help that was taken, and the answers to cards.
+"""The history: one SQLite file of what a person did, which several judges may write at once.
+
+    <data folder>/history.sqlite3               the folder is the user's own; the file may be $JUDGE_DB
+    <data folder>/history.sqlite3.damaged-1     one that could not be read: a new one took its place
 
     with History.open() as history:
-        history.add(result, source, path)
+        history.keep(run_of(result, source, path), source)
         history.runs("count")                        # oldest first
         history.left_out                             # the rows that are damaged
 
-A row that is damaged is left out of what is read, and costs nothing else. A file that cannot be read is set
-aside, and a new one is begun. Where another program locks the file for long, what is to be kept is kept
-beside it (`judge.kata.beside`), and goes in when it is next opened.
-
-Importing this module imports no SQLite; opening a history does.
+A damaged row is left out of what is read, and costs nothing else. A file that another program locks is waited
+for, for some seconds. Importing this module imports no SQLite; opening a history does.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
 import zlib
-from collections.abc import Callable, Iterable, Sequence
-from datetime import UTC, datetime
+from collections.abc import Callable, Iterable
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from judge.errors import HistoryError, UsageError
-from judge.kata.answers import Answered, Rating
-from judge.kata.hacks import Hack, Outcome
-from judge.kata.rows import COLUMNS, DAMAGE, microseconds, read, text_of
-from judge.kata.rows import Current as Current
-from judge.kata.rows import Help as Help
-from judge.kata.rows import Run as Run
+from judge.folders import user_data
+from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
+from judge.reading import read_ordinary
 from judge.run.result import Result
 
 if TYPE_CHECKING:
     import sqlite3
 
-Clock = Callable[[], datetime]
+    from judge import database
+
+VARIABLE = "JUDGE_DB"
+APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database
+_ROW = "(id INTEGER PRIMARY KEY AUTOINCREMENT, time INTEGER NOT NULL"
+STEPS: tuple[tuple[str, ...], ...] = (
+    # A file at version n has had the first n steps. A step is never changed: a file that had it would not get
+    # the change. Times are microseconds since 1970 (UTC), names of files bytes as the system has them, groups
+    # names with a space between them; sources (by their sha256) and results are compressed by zlib.
+    (
+        "CREATE TABLE sources (hash TEXT PRIMARY KEY, body BLOB NOT NULL) WITHOUT ROWID",
+        f"""CREATE TABLE runs {_ROW}, problem TEXT NOT NULL, submission BLOB NOT NULL, path BLOB NOT NULL,
+            verdict TEXT NOT NULL, score INTEGER NOT NULL, mode TEXT NOT NULL, mistake TEXT, ratio REAL,
+            passed TEXT NOT NULL, failed TEXT NOT NULL, source TEXT NOT NULL REFERENCES sources,
+            result BLOB NOT NULL)""",
+        "CREATE INDEX runs_of_a_problem ON runs (problem, id)",
+    ),
+    (
+        "CREATE TABLE current (id INTEGER PRIMARY KEY, problem TEXT NOT NULL, path BLOB NOT NULL)",
+        f"CREATE TABLE help {_ROW}, problem TEXT NOT NULL, hints INTEGER NOT NULL)",
+        "CREATE INDEX help_with_a_problem ON help (problem, id)",
+    ),
+    ("ALTER TABLE current ADD COLUMN problems BLOB NOT NULL DEFAULT x''",),
+    (
+        f"""CREATE TABLE hacks {_ROW}, problem TEXT NOT NULL, mistake TEXT NOT NULL, line TEXT NOT NULL,
+            outcome TEXT NOT NULL)""",
+        "CREATE INDEX hacks_of_a_problem ON hacks (problem, id)",
+    ),
+    (
+        f"""CREATE TABLE answers {_ROW}, card TEXT NOT NULL, form TEXT NOT NULL, rating INTEGER NOT NULL,
+            judged INTEGER NOT NULL, given TEXT NOT NULL)""",
+    ),
+    (
+        f"CREATE TABLE started {_ROW}, problem TEXT NOT NULL, path BLOB NOT NULL, problems BLOB NOT NULL)",
+        "INSERT INTO started (time, problem, path, problems) SELECT 0, problem, path, problems FROM current",
+        "DROP TABLE current",
+    ),
+)
+_BESIDE = ("-wal", "-shm", "-journal", "")  # what SQLite keeps with a file, and the file itself
+_HEAD, _APPLICATION = 100, 68  # bytes of SQLite's header; where it names the application
+_MOST = 2**63 - 1  # what SQLite can be asked for
 _Found = TypeVar("_Found")
 
-_MOST = 2**63 - 1  # what SQLite can be asked for
 
-
-def now() -> datetime:
-    """The time, with its zone."""
-    return datetime.now(UTC)
+def history_path() -> Path:
+    """Where the history is: $JUDGE_DB, or a file in the user's own data folder. Raises HistoryError."""
+    if own := os.environ.get(VARIABLE):
+        return Path(own)
+    try:
+        return user_data() / "history.sqlite3"
+    except RuntimeError:
+        remedy = f"set ${VARIABLE} to a file"
+        raise HistoryError("there is no home folder for the history", remedy=remedy) from None
 
 
 class History:
     """The history in one file; a context manager. Every method raises HistoryError where the file fails."""
 
-    def __init__(self, path: Path, *, reading: bool, clock: Clock = now) -> None:
+    def __init__(self, path: Path, *, reading: bool) -> None:
         self.path = path
         self.left_out: set[tuple[str, object]] = set()  # the rows that are damaged: table and number
-        self.set_aside: Path | None = None  # where the file is that could not be read
-        self.waiting = 0  # how many rows are kept beside it, for it is locked
+        self.set_aside: Path | None = None  # where the file is now that could not be read
         self._reading = reading
-        self._clock = clock
-        self._connection: sqlite3.Connection = None  # type: ignore[assignment] # until it is open
-        self._open()
+        self._connection: sqlite3.Connection | None = None
+        self._file: tuple[int, int] | None = None
+        try:
+            self._connect()
+        except HistoryError as fault:
+            self._set_aside(fault)
+            self._connect()
 
     @classmethod
-    def open(cls, path: Path | None = None, *, reading: bool = False, clock: Clock = now) -> History:
+    def open(cls, path: Path | None = None, *, reading: bool = False) -> History:
         """The history at `path`; by default $JUDGE_DB or the file in the user's data folder.
 
         With `reading`, nothing is made where there is none yet, and a folder that cannot be written will do.
 
         Raises:
-            HistoryError: it cannot be opened, is newer than this judge, or is no history.
+            HistoryError: it cannot be opened, is newer than this judge, or is not a history.
         """
         try:
             import sqlite3  # noqa: F401
         except ImportError as fault:  # an interpreter that was built without it
             what = f"this Python cannot keep a history: {fault}"
             raise HistoryError(what, remedy="install its sqlite3 module") from fault
-        from judge.kata import beside
-        from judge.kata.database import history_path
-
-        history = cls(history_path() if path is None else path, reading=reading, clock=clock)
-        beside.take_in(history.path, history._connection)
-        return history
+        return cls(history_path() if path is None else path, reading=reading)
 
     def __enter__(self) -> History:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        self._connection.close()
+        if self._connection is not None:
+            self._connection.close()
 
-    def add(self, result: Result, source: bytes, path: str) -> int:
-        """Keep a run, in one transaction; its number, from 1, or 0 where it is kept beside the file."""
-        return self._append("runs", *run_rows(result, source, path, self._time()))
+    def keep(self, event: Event, source: bytes = b"") -> int:
+        """Keep an event, and the source that a run judged, in one transaction; its number, from 1."""
+        row = to_row(event)
+        names, marks = ", ".join(row), ", ".join("?" * len(row))
+
+        def kept(connection: sqlite3.Connection) -> int:
+            if isinstance(event, Run):
+                body = zlib.compress(source)
+                connection.execute("INSERT OR IGNORE INTO sources VALUES (?, ?)", (event.source_hash, body))
+            query = f"INSERT INTO {TABLES[type(event)]} ({names}) VALUES ({marks})"
+            return connection.execute(query, list(row.values())).lastrowid or 0
+
+        return self._do(kept, writing=True)
+
+    def events(self, kind: type[Kind], problem: str | None = None, limit: int | None = None) -> list[Kind]:
+        """The last `limit` events of a kind (all without one), with one problem or all; oldest first."""
+        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
+        most = -1 if limit is None else min(limit, _MOST)
+        found = []
+        for row in reversed(self._rows(kind, f"{where} ORDER BY id DESC LIMIT ?", *values, most)):
+            with contextlib.suppress(*DAMAGE):
+                found.append(from_row(kind, row))
+                continue
+            self.left_out.add((TABLES[kind], row["id"]))
+        return found
 
     def runs(self, problem: str | None = None, limit: int | None = None) -> list[Run]:
         """The last `limit` runs (all of them without one), of one problem or of all; oldest first."""
-        return self._all("runs", problem, limit)
+        return self.events(Run, problem, limit)
 
     def with_results(self, runs: Iterable[Run]) -> list[Run]:
         """Those of the runs whose results can be read; the others are left out."""
         found = []
         for run in runs:
-            try:
+            with contextlib.suppress(HistoryError):
                 run.levels  # noqa: B018 - which reads the result
                 found.append(run)
-            except HistoryError:
-                self.left_out.add(("runs", run.id))
+                continue
+            self.left_out.add(("runs", run.id))
         return found
 
     def run(self, number: int) -> Run:
         """The run of that number. Raises UsageError if there is none."""
-        rows = self._select("runs", "WHERE id = ?", (number,)) if 0 < number <= _MOST else []
+        rows = self._rows(Run, "WHERE id = ?", number) if 0 < number <= _MOST else []
         if not rows:
-            raise UsageError(f"there is no run {number}", remedy=self._numbers())
+            last = max((run.id for run in self.runs(limit=1)), default=0)
+            remedy = (
+                f"the last one is {last}; see 'judge history'" if last else "'judge run' adds the first one"
+            )
+            raise UsageError(f"there is no run {number}", remedy=remedy)
         try:
-            run: Run = read("runs", rows[0])
+            return from_row(Run, rows[0])
         except DAMAGE as fault:  # no judge wrote this
             raise HistoryError(f"run {number} is damaged", where=str(self.path)) from fault
-        return run
 
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        rows = self._select("sources", "WHERE hash = ?", (digest,))
+        query = "SELECT body FROM sources WHERE hash = ?"
         try:
-            source: bytes = read("sources", rows[0])
-        except (IndexError, *DAMAGE) as fault:  # it is not there, or no judge wrote it
+            ((body,),) = self._do(lambda connection: connection.execute(query, (digest,)).fetchall())
+            return zlib.decompress(body)
+        except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
-        return source
 
-    def latest_of(self, digest: str) -> int | None:
-        """The latest run that judged the source of that sha256, if there is one."""
-        ((number,),) = self._rows("SELECT max(id) FROM runs WHERE source = ?", (digest,))
-        return number if isinstance(number, int) else None
+    def current(self) -> Started | None:
+        """The kata that was taken up last, if there is one."""
+        return next(iter(self.events(Started, limit=1)), None)
 
-    def current(self) -> Current | None:
-        """The kata in hand, if one was taken up."""
-        return next(iter(self._all("current")), None)
+    def _rows(self, kind: type[Event], which: str, *values: object) -> list[dict[str, Any]]:
+        names = ["id", *columns(kind)]
+        query = f"SELECT {', '.join(names)} FROM {TABLES[kind]} {which}"
+        rows = self._do(lambda connection: connection.execute(query, values).fetchall())
+        return [dict(zip(names, row, strict=True)) for row in rows]
 
-    def take_up(self, problem: str, path: str, problems: str = "") -> None:
-        """Make that problem the kata in hand; the other arguments are those of `Current`."""
-        row = (problem, os.fsencode(path), os.fsencode(problems))
-        query = "REPLACE INTO current (id, problem, path, problems) VALUES (1, ?, ?, ?)"
-        self._change(lambda connection: connection.execute(query, row))
-
-    def hints_seen(self, problem: str) -> int:
-        """How many of the problem's hints have been seen."""
-        return max((each.hints for each in self.helps(problem)), default=0)
-
-    def see_hints(self, problem: str, count: int) -> None:
-        """Note that the first `count` hints of the problem are seen, now."""
-        if count > 0:
-            self._append("help", (self._time(), problem, count))
-
-    def give_up(self, problem: str) -> None:
-        """Note that the problem's solution was asked for before it was solved."""
-        self._append("help", (self._time(), problem, 0))
-
-    def gave_up(self, problem: str) -> bool:
-        """Whether the problem was ever given up."""
-        return any(each.gave_up for each in self.helps(problem))
-
-    def helps(self, problem: str | None = None) -> list[Help]:
-        """The help taken, with one problem or with all; oldest first."""
-        return self._all("help", problem)
-
-    def add_hack(self, problem: str, mistake: str, case: str, outcome: Outcome) -> None:
-        """Note an attempt to break the wrong program that makes the mistake; `case` is that of `Hack`."""
-        self._append("hacks", (self._time(), problem, mistake, case, outcome.value))
-
-    def hacks(self, problem: str | None = None) -> list[Hack]:
-        """The attempts to break wrong programs, of one problem or of all; oldest first."""
-        return self._all("hacks", problem)
-
-    def answer(self, card: str, form: str, rating: Rating, *, judged: bool, given: str = "") -> None:
-        """Keep an answer to a card, now."""
-        self._append("answers", (self._time(), card, form, int(rating), int(judged), given))
-
-    def answers(self) -> list[Answered]:
-        """Every answer to a card, oldest first."""
-        return self._all("answers")
-
-    def _append(self, table: str, row: Sequence[Any], source: Sequence[Any] | None = None) -> int:
-        """Add a row without its number; its number, or 0 where the file is locked for too long."""
-        from judge.database import is_busy
-        from judge.kata import beside
-
-        try:
-            return self._change(lambda connection: beside.inserted(connection, table, row, source))
-        except HistoryError as fault:
-            if not is_busy(fault):
-                raise
-            beside.keep(self.path, table, row, source, fault)
-            self.waiting += 1
-            return 0
-
-    def _numbers(self) -> str:
-        ((first, last),) = self._rows("SELECT min(id), max(id) FROM runs")
-        if first is None:
-            return "there are none yet; 'judge run' adds one"
-        return f"they go from {first} to {last}; see 'judge history'"
-
-    def _time(self) -> int:
-        return microseconds(self._clock())
-
-    def _all(self, table: str, problem: str | None = None, limit: int | None = None) -> list[Any]:
-        """What the last `limit` rows say, those of one problem or all; the damaged ones are left out."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
-        most = -1 if limit is None else min(limit, _MOST)
-        found = []
-        for row in reversed(self._select(table, f"{where} ORDER BY id DESC LIMIT ?", (*values, most))):
-            try:
-                found.append(read(table, row))
-            except DAMAGE:
-                self.left_out.add((table, row[0]))
-        return found
-
-    def _select(self, table: str, which: str, values: Sequence[object]) -> list[Any]:
-        return self._rows(f"SELECT {', '.join(COLUMNS[table])} FROM {table} {which}", values)
-
-    def _rows(self, query: str, values: Sequence[object] = ()) -> list[Any]:
-        from judge.database import faults
-        from judge.kata.database import HISTORY
-
-        def rows() -> list[Any]:
-            with faults(HISTORY, self.path):
-                return self._connection.execute(query, values).fetchall()
-
-        return self._again(rows)
-
-    def _change(self, work: Callable[[sqlite3.Connection], _Found]) -> _Found:
-        from judge.database import writing
-        from judge.kata.database import HISTORY
-
-        def changed() -> _Found:
-            with writing(HISTORY, self._connection, self.path) as connection:
-                return work(connection)
-
-        return self._again(changed)
-
-    def _open(self) -> None:
-        """Open the file; one that is damaged is set aside, and a new one is begun."""
-        from judge.database import connect
-        from judge.kata.database import HISTORY, identity
-
-        self._file = identity(self.path)
-        try:
-            self._connection = connect(HISTORY, self.path, reading=self._reading)
-        except HistoryError as fault:
-            self._set_aside(fault)
-            self._connection = connect(HISTORY, self.path, reading=self._reading)
-        self._connection.text_factory = text_of
-
-    def _again(self, work: Callable[[], _Found]) -> _Found:
+    def _do(self, work: Callable[[sqlite3.Connection], _Found], *, writing: bool = False) -> _Found:
         """What `work` returns; on a new file, if the old one is found to be damaged."""
-        try:
-            return work()
-        except HistoryError as fault:
-            self._set_aside(fault)
-            self._open()
-            return work()
+        from judge import database
+
+        for again in (True, False):
+            assert self._connection is not None
+            held = (_kind(), self._connection, self.path)
+            try:
+                with database.writing(*held) if writing else database.faults(held[0], self.path):
+                    return work(self._connection)
+            except HistoryError as fault:
+                if not again:
+                    raise
+                self._set_aside(fault)
+                self._connect()
+        raise AssertionError
+
+    def _connect(self) -> None:
+        from judge import database
+
+        self._file = _identity(self.path)
+        self._connection = database.connect(_kind(), self.path, reading=self._reading)
+        self._connection.text_factory = _text_of
 
     def _set_aside(self, fault: HistoryError) -> None:
-        """Set the file aside; raises `fault` where that does not say that our file is damaged."""
-        from judge.database import is_damaged
-        from judge.kata.database import is_ours, set_aside
+        """Rename the file, unless another judge has put a new one in its place meanwhile.
 
-        if not is_damaged(fault) or not is_ours(self.path):
+        Raises `fault` where that does not say that our file is damaged.
+        """
+        from judge import database
+
+        if not database.is_damaged(fault) or not _is_ours(self.path):
             raise fault
         if self._connection is not None:
             self._connection.close()
+        if _identity(self.path) != self._file:
+            return
+        names = (self.path.with_name(f"{self.path.name}.damaged-{number}") for number in count(1))
+        target = next(each for each in names if not os.path.lexists(each))
         try:
-            self.set_aside = set_aside(self.path, self._file) or self.set_aside
+            for suffix in _BESIDE:
+                with contextlib.suppress(FileNotFoundError):
+                    path = self.path.with_name(self.path.name + suffix)
+                    path.rename(target.with_name(target.name + suffix))
         except OSError:
             raise fault from None
+        self.set_aside = target
 
 
-def add_beside(path: Path | None, result: Result, source: bytes, file: str, fault: HistoryError) -> None:
-    """Keep a run beside a history that is locked; arguments as of `History.open` and `History.add`.
-
-    Raises `fault`, which says that it is locked, where that fails too.
-    """
-    from judge.kata import beside
-    from judge.kata.database import history_path
-
-    rows = run_rows(result, source, file, microseconds(now()))
-    beside.keep(history_path() if path is None else path, "runs", *rows, fault)
-
-
-def run_rows(result: Result, source: bytes, path: str, time: int) -> tuple[Sequence[Any], Sequence[Any]]:
-    """The row of a run without its number, and that of its source."""
-    digest = hashlib.sha256(source).hexdigest()
+def run_of(result: Result, source: bytes, path: str) -> Run:
+    """The run that judged that source to that result; `path` is that of `Run`."""
     published = json.dumps(result.as_json(), separators=(",", ":")).encode()
     accepted = [group.name for group in result.groups if group.verdict is Verdict.AC]
     rejected = [group.name for group in result.groups if group.verdict is not Verdict.AC]
-    row = (
-        time,
-        result.problem,
-        os.fsencode(result.submission),
-        os.fsencode(path),
-        result.verdict.value,
-        result.score,
-        result.mode.value,
-        result.pitfall.name if result.pitfall else None,
-        result.time.ratio.median if result.time.ratio else None,
-        " ".join(accepted),
-        " ".join(rejected),
-        digest,
-        zlib.compress(published),
+    return Run(
+        problem=result.problem,
+        submission=result.submission,
+        path=path,
+        verdict=result.verdict,
+        score=result.score,
+        mode=result.mode,
+        mistake=result.pitfall.name if result.pitfall else None,
+        ratio=result.time.ratio.median if result.time.ratio else None,
+        passed=tuple(accepted),
+        failed=tuple(rejected),
+        source_hash=hashlib.sha256(source).hexdigest(),
+        packed=zlib.compress(published),
     )
-    return row, (digest, zlib.compress(source))
+
+
+def _kind() -> database.Kind:
+    from judge import database
+
+    remedy = f"name another file with --db or ${VARIABLE}"
+    return database.Kind("history", APPLICATION, STEPS, remedy, HistoryError)
+
+
+def _identity(path: Path) -> tuple[int, int] | None:
+    """What tells the file at `path` from another one that takes its place; None where there is none."""
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_dev, found.st_ino
+
+
+def _is_ours(path: Path) -> bool:
+    """Whether the file there says that it is a history."""
+    try:
+        return read_ordinary(path, _HEAD)[_APPLICATION : _APPLICATION + 4] == APPLICATION.to_bytes(4, "big")
+    except OSError:
+        return False
+
+
+def _text_of(content: bytes) -> str | bytes:
+    """A text of the file; what is none stays bytes, so that it costs its own row alone."""
+    try:
+        return content.decode()
+    except UnicodeDecodeError:
+        return content

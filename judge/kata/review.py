@@ -18,12 +18,11 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from judge.kata.answers import Answered, Rating
-from judge.kata.history import Help, Run
+from judge.kata.events import Answer, Help, Rating, Run
 
 LADDER = (1, 3, 8, 21, 60, 180)  # days until it comes again
 _SITTING = timedelta(hours=8)  # without an event: then the next one has to be remembered
-_Event = TypeVar("_Event", Run | Help, Answered)
+_Event = TypeVar("_Event", Run | Help, Answer)
 _Rated = tuple[datetime, Rating]
 
 
@@ -67,9 +66,9 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
     return _by_date((name, [each for each in own if each]) for name, own in rated.items())
 
 
-def card_reviews(answers: Iterable[Answered]) -> list[Review]:
+def card_reviews(answers: Iterable[Answer]) -> list[Review]:
     """Every card that was ever answered, the one that is due first at the head."""
-    of_card: defaultdict[str, list[Answered]] = defaultdict(list)
+    of_card: defaultdict[str, list[Answer]] = defaultdict(list)
     for answer in answers:
         of_card[answer.card].append(answer)
     firsts = {card: [sitting[0] for sitting in _sittings(own)] for card, own in of_card.items()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from datetime import datetime
 
-from judge.kata.answers import Rating
+from judge.kata.events import Rating
 from judge.kata.review import Review
 from judge.languages import file_name
 from judge.report.history import day
@@ -33,10 +33,10 @@ def due_lines(
         first = due[0].name
         yield line("  next  ", Span(f"judge init {first} {_fresh(first, now)}", Style.STRONG))
     else:
-        yield line(Span("Nothing today.", Style.GOOD))
+        yield line(Span("Nothing is due today.", Style.GOOD))
     if later:
         yield line()
-        yield line(Span("Later", Style.STRONG))
+        yield line(Span("Later" if due else "Next", Style.STRONG))
         yield from _table(later, now).lines(width)
     if elsewhere:
         yield line()
@@ -69,16 +69,15 @@ def waiting_lines(due: int, width: int | None) -> Iterator[Line]:
 def nothing_lines(width: int | None, *, tried: bool) -> Iterator[Line]:
     """No kata is kept in mind yet; runs of a problem's own solutions are no tries."""
     none = "No run of yours has passed a test group yet" if tried else "You have tried no kata yet"
-    text = f"{none}, so none comes again; 'judge next' takes up the first kata."
-    yield from hanging(Span(""), Span(text), width, indent=0, column=0)
+    yield from hanging(Span(""), Span(f"{none}, so nothing is due."), width, indent=0, column=0)
+    yield line("  next  ", Span("judge next", Style.STRONG))
 
 
 def _table(found: Sequence[Review], now: datetime) -> Table:
     columns = (
         Column("kata"),
         Column("due"),
-        Column("last"),
-        Column("why then", flexible=True),
+        Column("last time", flexible=True),
     )
     return Table(columns, [_row(review, now) for review in found])
 
@@ -87,8 +86,7 @@ def _row(review: Review, now: datetime) -> list[Cell]:
     return [
         Span(review.name, Style.STRONG),
         due_words(review, now),
-        Span(day(review.last), Style.FAINT),
-        Span(_why(review), _STYLES.get(review.rating, Style.PLAIN)),
+        Span(f"{day(review.last)}: {_why(review)}", _STYLES.get(review.rating, Style.PLAIN)),
     ]
 
 
@@ -103,13 +101,13 @@ def due_words(review: Review, now: datetime) -> str:
 def _why(review: Review) -> str:
     """What happened, and after how many days it therefore comes again."""
     if review.rating is Rating.AGAIN:
-        how = "not solved this time" if review.solved else "never solved"
+        how = "not solved"
     elif review.rating is Rating.HARD:
         how = "solved, but not at once"
     else:
         times = {1: "", 2: " twice in a row"}.get(review.in_a_row, f" {review.in_a_row} times in a row")
         how = f"solved at once{times}"
-    return f"{how}: after {counted(review.days, 'day')}"
+    return f"{how}, so again after {counted(review.days, 'day')}"
 
 
 def _fresh(problem: str, now: datetime) -> str:

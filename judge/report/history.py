@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from datetime import date, datetime
 
 from judge.errors import HistoryError
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.kata.stub import usual_name
 from judge.problem.model import Verdict
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
@@ -81,11 +81,17 @@ def _left_out(run: Run) -> str:
     return f"only {', '.join(run.passed)}" if partial else ""
 
 
-def restored_lines(run: Run, file: str, became: str, width: int | None) -> Iterator[Line]:
-    """Where a run's source is again, and what became of the file that was there."""
+def restored_lines(
+    run: Run, file: str, kept_as: str | None, width: int | None, *, written: bool
+) -> Iterator[Line]:
+    """Where a run's source is again, and where what was there is kept."""
     what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
     yield from beside(Span(shown_name(file), Style.STRONG), what, width)
-    yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
+    became = "It was there already." if not written else ""
+    if kept_as is not None:
+        became = f"What was there is kept as {shown_name(kept_as)}."
+    if became:
+        yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
 
 
 def _lately(when: datetime, year: int) -> str:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
-from judge.kata.answers import Rating
 from judge.kata.checklist import Row
+from judge.kata.events import Rating
 from judge.kata.quiz.question import Question
 from judge.problem import Problem, Verdict
 from judge.report.layout import Line, Span, Style, hanging, line

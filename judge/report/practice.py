@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from judge.kata.progress import Standing
 from judge.kata.sets import PracticeSet
-from judge.kata.standing import Standing, State
 from judge.problem import Problem
 from judge.report.history import day
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
@@ -15,7 +15,7 @@ Katas = Sequence[tuple[Problem, Standing]]
 
 _MOST = 15  # katas that are shown each on a row of its own
 _AHEAD = 8  # of more than that, the next ones that are new
-_STYLES = {State.NEW: Style.FAINT, State.TRIED: Style.WARNING, State.PASSED: Style.GOOD}
+_STYLES = {"new": Style.FAINT, "tried": Style.WARNING, "passed": Style.GOOD}
 
 
 def practice_lines(
@@ -25,7 +25,7 @@ def practice_lines(
     width: int | None,
 ) -> Iterator[Line]:
     """The set's title and its katas in order; the one in hand is marked. Of a long set the near ones."""
-    passed = sum(standing.state is State.PASSED for _, standing in katas)
+    passed = sum(standing.passed is not None for _, standing in katas)
     yield from beside(Span(chosen.title, Style.STRONG), f"{passed} of {len(katas)} passed", width)
     yield from hanging(Span(""), Span(chosen.about, Style.FAINT), width, indent=0, column=0)
     yield line()
@@ -43,7 +43,7 @@ def practice_lines(
     yield line()
     shown = {problem.id for problem, _ in near}
     folded = [each for each in katas if each[0].id not in shown]
-    done = [problem.id for problem, standing in folded if standing.state is State.PASSED]
+    done = [problem.id for problem, standing in folded if standing.passed is not None]
     if done:
         yield from _labelled("passed", ", ".join(done), width)
     if len(folded) > len(done):
@@ -55,9 +55,9 @@ def practice_lines(
 
 def _near(katas: Katas, in_hand: str | None) -> Katas:
     """Of a set that is too long for a screen: the kata in hand, what was tried, and the next new ones."""
-    new = [problem.id for problem, standing in katas if standing.state is State.NEW]
+    new = [problem.id for problem, standing in katas if not standing.attempts]
     kept = {in_hand, *new[:_AHEAD]}
-    return [each for each in katas if each[0].id in kept or each[1].state is State.TRIED]
+    return [each for each in katas if each[0].id in kept or _state(each[1]) == "tried"]
 
 
 def _labelled(label: str, text: str, width: int | None) -> list[Line]:
@@ -68,7 +68,7 @@ def _row(problem: Problem, standing: Standing, in_hand: bool) -> list[Cell]:
     since = standing.passed or standing.last
     return [
         Span(problem.id, Style.STRONG if in_hand else Style.PLAIN),
-        Span(standing.state.value + ", in hand" * in_hand, _STYLES[standing.state]),
+        Span(_state(standing) + ", in hand" * in_hand, _STYLES[_state(standing)]),
         Span(day(since) if since else "", Style.FAINT),
         Span(str(standing.attempts or ""), Style.FAINT),
         Span(_best(standing) if standing.attempts else "", Style.FAINT),
@@ -76,5 +76,9 @@ def _row(problem: Problem, standing: Standing, in_hand: bool) -> list[Cell]:
     ]
 
 
+def _state(standing: Standing) -> str:
+    return "passed" if standing.passed else "tried" if standing.attempts else "new"
+
+
 def _best(standing: Standing) -> str:
-    return score_text(standing.best, accepted=standing.state is State.PASSED)
+    return score_text(standing.best, accepted=standing.passed is not None)

@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from judge.drawing.braille import LEAST_ROWS
-from judge.kata.answers import Rating
+from judge.kata.events import Rating
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, cells, hanging, line, wrap
 from judge.report.values import counted
 

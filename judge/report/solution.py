@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from judge.kata.history import Run
+from judge.kata.events import Run
 from judge.kata.model import Model
 from judge.problem import Problem
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line

@@ -23,7 +23,7 @@ from judge.manual import page, topics
 pytestmark = pytest.mark.slow
 
 QUIET = (  # need no file of one's own, no history, and no time
-    "judge progress --row Q7",
+    "judge progress --question Q7",
     "judge help interview",
     "judge help --search tolerance",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',

@@ -15,7 +15,8 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import daily, nightly
 
 from judge import database
-from judge.kata.history import History
+from judge.kata.events import Help
+from judge.kata.history import History, run_of
 from judge.problem import Verdict
 from judge.run import Result
 
@@ -44,7 +45,7 @@ COMMANDS = (
     ("progress", "--json"),
     ("due",),
     ("report",),
-    ("history", "--restore", "3", "--force"),
+    ("history", "--restore", "3"),
     ("next", "--json"),
 )
 
@@ -80,7 +81,7 @@ def test_a_file_that_cannot_be_read_is_set_aside_and_that_is_said_once(words, ju
 
 
 @pytest.mark.parametrize("how", ["IMMEDIATE", "EXCLUSIVE"])
-def test_a_locked_history_loses_no_run_and_no_verdict(how, judge, submit, own_history, monkeypatch):
+def test_a_locked_history_costs_a_note_and_no_verdict(how, judge, submit, own_history, monkeypatch):
     monkeypatch.setattr(database, "_PATIENCE", 0.05)
     first, second = submit(FLOOR, "a.py"), submit(MEAN, "b.py")
     judge("run", "-q", "middle", first)
@@ -93,9 +94,19 @@ def test_a_locked_history_loses_no_run_and_no_verdict(how, judge, submit, own_hi
     assert ended.status == 1
     assert ended.lines[-1].startswith("1 of 2 accepted")
     assert ended.err.count("\n") == 1
-    assert "another program locks the history: what is new waits beside it" in ended.err
-    found = [json.loads(line) for line in judge("history", "--json").lines]
-    assert [(row["run"], row["verdict"]) for row in found] == [(1, "WA"), (2, "WA"), (3, "AC")]
+    assert "not kept in the history: " in ended.err
+    assert "another program is writing to it; try again when that has ended" in ended.err
+    assert len(judge("history", "--json").lines) == 1
+
+
+def test_a_source_is_restored_and_what_was_there_is_kept(judge, three_runs):
+    assert judge("history", "--restore", "3").lines[1:] == ["  It was there already."]
+    for number in (1, 2):
+        Path("middle.py").write_text(f"mine = {number}\n")
+        assert "What was there is kept as middle.py.bak" in judge("history", "--restore", "1").out
+        assert Path("middle.py").read_text() == FLOOR
+    assert Path("middle.py.bak").read_text() == "mine = 1\n"
+    assert Path("middle.py.bak1").read_text() == "mine = 2\n"
 
 
 # -- what is kept ----------------------------------------------------------------------------------------
@@ -130,7 +141,8 @@ def test_a_file_that_is_no_history_is_left_alone(judge, submit):
 
 def test_a_run_of_no_file_needs_a_name(judge):
     with History.open() as history:
-        history.add(Result(problem="middle", submission="/dev/fd/63", verdict=Verdict.AC), b"x = 1\n", "")
+        result = Result(problem="middle", submission="/dev/fd/63", verdict=Verdict.AC)
+        history.keep(run_of(result, b"x = 1\n", ""), b"x = 1\n")
     ended = judge("history", "--restore", "1")
     assert (ended.status, ended.err) == (
         2,
@@ -206,4 +218,4 @@ def test_a_hint_that_was_shown_counts_as_seen():
     os.close(writing)
     assert ended.returncode == 141
     with History.open() as history:
-        assert history.hints_seen("middle") == 1
+        assert [each.hints for each in history.events(Help)] == [1]

@@ -13,6 +13,7 @@ import pytest
 from cli_support import FLOOR, MEAN
 
 from judge.kata import begin
+from judge.kata.events import Help
 from judge.kata.history import History
 from judge.problem.find import find_problem
 from judge.problem.solutions import Kind, read_solutions
@@ -45,9 +46,7 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
     assert judge("solution", "middle").status == 0  # it is known now
     assert judge("solution", "middle", "--give-up").status == 0
     with History.open() as history:
-        assert history.hints_seen("middle") == 2
-        assert history.gave_up("middle")
-        assert [each.hints for each in history.helps("middle")] == [1, 2, 0]
+        assert [each.hints for each in history.events(Help, "middle")] == [1, 2, 0]
 
 
 # -- a pack that only --problems finds -------------------------------------------------------------------

@@ -25,7 +25,7 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "hint": ["hint middle --all"],
     "next": ["next", "next --init"],
     "history": ["history middle", "history --json"],
-    "progress": ["progress", "progress --rows"],
+    "progress": ["progress", "progress --all"],
     "due": ["due"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],

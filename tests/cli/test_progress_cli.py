@@ -8,9 +8,10 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from cli_support import ROOT
+from msgspec.structs import replace
 
-from judge.kata import history as kept
-from judge.kata.history import History
+from judge.kata import events
+from judge.kata.history import History, run_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Pitfall, Result, earned
@@ -46,7 +47,7 @@ def passed(*problems, without=(), mistake=None, when=None):
     """Keep a run of each problem that passed the whole but for these groups."""
     verdict = Verdict.WA if without else Verdict.AC
     pitfall = Pitfall((mistake,), 0.9, ("",)) if mistake else None
-    with History.open(clock=lambda: when or datetime.now(UTC)) as history:
+    with History.open() as history:
         for problem in problems:
             groups = tuple(
                 GroupResult(
@@ -58,11 +59,11 @@ def passed(*problems, without=(), mistake=None, when=None):
                 )
                 for each in find_problem(problem).groups
             )
-            source = str(len(history.runs())).encode()
+            source = b"%d" % len(history.runs())
             result = Result(
                 problem=problem, submission="a.py", verdict=verdict, pitfall=pitfall, **earned(groups)
             )
-            history.add(result, source, "/a.py")
+            history.keep(replace(run_of(result, source, "/a.py"), when=when or datetime.now(UTC)), source)
 
 
 # -- judge progress ---------------------------------------------------------------------------------------
@@ -75,37 +76,39 @@ def test_the_shipped_solutions_are_nobodys_progress(judge):
     assert "which-side" in judge("history").out
 
 
-def test_the_checklist(judge, own_pack):
-    assert judge("progress", "means").lines[0] == "Means  0 of 1 skills shown"
+def test_what_was_learned(judge, own_pack):
+    assert judge("progress", "means").lines[0] == "Means: 0 of 1 skill"
     passed("middle", without=("half",), mistake="floor-division", when=START)
-    assert judge("progress", "means").lines[3].split()[:3] == ["no", "floor", "1"]
+    assert judge("progress", "means").lines[2].split() == ["open", "no", "floor"]
     passed("middle", when=START + timedelta(days=1))
     shown = judge("progress", "means")
-    assert shown.lines[0] == "Means  1 of 1 skills shown"
-    assert shown.lines[3].split()[:3] == ["no", "floor", "✓"]
-    assert "floor-division" in "\n".join(shown.lines[4:])
+    assert shown.lines[0] == "Means: 1 of 1 skill"
+    assert shown.lines[2].split() == ["shown", "no", "floor"]
+    assert "1 of 1 solved: middle" in shown.out
+    assert "floor-division" in shown.out
     (skill,) = json.loads(judge("progress", "means", "--json").out)["skills"]
     assert (skill["state"], skill["attempts"], skill["since"]) == ("shown", 2, "2026-03-02T09:00:00+00:00")
     assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
     passed("middle", without=("half",))
-    assert "Fails middle half." in judge("progress", "means").out
+    assert "no floor: fails middle half" in judge("progress", "means").out
+    assert "Fails middle half." in judge("progress", "means", "--all").out
 
 
 # -- judge due --------------------------------------------------------------------------------------------
 
 
 def test_what_is_due(judge, monkeypatch):
-    monkeypatch.setattr(kept, "now", lambda: START)
+    monkeypatch.setattr(events, "now", lambda: START)
     passed("middle", when=START)
     passed("count", without=("band",), when=START)
     shown = judge("due")
-    assert shown.lines[0] == "Nothing today."
+    assert shown.lines[0] == "Nothing is due today."
     assert shown.lines[4].split()[:4] == ["count", "in", "1", "day"]
-    monkeypatch.setattr(kept, "now", lambda: START + timedelta(days=2, hours=1))
+    monkeypatch.setattr(events, "now", lambda: START + timedelta(days=2, hours=1))
     shown = judge("due")
     assert shown.lines[0] == "Today  1 kata"
     assert shown.lines[2].split()[:4] == ["count", "1", "day", "ago"]
-    assert "never solved: after 1 day" in shown.lines[2]
+    assert "2026-03-01: not solved, so again after 1 day" in shown.lines[2]
     assert "  next  judge init count count_0303.py" in shown.lines
     found = json.loads(judge("due", "--json").out)
     assert [review["problem"] for review in found["due"]] == ["count"]

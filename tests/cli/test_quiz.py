@@ -18,8 +18,8 @@ from sampling import nightly
 from terminals import Terminal
 
 from judge.cli import interview
-from judge.kata import history as kept
-from judge.kata.answers import Rating
+from judge.kata import events
+from judge.kata.events import Answer, Rating
 from judge.kata.history import History
 
 pytestmark = pytest.mark.slow
@@ -38,7 +38,7 @@ def typing(judge, monkeypatch):
 
 def answers():
     with History.open(reading=True) as history:
-        return [(each.card, each.rating, each.judged, each.given) for each in history.answers()]
+        return [(each.card, each.rating, each.judged, each.given) for each in history.events(Answer)]
 
 
 def test_answers_are_kept_with_their_rating(typing):
@@ -58,13 +58,13 @@ def test_whenever_it_ends_what_was_answered_is_kept(typing, lines):
 
 
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
-    noon = kept.now().replace(hour=12)
-    monkeypatch.setattr("judge.kata.history.now", lambda: noon)
+    noon = events.now().replace(hour=12)
+    monkeypatch.setattr("judge.kata.events.now", lambda: noon)
     typing(["3.5", "a"], "quiz", "halves", "--seed", "3")
     told = json.loads(judge("due", "--json").out)["cards"]
     dates = {each["card"]: each["due"] for each in told["later"]}
     assert dates["halves/rounding"] < dates["halves/half-of-seven"]
-    monkeypatch.setattr("judge.kata.history.now", lambda: noon + timedelta(days=1))
+    monkeypatch.setattr("judge.kata.events.now", lambda: noon + timedelta(days=1))
     assert "judge quiz" in judge("due").out
     assert "1 card is due: judge quiz" in judge("next").out
     assert json.loads(judge("next", "--json").out)["cards_due"] == 1
@@ -141,7 +141,7 @@ def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
         assert terminal.ends() == status
         assert "Traceback" not in terminal.written
     with History.open(reading=True) as history:
-        assert [each.card for each in history.answers()] == ["halves/half-of-seven"]
+        assert [each.card for each in history.events(Answer)] == ["halves/half-of-seven"]
 
 
 def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():

@@ -1,9 +1,12 @@
-"""Results as judging makes them, for tests of what is kept of them."""
+"""Results as judging makes them, and runs of them in a history, for tests of what is kept of them."""
 
 from __future__ import annotations
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 
+from msgspec.structs import replace
+
+from judge.kata.history import run_of
 from judge.problem import Verdict
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
@@ -30,14 +33,6 @@ def past_result(
     )
 
 
-class StoppedClock:
-    """A clock that stands still until it is moved."""
-
-    def __init__(self, at=START):
-        self.at = at
-
-    def __call__(self):
-        return self.at
-
-    def forward(self, **amount):
-        self.at += timedelta(**amount)
+def keep(history, result, source=b"", path="", when=START):
+    """Keep a run that ended then; its number."""
+    return history.keep(replace(run_of(result, source, path), when=when), source)

@@ -9,9 +9,9 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from judge.errors import ProblemError, UsageError
-from judge.kata.checklist import Kind, Record, assess_rows, read_checklist
+from judge.kata.checklist import read_checklist
+from judge.kata.progress import Kind, assess
 from judge.kata.quiz.cards import all_cards, cards_of, sound_decks
-from judge.kata.skills import assess, skills_of
 from judge.mistakes.puzzles import read_puzzles
 from judge.problem.find import all_problems, find_problem
 from judge.schema import schema_of_file
@@ -84,8 +84,8 @@ def test_a_fault_of_a_deck_is_one_line_with_its_place(deck, text, said):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (f"{ROW}\n[[rows]]\n{ROW}", ":11: the row 'a' is there twice"),
-        (ROW + 'broken = ["x"]\n', ":9: 'x' names no mistake"),
+        (f"{ROW}\n[[rows]]\n{ROW}", ":11: 'a' is there twice"),
+        (ROW + 'broken = ["x"]\n', ":9: 'x' does not name a mistake"),
     ],
 )  # fmt: skip
 def test_a_fault_of_a_checklist_is_one_line_with_its_place(tmp_path, text, said):
@@ -118,12 +118,12 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     problems = all_problems()
     here = {problem.id for problem in problems}
     assert {name for row in rows for name in row.katas} <= here
-    explained = {skill.name for skill in skills_of(problems)}
-    assert {name for row in rows for name in row.skills} <= explained
+    assert {name for row in rows for name in row.skills} <= {each.name for each in read_checklist().skills}
     cards = all_cards()
     assert [card.key for card in cards if not card.rows] == []
-    record = Record({}, assess(skills_of(problems), [], problems), (), {})
-    for progress in assess_rows(rows, record, cards, here):
+    found = [row for _, own in assess(problems, (), read_checklist(), cards).sections for row in own]
+    assert [progress.row for progress in found] == list(rows)
+    for progress in found:
         assert progress.of(Kind.CARD), progress.row.id
         assert progress.drills, progress.row.id
         assert f"judge quiz --row {progress.row.id}" in progress.drills

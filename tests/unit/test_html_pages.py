@@ -7,13 +7,13 @@ import hashlib
 import json
 import re
 import zlib
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from html.parser import HTMLParser
 
 import pytest
 from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
-from past_runs import StoppedClock
+from past_runs import START, keep
 
 from judge.batch.model import Student
 from judge.batch.representatives import representatives
@@ -60,11 +60,9 @@ def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, na
 
 def kept(path, results, source=b"print(1)\n"):
     """The runs that these results make, a day after another."""
-    clock = StoppedClock()
-    with History.open(path, clock=clock) as history:
-        for result in results:
-            history.add(result, source, "/home/somebody/mine.py")
-            clock.forward(days=1)
+    with History.open(path) as history:
+        for number, result in enumerate(results):
+            keep(history, result, source, "/home/somebody/mine.py", START + timedelta(days=number))
         return history.runs()
 
 

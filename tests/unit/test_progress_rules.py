@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import shutil
 from datetime import timedelta
-from itertools import count
 from pathlib import Path
 
 import pytest
-from past_runs import START, StoppedClock, past_result
+from msgspec.structs import replace
+from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.kata.answers import Rating
-from judge.kata.history import History
-from judge.kata.review import LADDER, reviews
+from judge.kata.checklist import Checklist, Row, Section, read_checklist
+from judge.kata.events import Answer, Hack, Help, Outcome, Rating
+from judge.kata.history import run_of
+from judge.kata.progress import Kind, State, assess
+from judge.kata.quiz.cards import Card
+from judge.kata.quiz.choose import next_cards, next_due
+from judge.kata.review import LADDER, card_reviews, reviews
 from judge.kata.sets import find_set
-from judge.kata.skills import Need, Skill, SkillState, assess, skills_of
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
+from judge.problem.model import KataLevel
+from judge.run.result import LevelResult
 
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
@@ -58,12 +63,13 @@ def ids(chosen):
     return [problem.id for problem in chosen.problems]
 
 
-def test_the_shipped_skills_are_shown_by_every_group_and_each_by_some():
+def test_every_group_shows_a_skill_that_is_explained_and_each_skill_is_shown_by_some():
     problems = all_problems()
-    needs = [need for skill in skills_of(problems) for need in skill.needs]
-    needed = {(need.problem, group) for need in needs for group in need.groups}
-    there = {(problem.id, group.name) for problem in problems for group in problem.groups}
-    assert {(problem, group) for problem, group in there - needed if group != "examples"} == set()
+    named = {shown.name for problem in problems for shown in problem.skills}
+    assert named == {skill.name for skill in read_checklist().skills}
+    for problem in problems:
+        needed = {group for shown in problem.skills for group in shown.groups}
+        assert {group.name for group in problem.groups} - needed <= {"examples"}
 
 
 def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
@@ -79,9 +85,10 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     )
     junior = find_set("junior", extra)
     assert ids(junior) == ["halves", *ids(find_set("junior"))], "its place comes first"
-    skills = {skill.name: skill for skill in skills_of(junior.problems, extra)}
-    assert Need("halves", ("whole",)) in skills["no slopes"].needs
-    assert skills["half"] == Skill("half", "Halves are kept.", (Need("halves", ("half",)),))
+    skills = {each.skill.name: each for each in assess(junior.problems, (), read_checklist(extra)).skills}
+    assert ("halves", ("whole",)) in [(need.problem, need.groups) for need in skills["no slopes"].needs]
+    assert skills["half"].skill.about == "Halves are kept."
+    assert [(need.problem, need.groups) for need in skills["half"].needs] == [("halves", ("half",))]
 
 
 @pytest.mark.parametrize(
@@ -102,52 +109,126 @@ def test_what_a_problem_says_wrongly_of_sets_and_skills_is_one_clear_line(head, 
     assert "\n" not in str(caught.value)
 
 
-CLAMP = Skill("clamp", "…", (Need("segment", ("beyond", "tangent-beyond")),))
+# -- what runs, answers and hacks show -------------------------------------------------------------------
 
 
-@pytest.fixture
-def after():
-    """The progress of skills after results, a day apart."""
-    clock = StoppedClock()
-
-    def run(skill, *results):
-        with History.open(clock=clock) as history:
-            for result in results:
-                history.add(result, repr(result).encode(), "")
-                clock.forward(days=1)
-            problems = [find_problem(name) for name in ("segment", "count")]
-            return assess([skill], history.runs(), problems)[0]
-
-    return run
+def days(count):
+    return START + timedelta(days=count)
 
 
-def test_a_skill_is_shown_by_one_run_that_passes_all_its_groups(after):
-    parts = after(
-        CLAMP,
-        past_result(passed=("beyond",), failed=("tangent-beyond",)),
-        past_result(passed=("tangent-beyond",), failed=("beyond",)),
+def run(result, when=START):
+    return replace(run_of(result, repr(result).encode(), ""), when=when)
+
+
+def progress(*results, row=None, cards=(), answers=(), hacks=()):
+    """The progress in two shipped katas after results, a day apart."""
+    runs = [run(result, days(day)) for day, result in enumerate(results)]
+    rows = (row,) if row else ()
+    checklist = Checklist(read_checklist().skills, (Section("s", "S"),), rows)
+    return assess([find_problem("segment"), find_problem("count")], runs, checklist, cards, answers, hacks)
+
+
+def skill(name, *results):
+    """How a skill stands in segment."""
+    return next(each for each in progress(*results).within({"segment"}).skills if each.skill.name == name)
+
+
+CLAMP = "clamp to a segment"
+(GROUPS,) = (each.groups for each in find_problem("segment").skills if each.name == CLAMP)
+ALL = past_result(passed=GROUPS)
+FAILED = past_result(passed=GROUPS[1:], failed=GROUPS[:1])
+
+
+def test_a_skill_is_shown_by_one_run_that_passes_all_its_groups():
+    halves = [past_result(passed=GROUPS[:1], failed=GROUPS[1:]), FAILED]
+    parts = skill(CLAMP, *halves)
+    assert (parts.state, parts.attempts, parts.since) == (State.OPEN, 2, None)
+    whole = skill(CLAMP, *halves, ALL, past_result(passed=GROUPS[:1]))
+    assert (whole.state, whole.attempts, whole.since) == (State.SHOWN, 3, days(2))
+    assert [skill for skill in progress(ALL).within({"count"}).skills if skill.met] == []
+
+
+def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date():
+    lost = skill(CLAMP, ALL, FAILED, past_result(passed=("examples",)))  # the last says nothing of it
+    assert (lost.state, lost.since, lost.attempts) == (State.LOST, START, 1)
+    assert lost.needs[0].failing == GROUPS[:1]
+    begun_anew = skill(CLAMP, ALL, past_result(passed=(), failed=GROUPS))
+    assert (begun_anew.state, begun_anew.since) == (State.SHOWN, START)
+
+
+def standing_of(*results):
+    found = progress(*results)
+    return found.standings["segment"], [(each.level, each.best, each.since) for each in found.levels[:2]]
+
+
+def test_levels_are_counted_in_todays_groups_and_an_earlier_run_keeps_what_it_recorded():
+    interview, production = KataLevel
+    names = [group.name for group in find_problem("segment").of_level(interview)]
+    rest = [group.name for group in find_problem("segment").of_level(production)]
+    standing, levels = standing_of(past_result(passed=names, failed=rest[:1]))
+    assert (standing.attempts, standing.best, standing.passed) == (1, 50 * len(names), None)
+    assert levels == [(interview, len(names), START), (production, 0, None)]
+    earlier = replace(
+        past_result(passed=("old",), failed=("older",)), levels=(LevelResult(interview, True, 1, 1, 1),)
     )
-    assert (parts.state, parts.attempts, parts.since) == (SkillState.OPEN, 2, None)
-    both = after(CLAMP, past_result(passed=("beyond", "tangent-beyond")), past_result(passed=("beyond",)))
-    assert (both.state, both.attempts) == (SkillState.SHOWN, 3)
-    assert both.since == START + timedelta(days=2)
+    assert standing_of(earlier)[1] == [(interview, len(names), START), (production, 0, None)]
+    accepted = past_result(passed=("old", "older"))
+    standing, levels = standing_of(earlier, accepted)
+    assert (standing.attempts, standing.best, standing.passed) == (2, 100, days(1))
+    assert [since for _, _, since in levels] == [START, days(1)]
 
 
-def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date(after):
-    lost = after(
-        CLAMP,
-        past_result(passed=("beyond", "tangent-beyond")),
-        past_result(passed=("tangent-beyond",), failed=("beyond",)),
-        past_result(passed=("grid",)),  # says nothing of it
-    )
-    assert (lost.state, lost.since, lost.attempts) == (SkillState.LOST, START, 1)
-    assert lost.needs[0].failing == ("beyond",)
-    again = after(
-        CLAMP,
-        past_result(passed=("beyond", "tangent-beyond")),
-        past_result(passed=(), failed=("beyond", "tangent-beyond")),  # a file that is begun anew
-    )
-    assert (again.state, again.since) == (SkillState.SHOWN, START)
+def card(name, *rows, form="choice", problem=""):
+    return Card("deck", name, form, "?", ".", rows=rows, problem=problem)
+
+
+def answer(name, rating, when=START):
+    return Answer(f"deck/{name}", "choice", rating, True, when=when)
+
+
+def question(row, *results, **shown):
+    ((_, (found,)),) = progress(*results, row=row, **shown).sections
+    return found
+
+
+def test_a_question_is_ticked_by_all_of_its_katas_that_are_here():
+    row = Row("J1", "s", "?", katas=("count", "segment", "later"))
+    assert question(row, past_result("count")).state is State.OPEN
+    ticked = question(row, past_result("count"), past_result("segment"))
+    assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
+    assert ticked.drills == ("judge init count", "judge init segment")
+    assert question(Row("J1", "s", "?", katas=("later",))).evidence == ()
+
+
+def test_or_by_all_of_its_skills_and_a_lost_one_is_lost():
+    other = next(each for each in find_problem("segment").skills if not {*each.groups} & {*GROUPS})
+    row = Row("J1", "s", "?", skills=(CLAMP, other.name))
+    assert question(row, ALL).state is State.OPEN
+    assert question(row, ALL, past_result(passed=other.groups)).since == days(1)
+    assert question(row, ALL, past_result(passed=other.groups), FAILED).state is State.LOST
+
+
+def test_or_by_all_of_its_cards_if_they_were_known_when_they_were_last_answered():
+    row = Row("J1", "s", "?")
+    cards = (card("a", "J1"), card("b", "J1", "J2"), card("c", "J2"), card("d", "J1", problem="later"))
+    known = [answer("a", Rating.GOOD), answer("b", Rating.HARD)]
+    assert question(row, cards=cards, answers=known[:1]).state is State.OPEN
+    assert question(row, cards=cards, answers=known).state is State.SHOWN
+    forgotten = [*known, answer("b", Rating.AGAIN, days(1))]
+    assert question(row, cards=cards, answers=forgotten).state is State.LOST
+    again = [*forgotten, answer("b", Rating.GOOD, days(2))]
+    assert question(row, cards=cards, answers=again).since == START
+
+
+def test_or_by_one_mistake_that_was_broken():
+    row = Row("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
+    assert [each.name for each in question(row).of(Kind.BROKEN)] == ["count/a", "count/b"]
+    ticked = question(row, hacks=[Hack("count", "b", "0 0 1", Outcome.WON, when=days(1))])
+    assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
+    assert ticked.drills == ("judge hack count a", "judge hack count b")
+
+
+# -- what comes again ------------------------------------------------------------------------------------
 
 
 WRONG = past_result(passed=("grid",), failed=("tangent",))
@@ -155,55 +236,70 @@ RIGHT = past_result()
 
 
 class Person:
-    """A person at work: results follow each other by minutes, each of a new source unless one is given."""
+    """A person at work: results follow each other by minutes, each of a new source."""
 
-    def __init__(self, history, clock):
-        self.history, self.clock = history, clock
-        self._sources = count()
+    def __init__(self):
+        self.runs, self.helps, self.now = [], [], START
 
-    def judge(self, *results, source=None):
+    def judge(self, *results):
         for result in results:
-            self.history.add(result, source or b"%d" % next(self._sources), "")
-            self.clock.forward(minutes=5)
+            source = b"%d" % len(self.runs)
+            self.runs.append(replace(run_of(result, source, ""), when=self.now))
+            self.now += timedelta(minutes=5)
 
-    def pause(self, **amount):
-        self.clock.forward(**amount)
+    def help(self, hints):
+        self.helps.append(Help("segment", hints, when=self.now))
+
+    def pause(self, days):
+        self.now += timedelta(days=days)
 
     def stands(self):
-        found = reviews(self.history.runs(), self.history.helps())
-        return [(each.rating, each.sittings, each.days) for each in found]
+        return [(each.rating, each.sittings, each.days) for each in reviews(self.runs, self.helps)]
 
 
 @pytest.fixture
 def person():
-    clock = StoppedClock()
-    with History.open(clock=clock) as history:
-        yield Person(history, clock)
+    return Person()
 
 
 def test_the_ladder(person):
     days = []
     for _ in range(len(LADDER)):
         person.judge(RIGHT)
-        (review,) = reviews(person.history.runs(), [])
+        (review,) = reviews(person.runs, [])
         assert review.due == review.last + timedelta(days=review.days)
         days.append(review.days)
-        person.pause(days=review.days)
+        person.pause(review.days)
     assert days == [3, 8, 21, 60, 180, 180]
     assert review.in_a_row == len(LADDER)
     person.judge(WRONG, RIGHT)
     assert person.stands() == [(Rating.HARD, 7, 60)]
-    person.pause(days=60)
+    person.pause(60)
     person.judge(WRONG)
     assert person.stands() == [(Rating.AGAIN, 8, 1)]
 
 
 def test_hints_and_giving_up(person):
-    person.history.see_hints("segment", 2)
+    person.help(2)
     assert person.stands() == []
     person.judge(RIGHT)
     assert person.stands() == [(Rating.HARD, 1, 1)]
-    person.pause(days=1)
-    person.history.give_up("segment")
+    person.pause(1)
+    person.help(0)
     person.judge(RIGHT)
     assert person.stands() == [(Rating.AGAIN, 2, 1)]
+
+
+def test_cards_that_are_due_come_first_then_those_that_are_new():
+    cards = [card("new"), card("good"), card("bad"), card("drawn", form="count")]
+    answers = [
+        answer("good", Rating.GOOD),
+        answer("bad", Rating.AGAIN, START + timedelta(minutes=1)),
+        answer("drawn", Rating.EASY, START + timedelta(minutes=2)),
+    ]
+    found, now = card_reviews(answers), START + timedelta(days=1, hours=1)
+    assert [each.id for each in next_cards(cards, found, now, 5)] == ["bad", "new"]
+    ahead = [each.id for each in next_cards(cards, found, now, 7, ahead=True)]
+    assert ahead == ["bad", "new", "good", "drawn", "drawn", "drawn", "drawn"]
+    assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
+    assert next_due(cards[:1], found) is None

@@ -11,7 +11,7 @@ from judge.cli.drilling import known_cards
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.errors import ExitCode
-from judge.kata import history as kept
+from judge.kata import events
 from judge.kata.review import Review, card_reviews, reviews
 from judge.problem.find import problem_folders
 from judge.report.due import card_lines, due_lines, nothing_lines
@@ -31,11 +31,11 @@ def command(as_json: bool, db: Path | None, folders: tuple[Path, ...]) -> ExitCo
     or hints, it goes down a step; if you did not solve it, it comes again the next day. Running an already
     accepted file again changes nothing. Cards (judge quiz) come again in the same way.
     """
-    now = kept.now().astimezone()
+    now = events.now().astimezone()
     with history_at(db, reading=True) as history:
         runs = history.runs()
-        found = reviews(runs, history.helps())
-        cards = card_reviews(history.answers())
+        found = reviews(runs, history.events(events.Help))
+        cards = card_reviews(history.events(events.Answer))
     if cards:  # whoever has answered none waits for no deck
         cards = known_cards(cards, folders)
     here = {folder.name for folder in problem_folders(folders)}

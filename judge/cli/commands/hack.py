@@ -14,7 +14,8 @@ from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.data.given import line_of, read_case
 from judge.errors import ExitCode, HistoryError, UsageError, told
-from judge.kata.hacks import Hack, HackState, Outcome, hack_states, was_shown
+from judge.kata.events import Hack, Outcome
+from judge.kata.hacks import HackState, hack_states, was_shown
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
 from judge.problem.find import find_problem
 from judge.report.hacking import answer_lines, list_lines, lost_lines, puzzle_lines, told_lines, won_lines
@@ -255,13 +256,13 @@ class _Hacking:
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
         try:
             with history_at(self._db) as history:
-                history.add_hack(self._problem.id, puzzle.mistake, case, outcome)
+                history.keep(Hack(self._problem.id, puzzle.mistake, case, outcome))
         except HistoryError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:
         with history_at(self._db, reading=True) as history:
-            return history.hacks(self._problem.id)
+            return history.events(Hack, self._problem.id)
 
     def _states(self) -> dict[str, HackState]:
         return hack_states([puzzle.mistake for puzzle in self._puzzles], self._hacks())

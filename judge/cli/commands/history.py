@@ -2,30 +2,34 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from collections.abc import Sequence
+from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
+from judge.atomic import new_file, replace_file
+from judge.cli.kata import shown
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.errors import ExitCode, UsageError
-from judge.kata.history import Run
+from judge.cli.target import check_place
+from judge.errors import ExitCode, UsageError, unwritable
+from judge.kata.events import Run
 from judge.problem.find import find_problem
+from judge.reading import read_ordinary
 from judge.report.history import history_lines, restored_lines
 from judge.report.layout import line
 from judge.report.screen import out
-
-if TYPE_CHECKING:
-    from judge.cli.restoring import Restored
 
 SCHEMA = 1
 _COLUMNS = (  # of the CSV: the keys of a run's object
     *("run", "time", "problem", "submission", "path", "verdict", "score"),
     *("mode", "mistake", "ratio", "passed", "failed", "levels", "source"),
 )
+_OUT = "--out"
 _ON_SCREEN = 20  # runs, unless it is said how many
 
 
@@ -36,13 +40,12 @@ _ON_SCREEN = 20  # runs, unless it is said how many
     "--restore", "number", type=int, metavar="RUN", help="Write the source of that run to its file again."
 )
 @click.option(
-    "--out",
+    _OUT,
     "target",
     metavar="FILE",
     type=click.Path(path_type=Path),
     help="Restore it to this file instead.",
 )
-@click.option("--force", is_flag=True, help="Restore it over another source.")
 @json_option
 @click.option("--csv", "as_csv", is_flag=True, help="Write CSV, one run a line.")
 @db_option
@@ -52,7 +55,6 @@ def command(
     limit: int | None,
     number: int | None,
     target: Path | None,
-    force: bool,
     as_json: bool,
     as_csv: bool,
     db: Path | None,
@@ -63,8 +65,8 @@ def command(
     The latest is last. With a PROBLEM, only its runs. The screen shows the last 20 unless --limit says
     otherwise; JSON and CSV have all of them.
 
-    --restore writes the source of a run back to its file, and says where it is. If the file holds something
-    else by now, it stays as it is unless you add --force; then you are told whether a run keeps the old text.
+    With --restore, the source that a run judged is written to its file again. If that file has changed since,
+    what was there is kept as FILE.bak.
 
     A run that is damaged is left out, and a note says so. If the file cannot be read, it is renamed to
     FILE.damaged-1, a new one is begun, and a note says that.
@@ -73,12 +75,10 @@ def command(
         raise UsageError("--json and --csv exclude each other", remedy="give one of them")
     if number is not None:
         if as_csv or limit is not None or name is not None:
-            raise UsageError(
-                "--restore takes a run's number and no other choice", remedy="leave the rest out"
-            )
-        return _restore(number, target, db, force=force, as_json=as_json)
-    if target is not None or force:
-        raise UsageError("--out and --force go with --restore RUN", remedy="say which run")
+            raise UsageError("--restore goes with --out alone", remedy="leave the rest out")
+        return _restore(number, target, db, as_json=as_json)
+    if target is not None:
+        raise UsageError("--out goes with --restore RUN", remedy="say which run")
     on_screen = not (as_json or as_csv)
     with history_at(db, reading=True) as history:
         most = _ON_SCREEN + 1 if on_screen and limit is None else limit
@@ -94,46 +94,49 @@ def command(
         _write_csv(runs)
     elif runs:
         screen = out()
-        shown = runs if limit is not None else runs[-_ON_SCREEN:]
-        screen.show(history_lines(shown, screen.width, more=len(shown) < len(runs)))
+        rows = runs if limit is not None else runs[-_ON_SCREEN:]
+        screen.show(history_lines(rows, screen.width, more=len(rows) < len(runs)))
     else:
         out().show([line(f"No runs yet; 'judge run {name or 'PROBLEM'} FILE' adds one.")])
     return ExitCode.ACCEPTED
 
 
-def _restore(number: int, target: Path | None, db: Path | None, *, force: bool, as_json: bool) -> ExitCode:
-    from judge.cli.restoring import restore  # only who asks for it waits for it
-
+def _restore(number: int, target: Path | None, db: Path | None, *, as_json: bool) -> ExitCode:
+    """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
     with history_at(db, reading=True) as history:
-        restored = restore(history, number, target, force=force)
+        run, source = history.run(number), history.source(number)
+    if target is None:
+        if not run.path:
+            raise UsageError(f"run {number} judged no ordinary file", remedy=f"name one with {_OUT} FILE")
+        target = Path(run.path)
+    check_place(target, _OUT)
+    kept = None
+    try:
+        there = read_ordinary(target) if target.exists() else None
+        if there not in (None, source):
+            kept = _kept_beside(target, there or b"")
+        if there != source:
+            replace_file(target, source)
+    except OSError as fault:
+        raise unwritable(target, fault, f"name another file with {_OUT}") from fault
+    file, kept_as = shown(target), shown(kept) if kept else None
     if as_json:
-        write_json(
-            {
-                "schema": SCHEMA,
-                "run": number,
-                "problem": restored.run.problem,
-                "source": restored.run.source_hash,
-                "file": restored.file,
-                "written": restored.written,
-                "over": restored.over,
-                "kept_in": restored.kept_in,
-            }
-        )
+        told = {"run": number, "problem": run.problem, "source": run.source_hash, "file": file}
+        write_json({"schema": SCHEMA, **told, "written": there != source, "kept_as": kept_as})
     else:
         screen = out()
-        became = _became(restored)
-        screen.show(restored_lines(restored.run, restored.file, became, screen.width))
+        screen.show(restored_lines(run, file, kept_as, screen.width, written=there != source))
     return ExitCode.ACCEPTED
 
 
-def _became(restored: Restored) -> str:
-    """What became of the file that was there."""
-    if not restored.written:
-        return "It was there already; nothing is written."
-    if not restored.over:
-        return "Nothing was there."
-    which = "which no run keeps" if restored.kept_in is None else f"which run {restored.kept_in} keeps"
-    return f"Written over another source, {which}."
+def _kept_beside(path: Path, content: bytes) -> Path:
+    """A new file with that content, FILE.bak or the next free name. Raises OSError."""
+    for number in count():
+        beside = path.with_name(f"{path.name}.bak{number or ''}")
+        with contextlib.suppress(FileExistsError):
+            new_file(beside, content)
+            return beside
+    raise AssertionError
 
 
 def as_object(run: Run) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from judge.report.kata import begun_lines, finished_lines, next_lines, writing_l
 from judge.report.screen import out
 
 if TYPE_CHECKING:
-    from judge.kata.history import Current
+    from judge.kata.events import Started
 
 SCHEMA = 1
 
@@ -68,7 +68,7 @@ def command(writing: bool, as_json: bool, db: Path | None, folders: tuple[Path, 
     return ExitCode.ACCEPTED
 
 
-def _current(db: Path | None) -> Current | None:
+def _current(db: Path | None) -> Started | None:
     """The kata in hand, if there is one."""
     from judge.cli.kept import history_at
 

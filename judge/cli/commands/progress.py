@@ -1,9 +1,10 @@
-"""`judge progress`: the checklists of skills and of questions, ticked off by what the history has."""
+"""`judge progress`: what your runs, answers and hacks have shown."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -12,155 +13,89 @@ import click
 from judge.cli.kata import tell_faults
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.cli.table import COMMANDS
 from judge.errors import ExitCode
-from judge.kata.assessed import assessed_rows
-from judge.kata.checklist import RowProgress, Section, by_section, find_row, in_set, read_checklist
-from judge.kata.hacks import HackShare, hack_shares
-from judge.kata.history import History, Run
-from judge.kata.levels import LevelStanding, level_standings
-from judge.kata.overview import SetStanding, set_standings
+from judge.kata.checklist import Section, find_row, unknown_skills
+from judge.kata.events import Hack
+from judge.kata.hacks import hack_shares
+from judge.kata.progress import Covered, Progress, RowProgress, SkillProgress, read_progress
 from judge.kata.sets import USUAL, find_set, set_names
-from judge.kata.skills import (
-    NeedProgress,
-    SkillProgress,
-    assess,
-    mistake_names,
-    skills_of,
-    unknown_skills,
-)
-from judge.kata.standing import standings
-from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.checklist import ready_lines, row_lines, section_lines
 from judge.report.hacking import share_lines
-from judge.report.layout import Style, line
-from judge.report.overview import overview_lines
+from judge.report.layout import Style
+from judge.report.learned import Parts, all_lines, question_lines, set_lines, sets_lines
 from judge.report.screen import note, out
-from judge.report.skills import progress_lines
-from judge.report.standings import standing_lines
 
 SCHEMA = 1
 
 
 @click.command("progress")
 @click.argument("name", metavar="[SET]", default=USUAL)
-@click.option("--all", "whole", is_flag=True, help="Show every skill and kata.")
-@click.option(
-    "--rows", "every", is_flag=True, help="List every question of the checklist, and what practises it."
-)
-@click.option("--row", "one", metavar="ROW", help="Show one question, with all that can tick it.")
+@click.option("--all", "whole", is_flag=True, help="List every skill, kata and question.")
+@click.option("--question", "one", metavar="ID", help="Show one question, and what ticks it.")
 @json_option
 @db_option
 @problems_option
 def command(
-    name: str,
-    whole: bool,
-    every: bool,
-    one: str | None,
-    as_json: bool,
-    db: Path | None,
-    folders: tuple[Path, ...],
+    name: str, whole: bool, one: str | None, as_json: bool, db: Path | None, folders: tuple[Path, ...]
 ) -> ExitCode:
-    """Tick off the skills that your runs have shown.
+    """Show what you can do so far.
 
-    A skill is ticked when one run passes all its test groups on one problem of the SET; the date is that of
-    the first time. The tick goes if your latest run fails one of them. Beside it are the number of runs that
-    it took, and the mistakes that were named. Below are the katas with levels: when a run first passed the
-    interview level and the production level, or how much of them. Then comes how many wrong programs you
-    broke with 'judge hack'.
+    A skill is ticked when one run passes all its test groups in one kata of the SET. The tick goes if your
+    latest run fails one of them. A kata counts once it is accepted; for an interview, the interview level is
+    enough.
 
-    Without a SET you see one row for each set; --all shows everything.
-
-    The questions of the checklist come last, first those to be ready for. One is ticked by the katas that it
-    names, by its skills, by its cards (judge quiz), or by a known mistake that you broke.
+    The questions are those of an interview. One is ticked by the katas it names, by its skills, by its cards
+    (judge quiz), or by a wrong program that you broke (judge hack).
     """
     chosen = find_set(name, folders)
-    if every or one:
-        return _questions(chosen.name, one, as_json, db, folders)
     tell_faults(chosen)
-    for fault in unknown_skills(chosen.problems, folders):
-        note(str(fault), Style.BAD)
-    names = {problem.id for problem in chosen.problems}
-    with history_at(db, reading=True) as history:
-        runs = [run for run in history.runs() if run.problem in names]
-        hacks = history.hacks()
-        parts = _parts(history, chosen.name, folders)
-    assessed = assess(skills_of(chosen.problems, folders), runs, chosen.problems)
-    levels = level_standings(chosen.problems, runs)
-    shares = hack_shares(chosen.problems, hacks)
-    mistakes = Counter(mistake for run in runs if run.counts for mistake in mistake_names(run))
-    if as_json:
-        write_json(
-            {
-                "schema": SCHEMA,
-                "set": chosen.name,
-                "skills": [_as_object(skill) for skill in assessed],
-                "levels": [_level(level) for level in levels],
-                "mistakes": dict(mistakes.most_common()),
-                "hacks": [_share(share) for share in shares],
-                "rows": [_row(section, row) for section, rows in parts for row in rows],
-            }
-        )
-        return ExitCode.ACCEPTED
-    screen = out()
-    shared = chosen.name == USUAL and not whole
-    sets = _sets(chosen.problems, runs, levels, assessed, folders) if shared else []
-    if len(sets) > 1:
-        screen.show(overview_lines(chosen.title, sets, assessed, mistakes, screen.width))
-    else:
-        screen.show(progress_lines(chosen.title, assessed, mistakes, screen.width))
-        if told := list(standing_lines(levels, screen.width)):
-            screen.show([line(), *told])
-    if shares:
-        screen.show([line(), *share_lines(shares, screen.width)])
-    if questions := list(ready_lines(parts, screen.width)):
-        screen.show([line(), *questions])
-    return ExitCode.ACCEPTED
-
-
-def _sets(
-    problems: Sequence[Problem],
-    runs: Sequence[Run],
-    levels: Sequence[LevelStanding],
-    skills: Sequence[SkillProgress],
-    folders: Sequence[Path],
-) -> list[SetStanding]:
-    names = [name for name in set_names(folders) if name != USUAL]
-    return set_standings(names, problems, standings(runs), levels, skills)
-
-
-def _parts(history: History, name: str, folders: Sequence[Path]) -> list[tuple[Section, list[RowProgress]]]:
-    """The sections of the checklist that belong to the set, or all where none does; faults are but notes."""
     problems, _ = sound_problems(folders)
-    checklist, rows, faults = assessed_rows(history, problems, folders, COMMANDS)
-    for fault in faults:
-        note(str(fault), Style.BAD)
-    within = in_set(checklist, name, USUAL)
-    return by_section(within if within.rows else checklist, rows)
-
-
-def _questions(
-    name: str, one: str | None, as_json: bool, db: Path | None, folders: Sequence[Path]
-) -> ExitCode:
-    """Every question of the set, or one."""
     with history_at(db, reading=True) as history:
-        parts = _parts(history, USUAL if one else name, folders)
-    found = [(section, row) for section, rows in parts for row in rows]
-    if one:
-        wanted = find_row(one, read_checklist(folders)).id
-        found = [(section, row) for section, row in found if row.row.id == wanted]
+        found, faults = read_progress(history, problems, folders)
+        hacks = history.events(Hack)
+    for fault in (*unknown_skills(chosen.problems, folders), *faults):
+        note(str(fault), Style.BAD)
     screen = out()
-    if as_json:
-        for section, row in found:
+    if one:
+        rows = {row.row.id: (section, row) for section, own in found.sections for row in own}
+        section, row = rows[find_row(one, [row.row for _, row in rows.values()]).id]
+        if as_json:
             write_json({"schema": SCHEMA, **_row(section, row)})
-    elif one:
-        for _, row in found:
-            screen.show(row_lines(row, screen.width))
+        else:
+            screen.show(question_lines(row, screen.width))
+        return ExitCode.ACCEPTED
+    ids = [problem.id for problem in chosen.problems]
+    own = found.within(ids)
+    parts = [each for each in own.sections if chosen.name in (USUAL, *each[0].sets)] or own.sections
+    shares = hack_shares(chosen.problems, hacks)
+    if as_json:
+        broken = [
+            {"problem": each.problem, "programs": each.programs, "broken": _dates(each.broken)}
+            for each in shares
+        ]
+        write_json({"schema": SCHEMA, "set": chosen.name, **_as_object(own, parts), "hacks": broken})
+        return ExitCode.ACCEPTED
+    names = [each for each in set_names(folders) if each != USUAL] if chosen.name == USUAL else []
+    members = {each: [problem.id for problem in chosen.problems if each in problem.sets] for each in names}
+    sets = {each: inside for each, inside in members.items() if inside}
+    if whole:
+        screen.show(all_lines(chosen.title, own, parts, screen.width))
+    elif len(sets) > 1:
+        screen.show(sets_lines(chosen.title, sets, own, screen.width))
     else:
-        for place, (section, rows) in enumerate(parts):
-            screen.show([*([line()] if place else []), *section_lines(section, rows, screen.width)])
+        screen.show(set_lines(chosen.title, ids, own, parts, screen.width))
+    screen.show(share_lines(shares, screen.width))
     return ExitCode.ACCEPTED
+
+
+def _as_object(progress: Progress, parts: Parts) -> dict[str, Any]:
+    made = sum(progress.mistakes.values(), Counter())
+    return {
+        "skills": [_skill(skill) for skill in progress.skills],
+        "levels": [_level(level) for level in progress.levels],
+        "mistakes": dict(made.most_common()),
+        "rows": [_row(section, row) for section, rows in parts for row in rows],
+    }
 
 
 def _row(section: Section, progress: RowProgress) -> dict[str, Any]:
@@ -169,12 +104,12 @@ def _row(section: Section, progress: RowProgress) -> dict[str, Any]:
         "section": section.title,
         "ask": progress.row.ask,
         "state": progress.state.value,
-        "since": progress.since.isoformat() if progress.since else None,
+        "since": _date(progress.since),
         "by": [
             {
                 "kind": each.kind.value,
                 "name": each.name,
-                "since": each.since.isoformat() if each.since else None,
+                "since": _date(each.since),
                 "lost": each.lost,
                 "drill": each.drill,
             }
@@ -183,38 +118,40 @@ def _row(section: Section, progress: RowProgress) -> dict[str, Any]:
     }
 
 
-def _as_object(progress: SkillProgress) -> dict[str, Any]:
+def _skill(progress: SkillProgress) -> dict[str, Any]:
     return {
         "name": progress.skill.name,
         "about": progress.skill.about,
         "state": progress.state.value,
-        "since": progress.since.isoformat() if progress.since else None,
+        "since": _date(progress.since),
         "attempts": progress.attempts,
         "mistakes": dict(progress.mistakes.most_common()),
-        "needs": [_need(need) for need in progress.needs],
+        "needs": [
+            {
+                "problem": need.problem,
+                "groups": list(need.groups),
+                "since": _date(need.since),
+                "failing": list(need.failing),
+                "attempts": need.attempts,
+            }
+            for need in progress.needs
+        ],
     }
 
 
-def _level(standing: LevelStanding) -> dict[str, Any]:
+def _level(level: Covered) -> dict[str, Any]:
     return {
-        "problem": standing.problem,
-        "level": standing.level.value,
-        "groups": standing.groups,
-        "best": standing.best,
-        "since": standing.since.isoformat() if standing.since else None,
+        "problem": level.problem,
+        "level": level.level.value if level.level else None,
+        "groups": len(level.groups),
+        "best": level.best,
+        "since": _date(level.since),
     }
 
 
-def _share(share: HackShare) -> dict[str, Any]:
-    broken = {name: when.isoformat() for name, when in share.broken.items()}
-    return {"problem": share.problem, "programs": share.programs, "broken": broken}
+def _dates(found: Mapping[str, datetime]) -> dict[str, str]:
+    return {name: when.isoformat() for name, when in found.items()}
 
 
-def _need(progress: NeedProgress) -> dict[str, Any]:
-    return {
-        "problem": progress.need.problem,
-        "groups": list(progress.need.groups),
-        "since": progress.since.isoformat() if progress.since else None,
-        "failing": list(progress.failing),
-        "attempts": progress.attempts,
-    }
+def _date(when: datetime | None) -> str | None:
+    return when.isoformat() if when else None

@@ -15,7 +15,7 @@ from judge.cli.drilling import to_drill
 from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option
 from judge.errors import ExitCode, UsageError, nearest
-from judge.kata import history as kept
+from judge.kata import events
 from judge.kata.quiz.cards import Card, all_cards, cards_of
 from judge.kata.quiz.choose import next_cards, next_due
 from judge.kata.quiz.sources import Sources
@@ -104,7 +104,7 @@ def command(
 
             wanted = Interview(name, minutes or _MINUTES, kata, file, count, db)
             return hold(wanted, cards, asking)
-        reviews = card_reviews(history.answers())
+        reviews = card_reviews(history.events(events.Answer))
         chosen = next_cards(cards, reviews, _now(), count or _COUNT, ahead=ahead or narrowed)
         if not chosen:
             _tell_nothing(cards, reviews, voice, as_json=as_json)
@@ -131,11 +131,11 @@ def _narrowed(
     if row is not None:
         from judge.kata.checklist import find_row, read_checklist
 
-        wanted = find_row(row, read_checklist(folders)).id
+        wanted = find_row(row, read_checklist(folders).rows).id
         found = [card for card in found if wanted in card.rows]
         if not found:
             raise UsageError(
-                f"no card drills the row {wanted!r}", remedy=f"see 'judge progress --row {wanted}'"
+                f"no card drills the row {wanted!r}", remedy=f"see 'judge progress --question {wanted}'"
             )
     if key is not None:
         meant = nearest(key, [card.key for card in found])
@@ -194,7 +194,7 @@ def _list(cards: Sequence[Card], db: Path | None, *, as_json: bool) -> ExitCode:
 
     now = _now()
     with history_at(db, reading=True) as history:
-        reviews = {review.name: review for review in card_reviews(history.answers())}
+        reviews = {review.name: review for review in card_reviews(history.events(events.Answer))}
     if as_json:
         for card in cards:
             write_json({"schema": SCHEMA, "event": "card", **_as_object(card, reviews.get(card.key))})
@@ -235,4 +235,4 @@ def _check(cards: Sequence[Card], sources: Sources, *, as_json: bool) -> ExitCod
 
 
 def _now() -> datetime:
-    return kept.now().astimezone()
+    return events.now().astimezone()

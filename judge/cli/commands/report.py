@@ -12,7 +12,6 @@ from judge.cli.kept import history_at
 from judge.cli.options import db_option, json_option, problems_option, write_json
 from judge.cli.target import OutFile, moment
 from judge.errors import ExitCode, ProblemError, UsageError
-from judge.kata.history import Run
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.layout import Link, Span, line
@@ -20,7 +19,7 @@ from judge.report.names import shown_name
 from judge.report.screen import note, out
 
 if TYPE_CHECKING:
-    from judge.kata.skills import SkillProgress
+    from judge.kata.progress import SkillProgress
 
 SCHEMA = 1
 _USUAL = Path("judge-report.html")
@@ -70,7 +69,7 @@ def command(
     problems, faults = sound_problems(folders)
     for fault in faults:  # its runs are shown all the same
         note(f"a problem is left out: {fault}")
-    skills = _skills(problems, folders, runs)
+    skills = _skills(problems, folders, db)
     generated = moment().astimezone()
     page = learner_page(runs, problems, skills, sources, person=person, generated=generated)
     target.write(page)
@@ -83,18 +82,19 @@ def command(
     return ExitCode.ACCEPTED
 
 
-def _skills(problems: Sequence[Problem], folders: Sequence[Path], runs: Sequence[Run]) -> list[SkillProgress]:
-    """How every skill stands; a checklist that is broken is left out."""
-    from judge.kata.skills import assess, skills_of, unknown_skills
+def _skills(problems: Sequence[Problem], folders: Sequence[Path], db: Path | None) -> Sequence[SkillProgress]:
+    """How every skill stands; none where a file of skills or questions is broken."""
+    from judge.kata.checklist import unknown_skills
+    from judge.kata.progress import read_progress
 
     try:
         for fault in unknown_skills(problems, folders):
             note(str(fault))
-        skills = skills_of(problems, folders)
+        with history_at(db, reading=True) as history:
+            return read_progress(history, problems, folders)[0].skills
     except ProblemError as fault:
-        note(f"the checklist is left out: {fault}")
-        return []
-    return assess(skills, runs, problems)
+        note(f"the skills are left out: {fault}")
+        return ()
 
 
 def _is_report(start: bytes) -> bool:

@@ -19,7 +19,7 @@ from judge.report.screen import note, out
 from judge.report.solution import YOURS, approach_lines, solution_text
 
 if TYPE_CHECKING:
-    from judge.kata.history import Run
+    from judge.kata.events import Run
 
 SCHEMA = 1
 
@@ -131,15 +131,16 @@ def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, 
     Raises UsageError where it is neither.
     """
     from judge.cli.kept import history_at
+    from judge.kata.events import Help
 
     with history_at(db, reading=not giving_up) as history:
         solved = [run for run in history.runs(problem.id) if run.solved]
         if solved:
             return solved[-1], history.source(solved[-1].id)
-        if history.gave_up(problem.id):
+        if any(each.gave_up for each in history.events(Help, problem.id)):
             return None
         if giving_up:
-            history.give_up(problem.id)
+            history.keep(Help(problem.id, hints=0))
             return None
     remedy = f"'judge hint {problem.id}' helps, 'judge solution {problem.id} --give-up' shows it all the same"
     raise UsageError(f"{problem.id} is not solved yet", remedy=remedy)

@@ -136,7 +136,7 @@ def all_decks(extra: Sequence[Path] = ()) -> list[Deck]:
 
 def sound_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemError]]:
     """Every deck that can be read, and the fault of each that cannot."""
-    from judge.kata.checklist import row_ids  # which does not need decks
+    from judge.kata.checklist import read_checklist  # which does not need decks
 
     found: dict[str, Path] = {}
     for root in problem_roots(extra):
@@ -147,7 +147,7 @@ def sound_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemErr
     decks: list[Deck] = []
     faults: list[ProblemError] = []
     try:
-        rows = row_ids(extra)
+        rows = [row.id for row in read_checklist(extra).rows]
     except ProblemError as fault:
         return [], [fault]
     for name in sorted(found, key=lambda name: (order.get(name, len(order)), name)):
@@ -253,7 +253,7 @@ class _Reader:
 
     def _like_row(self, row: str) -> str:
         meant = nearest(row, self._rows)
-        return f"did you mean {meant!r}?" if meant else "'judge progress --rows' lists them"
+        return f"did you mean {meant!r}?" if meant else "'judge progress --all' lists them"
 
     def _fail(self, place: int, key: str, what: str, remedy: str) -> NoReturn:
         path: tuple[str | int, ...] = ("cards", place, key) if key else ("cards", place)

@@ -15,8 +15,8 @@ from msgspec.structs import replace
 from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
 from judge.errors import HistoryError
-from judge.kata.history import Run
-from judge.kata.skills import SkillProgress, SkillState
+from judge.kata.events import Run
+from judge.kata.progress import SkillProgress, State
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
@@ -86,7 +86,7 @@ def learner_page(
         if tried
     ]
     solved = [kata.solved for kata in katas if kata.solved]
-    shown = [skill for skill in skills if skill.state is SkillState.SHOWN]
+    shown = [skill for skill in skills if skill.state is State.SHOWN]
     failed = [each for kata in katas for each in kata.failed if each.case.advice]
     days = len({run.when.date() for run in runs})
     tiles = [(f"{len(solved)} of {len(own)}", "katas solved")]

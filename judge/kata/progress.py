@@ -1,0 +1,390 @@
+"""What a person has shown: katas solved, levels and skills passed, questions of the checklist answered.
+
+A run covers the test groups that it passed. The groups of one problem that show a skill are a need, met by
+one run that passed all of them; a skill is shown once one of its needs was met: who can do it in one problem
+can do it. It is lost where the latest run that tried a need that was met fails it. A run that passed no test
+group at all loses nothing. A run of groups that the problem no longer has keeps the levels that it recorded.
+
+A question is ticked by any one of these, whole; it is lost where one of them was whole, and none is any more:
+
+    katas     each of them that is here was accepted
+    skills    each of them that is here is shown
+    cards     each card that names the question was remembered when it was last answered
+    broken    one of these mistakes was broken with a case of the person's own
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from datetime import datetime
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from msgspec import Struct
+
+from judge.errors import HistoryError, ProblemError
+from judge.kata.checklist import Checklist, Row, Section, Skill, read_checklist
+from judge.kata.events import Answer, Hack, Run
+from judge.kata.hacks import broken
+from judge.problem import Problem
+from judge.problem.model import KataLevel
+
+if TYPE_CHECKING:
+    from judge.kata.history import History
+    from judge.kata.quiz.cards import Card
+
+
+class State(Enum):
+    """How far a skill or a question has come; the value is its name in JSON."""
+
+    OPEN = "open"
+    SHOWN = "shown"
+    LOST = "lost"
+
+
+class Standing(Struct, frozen=True):
+    """One problem's runs in short.
+
+    `attempts` are the runs up to the first that solved it, that one included, or all of them where none did.
+    `best` is the highest score.
+    """
+
+    attempts: int = 0
+    best: int = 0
+    passed: datetime | None = None  # first
+    last: datetime | None = None
+
+
+class Covered(Struct, frozen=True):
+    """Test groups of one problem: the most that one run passed, and when one first passed all of them.
+
+    `failing` are those that the latest run to try them fails. `attempts` are the runs that tried them, up to
+    the first that passed all; `mistakes` are those of the groups that were made, and how often.
+    """
+
+    problem: str
+    groups: tuple[str, ...]
+    level: KataLevel | None = None
+    best: int = 0
+    since: datetime | None = None
+    failing: tuple[str, ...] = ()
+    attempts: int = 0
+    mistakes: Mapping[str, int] = {}
+
+    @property
+    def lost(self) -> bool:
+        """Whether all were passed once, and no longer are."""
+        return self.since is not None and bool(self.failing)
+
+
+class SkillProgress(Struct, frozen=True):
+    """One skill, and how each of its needs stands."""
+
+    skill: Skill
+    needs: tuple[Covered, ...]
+
+    @property
+    def met(self) -> int:
+        """How many of the needs were met."""
+        return sum(need.since is not None for need in self.needs)
+
+    @property
+    def state(self) -> State:
+        """How far it has come."""
+        if any(need.lost for need in self.needs):
+            return State.LOST
+        return State.SHOWN if self.met else State.OPEN
+
+    @property
+    def since(self) -> datetime | None:
+        """When it was first shown; None if it never was."""
+        return min((need.since for need in self.needs if need.since is not None), default=None)
+
+    @property
+    def attempts(self) -> int:
+        """The runs that it took on the problem where it was first shown, or has taken so far on all."""
+        first = [need.attempts for need in self.needs if need.since is not None and need.since == self.since]
+        return first[0] if first else sum(need.attempts for need in self.needs)
+
+    @property
+    def mistakes(self) -> Counter[str]:
+        """The mistakes that stood in its way, and how often."""
+        return sum((Counter(need.mistakes) for need in self.needs), Counter())
+
+
+class Kind(Enum):
+    """What ticks a question; the value is its name in JSON."""
+
+    KATA = "kata"
+    SKILL = "skill"
+    CARD = "card"
+    BROKEN = "broken"
+
+
+class Evidence(Struct, frozen=True):
+    """One thing that may tick a question: since when it does, and whether it did and no longer does.
+
+    `drill` are the words of the command that practises it.
+    """
+
+    kind: Kind
+    name: str
+    drill: str
+    since: datetime | None = None
+    lost: bool = False
+
+
+class RowProgress(Struct, frozen=True):
+    """A question, and all that may tick it: only what is here."""
+
+    row: Row
+    evidence: tuple[Evidence, ...]
+
+    def of(self, kind: Kind) -> tuple[Evidence, ...]:
+        """What there is of one kind."""
+        return tuple(each for each in self.evidence if each.kind is kind)
+
+    @property
+    def since(self) -> datetime | None:
+        """Since when it has been ticked; None where it is not."""
+        found = []
+        for kind in Kind:
+            dates = [None if each.lost else each.since for each in self.of(kind)]
+            there = [date for date in dates if date is not None]
+            if there and (kind is Kind.BROKEN or len(there) == len(dates)):
+                found.append(min(there) if kind is Kind.BROKEN else max(there))
+        return min(found, default=None)
+
+    @property
+    def state(self) -> State:
+        """How far it has come."""
+        if self.since is not None:
+            return State.SHOWN
+        return State.LOST if any(each.lost for each in self.evidence) else State.OPEN
+
+    @property
+    def drills(self) -> tuple[str, ...]:
+        """The commands that practise it, what does not tick it yet first; each once."""
+        waiting = sorted(self.evidence, key=lambda each: each.since is not None and not each.lost)
+        return tuple(dict.fromkeys(each.drill for each in waiting))
+
+
+class Progress(Struct, frozen=True):
+    """How a person stands; `mistakes` are those made in each problem, and how often."""
+
+    standings: Mapping[str, Standing]
+    levels: tuple[Covered, ...]
+    skills: tuple[SkillProgress, ...]
+    sections: tuple[tuple[Section, tuple[RowProgress, ...]], ...] = ()
+    mistakes: Mapping[str, Counter[str]] = {}
+
+    def within(self, problems: Collection[str]) -> Progress:
+        """The same of these problems alone; all questions stay."""
+        needs = [(each.skill, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
+        return Progress(
+            {name: standing for name, standing in self.standings.items() if name in problems},
+            tuple(level for level in self.levels if level.problem in problems),
+            tuple(SkillProgress(skill, own) for skill, own in needs if own),
+            self.sections,
+            {name: made for name, made in self.mistakes.items() if name in problems},
+        )
+
+
+def mistake_names(run: Run) -> list[str]:
+    """The mistakes that explained the run, none, one or two."""
+    return run.mistake.split(" + ") if run.mistake else []
+
+
+def standings(runs: Iterable[Run]) -> dict[str, Standing]:
+    """The standing of every problem that the person tried; `runs` are in their order."""
+    found: dict[str, Standing] = {}
+    for run in runs:
+        if run.counts:
+            before = found.get(run.problem, Standing())
+            found[run.problem] = Standing(
+                before.attempts + (before.passed is None),
+                max(before.best, run.score),
+                before.passed or (run.when if run.solved else None),
+                run.when,
+            )
+    return found
+
+
+def levels(problem: Problem, runs: Iterable[Run]) -> list[Covered]:
+    """Each level of a problem after these runs, which are in their order; the easier level first."""
+    return _levels(problem, _tries(problem, runs))
+
+
+def read_progress(
+    history: History, problems: Sequence[Problem], extra: Sequence[Path]
+) -> tuple[Progress, list[ProblemError]]:
+    """How a person stands by a history, and the faults of decks, which are left out.
+
+    `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
+    HistoryError.
+    """
+    from judge.kata.quiz.cards import sound_decks
+
+    decks, faults = sound_decks(extra)
+    cards = [card for deck in decks for card in deck.cards]
+    answers, hacks = history.events(Answer), history.events(Hack)
+    return assess(problems, history.runs(), read_checklist(extra), cards, answers, hacks), faults
+
+
+def assess(
+    problems: Sequence[Problem],
+    runs: Sequence[Run],
+    checklist: Checklist,
+    cards: Iterable[Card] = (),
+    answers: Iterable[Answer] = (),
+    hacks: Iterable[Hack] = (),
+) -> Progress:
+    """How a person stands after these runs, answers and attempts at wrong programs, which are in their order.
+
+    `problems` are all that can be found, `cards` likewise.
+    """
+    of_problem: defaultdict[str, list[Run]] = defaultdict(list)
+    for run in runs:
+        of_problem[run.problem].append(run)
+    tries = {problem.id: _tries(problem, of_problem[problem.id]) for problem in problems}
+    needs: defaultdict[str, list[Covered]] = defaultdict(list)
+    for problem in problems:
+        for shown in problem.skills:
+            kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
+            needs[shown.name].append(_covered(problem.id, shown.groups, tries[problem.id], kills))
+    skills = [SkillProgress(each, tuple(needs[each.name])) for each in checklist.skills if each.name in needs]
+    made: defaultdict[str, Counter[str]] = defaultdict(Counter)
+    for run in runs:
+        if run.counts and run.mistake:
+            made[run.problem].update(mistake_names(run))
+    found = standings(runs)
+    rows = _rows(checklist.rows, _Shown(problems, found, skills, cards, answers, hacks))
+    own = [(part, tuple(row for row in rows if row.row.section == part.id)) for part in checklist.sections]
+    return Progress(
+        found,
+        tuple(level for problem in problems for level in _levels(problem, tries[problem.id])),
+        tuple(skills),
+        tuple((section, its) for section, its in own if its),
+        made,
+    )
+
+
+class _Tried(NamedTuple):
+    """A run with its test groups as sets; `levels` are those that it passed as its own row records."""
+
+    run: Run
+    passed: frozenset[str]
+    failed: frozenset[str]
+    levels: Collection[str]
+
+
+def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
+    """The runs of the problem that say something of the person."""
+    today = {group.name for group in problem.groups}
+    found = []
+    for run in runs:
+        if run.problem == problem.id and run.counts and (run.passed or run.failed):
+            recorded: Collection[str] = ()
+            if run.solved:
+                recorded = [level.value for level in KataLevel]
+            elif not today.issuperset(run.passed + run.failed):
+                with contextlib.suppress(HistoryError):
+                    recorded = run.levels
+            found.append(_Tried(run, frozenset(run.passed), frozenset(run.failed), recorded))
+    return found
+
+
+def _levels(problem: Problem, tries: Sequence[_Tried]) -> list[Covered]:
+    found = []
+    for level in problem.levels:
+        groups = tuple(group.name for group in problem.of_level(level))
+        its = [
+            each._replace(passed=frozenset(groups), failed=frozenset())
+            if level.value in each.levels
+            else each
+            for each in tries
+        ]
+        found.append(_covered(problem.id, groups, its, (), level))
+    return found
+
+
+def _covered(
+    problem: str,
+    groups: tuple[str, ...],
+    tries: Iterable[_Tried],
+    mistakes: Collection[str],
+    level: KataLevel | None = None,
+) -> Covered:
+    wanted = frozenset(groups)
+    since: datetime | None = None
+    failing: frozenset[str] = frozenset()
+    best = attempts = 0
+    made: Counter[str] = Counter()
+    for run, passed, failed, _ in tries:
+        passes, fails = wanted & passed, wanted & failed
+        if not passes and not fails:  # it was judged on other groups only
+            continue
+        attempts += since is None
+        best = max(best, len(passes))
+        if run.passed:  # a file that is begun anew passes nothing yet, and takes nothing away
+            failing = fails
+        if since is None and passes == wanted:
+            since = run.when
+        if fails:
+            made.update(name for name in mistake_names(run) if name in mistakes)
+    lost = tuple(group for group in groups if group in failing)
+    return Covered(problem, groups, level, best, since, lost, attempts, made)
+
+
+class _Shown(NamedTuple):
+    """All that may tick a question."""
+
+    problems: Sequence[Problem]
+    standings: Mapping[str, Standing]
+    skills: Sequence[SkillProgress]
+    cards: Iterable[Card]
+    answers: Iterable[Answer]
+    hacks: Iterable[Hack]
+
+
+def _rows(rows: Iterable[Row], shown: _Shown) -> list[RowProgress]:
+    here = {problem.id for problem in shown.problems}
+    skills = {each.skill.name: each for each in shown.skills}
+    answers: defaultdict[str, list[Answer]] = defaultdict(list)
+    for answer in shown.answers:
+        answers[answer.card].append(answer)
+    cards: defaultdict[str, list[Card]] = defaultdict(list)
+    for card in shown.cards:
+        if not card.problem or card.problem in here:
+            for name in card.rows:
+                cards[name].append(card)
+    hacks: defaultdict[str, list[Hack]] = defaultdict(list)
+    for hack in shown.hacks:
+        hacks[hack.problem].append(hack)
+    done = {problem: broken(own) for problem, own in hacks.items()}
+
+    def evidence(row: Row) -> Iterator[Evidence]:
+        for name in row.katas:
+            if name in here:
+                solved = shown.standings.get(name, Standing()).passed
+                yield Evidence(Kind.KATA, name, f"judge init {name}", solved)
+        for name in row.skills:
+            if skill := skills.get(name):
+                need = next((each for each in skill.needs if each.since is None or each.lost), skill.needs[0])
+                drill, lost = f"judge init {need.problem}", skill.state is State.LOST
+                yield Evidence(Kind.SKILL, name, drill, skill.since, lost)
+        for card in cards[row.id]:
+            its = answers[card.key]
+            known = next((answer.when for answer in its if answer.known), None)
+            lost = known is not None and not its[-1].known
+            yield Evidence(Kind.CARD, card.key, f"judge quiz --row {row.id}", known, lost)
+        for name in row.broken:
+            problem, mistake = name.split("/")
+            since = done.get(problem, {}).get(mistake)
+            if since or problem in here:
+                yield Evidence(Kind.BROKEN, name, f"judge hack {problem} {mistake}", since)
+
+    return [RowProgress(row, tuple(evidence(row))) for row in rows]
