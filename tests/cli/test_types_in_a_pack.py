@@ -1,4 +1,4 @@
-"""A new atom is one file of a pack, as the manual has it; a kata of it goes through the commands.
+"""A new atom is one file of a pack; a kata of it goes through the commands.
 
 Katas of the other types are in test_other_topics.py.
 """
@@ -6,16 +6,58 @@ Katas of the other types are in test_other_topics.py.
 from __future__ import annotations
 
 import json
-import re
 import shutil
 
 import pytest
-from cli_support import ROOT
 
 pytestmark = pytest.mark.slow
 
-_PAGE = (ROOT / "judge" / "manual" / "problem.md").read_text(encoding="utf-8")
-TRUTH = re.search(r'^```py\n("""`truth`.*?)^```$', _PAGE, re.MULTILINE | re.DOTALL)[1]
+TRUTH = '''\
+"""`truth`: True or False; on a line, yes or no."""
+
+from judge.values.base import Atom
+
+_SENT = {"True": True, "False": False}
+
+
+class Truth(Atom):
+    """A bool."""
+
+    text = "truth"  # its name
+    noun = "True or False"  # in messages, one and several
+    plural = "truths"
+    annotation = "bool"  # in Python
+    samples = (False, True)  # the simplest first; without any it is for answers only
+
+    def why_not(self, value):
+        """Why this is not a value of the type, or None."""
+        return None if type(value) is bool else f"{value!r} is not True or False"
+
+    def value_of(self, raw):
+        """The value of an answer as it arrives: JSON, a bool by its type's name and its text."""
+        if type(raw) is bool:
+            return raw
+        if type(raw) is dict and raw.get("type") == "bool" and raw.get("text") in _SENT:
+            return _SENT[raw["text"]]
+        raise ValueError("not a bool")
+
+    def sent(self, value):
+        """How a value arrives."""
+        return {"type": "bool", "text": str(value)}
+
+    def text_of(self, value):
+        """As a token of a program, without blanks."""
+        return "yes" if value else "no"
+
+    def value_from(self, token):
+        """The value of a token."""
+        if token not in ("yes", "no"):
+            raise ValueError("not yes or no")
+        return token == "yes"
+
+
+TYPE = Truth
+'''
 TOML = """\
 title = "Oddness"
 tier = "junior"

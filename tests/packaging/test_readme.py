@@ -67,7 +67,7 @@ def test_exit_codes_and_verdicts():
     for code in ExitCode:
         assert re.search(rf"^\| {code.value} \|", scripts, re.MULTILINE)
     for verdict in Verdict:
-        assert f"| `{verdict.value}` |" in failures
+        assert f"- `{verdict.value}` " in failures
 
 
 def test_links_from_readme_reach_every_page_of_the_manual():
