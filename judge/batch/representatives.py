@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import PurePath
-from typing import Any
 
 from msgspec.structs import replace
 
@@ -18,10 +17,9 @@ from judge.judging.naming import Bars
 from judge.judging.session import Session, silent
 from judge.problem import Problem, Verdict
 from judge.report.cohort import Cohort
+from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
-
-Published = dict[str, Any]
 
 
 def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
@@ -37,21 +35,21 @@ def smallest_cases(
     problems: Mapping[str, Problem],
     options: RunOptions = RunOptions(),  # noqa: B008 - frozen
     bars: Bars = silent,
-) -> dict[tuple[str, str], Published]:
-    """The published result of each row, by problem and file, with its smallest case.
+) -> dict[tuple[str, str], object]:
+    """The result of each row, by problem and file: that of now, with its smallest case.
 
     One whose source or problem is not there, or that another verdict comes of now, is as it was.
     """
     sources = {each.file: each.source for each in handins if each.source}
     options = replace(options, timed=False, diagnosed=True)
-    found: dict[tuple[str, str], Published] = {}
+    found: dict[tuple[str, str], object] = {}
     for problem in dict.fromkeys(row.problem for row in rows):
         own = [row for row in rows if row.problem == problem]
         broken = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
         texts = {row.digest: row for row in broken}
         shrunk = _shrunk(problems[problem], texts, sources, options, bars) if problem in problems else {}
         for row in own:
-            found[problem, row.file] = row.result | shrunk.get((row.digest, row.verdict), {})
+            found[problem, row.file] = shrunk.get((row.digest, row.verdict), row.result)
     return found
 
 
@@ -61,9 +59,9 @@ def _shrunk(
     sources: Mapping[str, bytes],
     options: RunOptions,
     bars: Bars,
-) -> dict[tuple[str, str], Published]:
-    """By digest and verdict: the first failing case and the smallest one, as they are published."""
-    found: dict[tuple[str, str], Published] = {}
+) -> dict[tuple[str, str], Result]:
+    """By digest and verdict, the results of now."""
+    found: dict[tuple[str, str], Result] = {}
     if not texts:
         return found
     try:
@@ -72,11 +70,7 @@ def _shrunk(
                 if advance:
                     advance(done, len(texts))
                 result = session.judge(sources[row.file], PurePath(row.file).name)
-                small = result.counterexample
-                found[digest, result.verdict.value] = {
-                    "failure": result.failure.as_json() if result.failure else None,
-                    "counterexample": small and small | {"given": result.counterexample_given},
-                }
+                found[digest, result.verdict.value] = result
     except JudgeError:  # the pages show the failing cases as they are
         return found
     return found

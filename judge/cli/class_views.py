@@ -130,7 +130,7 @@ class Scene(Struct, frozen=True):
         handins = [each for each in self.handins if (each.problem, each.file) in present]
         return cohort_of(self.outcome, self.history, equal_files(handins, self.problems))
 
-    def results(self, cohort: Cohort, *, everybody: bool) -> dict[tuple[str, str], dict[str, Any]]:
+    def results(self, cohort: Cohort, *, everybody: bool) -> dict[tuple[str, str], object]:
         """What pages show, the smallest cases found now: one hand-in a mistake, or all that count."""
         from judge.batch.outcome import counting
         from judge.batch.representatives import representatives, smallest_cases

@@ -1,4 +1,4 @@
-"""A failing case as a page shows it, from a published result; its kata may have changed since, or be gone."""
+"""A failing case as a page shows it; its kata may have changed since the run, or be gone."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Case(Struct, frozen=True):
 
 
 class _Kept(Struct, frozen=True):
-    """What is read of a published failure or counterexample; a counterexample has `replay`."""
+    """What is read of a failure or a counterexample; a smallest case has `replay`."""
 
     message: str = ""
     group: str | None = None
@@ -70,15 +70,14 @@ class Cases:
         self._modules: dict[str, Module] = {}
         self._advice: dict[str, dict[str, str]] = {}
 
-    def tell(
-        self, problem: str, verdict: Verdict, mistake: str, published: Mapping[str, Any], anchor: str
-    ) -> Case:
+    def tell(self, problem: str, verdict: Verdict, mistake: str, result: object, anchor: str) -> Case:
         """The smallest failing case of a result, or else its first one; of a damaged result, no case.
 
-        `mistake` is its name, two as "a + b", or empty. `anchor` is the id of the case in its page.
+        `mistake` is its name, two as "a + b", or empty. `result` is a Result, or what was published of one.
+        `anchor` is the id of the case in its page.
         """
         try:
-            failed = msgspec.convert(published, _Failed)
+            failed = msgspec.convert(result, _Failed, from_attributes=True)
         except msgspec.ValidationError:
             failed = _Failed()
         first, small = failed.failure or _Kept(), failed.counterexample

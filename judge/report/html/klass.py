@@ -10,7 +10,6 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from datetime import datetime
-from typing import Any
 
 from msgspec import Struct
 
@@ -24,7 +23,7 @@ CLASS_MARK = "judge class page"  # in the head of every such page, also of older
 FEEDBACK_MARK = "judge feedback page"
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
-Published = Mapping[tuple[str, str], Mapping[str, Any]]  # the result of a hand-in, by kata and file
+Results = Mapping[tuple[str, str], object]  # of hand-ins, by kata and file, as `Cases.tell` takes them
 
 
 class Made(Struct, frozen=True):
@@ -57,7 +56,7 @@ class Mark(Struct, frozen=True):
 
 
 def class_page(
-    cohort: Cohort, results: Published, problems: Mapping[str, Problem], *, title: str, generated: datetime
+    cohort: Cohort, results: Results, problems: Mapping[str, Problem], *, title: str, generated: datetime
 ) -> bytes:
     """The page of a class.
 
@@ -101,7 +100,7 @@ def class_page(
 
 
 def feedback_pages(
-    cohort: Cohort, results: Published, problems: Mapping[str, Problem], *, title: str, generated: datetime
+    cohort: Cohort, results: Results, problems: Mapping[str, Problem], *, title: str, generated: datetime
 ) -> Iterator[tuple[str, bytes]]:
     """For each student who submitted something, the name of a file and their page; as class_page."""
     cases, names, files = Cases(problems), _names(cohort), _files(cohort)
@@ -153,11 +152,11 @@ def _label(bar: MistakeBar) -> str:
     return f"{bar.meaning}, no mistake named" if bar.label == Verdict.WA.value else bar.meaning
 
 
-def _told(problem: str, mark: Counted, results: Published, cases: Cases, anchor: str) -> Case | None:
-    published = results.get((problem, mark.file))
-    if mark.accepted or published is None:
+def _told(problem: str, mark: Counted, results: Results, cases: Cases, anchor: str) -> Case | None:
+    result = results.get((problem, mark.file))
+    if mark.accepted or result is None:
         return None
-    return cases.tell(problem, mark.verdict, mark.mistake, published, anchor)
+    return cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
 
 
 def _names(cohort: Cohort) -> dict[str, str]:

@@ -180,9 +180,9 @@ def _failed(anchor: str, runs: Sequence[Run], cases: Cases) -> Iterator[Failed]:
     for at, same in enumerate(list(kinds.values())[:_MOST_CASES], 1):
         run = same[0]
         try:
-            published = run.result
+            result: object = run.result
         except HistoryError:  # the row is damaged: its columns are told all the same
-            published = {}
-        case = cases.tell(run.problem, run.verdict, run.mistake or "", published, f"{anchor}-case-{at}")
+            result = {}
+        case = cases.tell(run.problem, run.verdict, run.mistake or "", result, f"{anchor}-case-{at}")
         overcome = next((each.when for each in runs if each.id > run.id and each.solved), None)
         yield Failed(case, run.when, len(same), overcome)
