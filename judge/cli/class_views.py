@@ -69,10 +69,12 @@ class Views(Struct, frozen=True):
         """
         cohort = scene.cohort()
         if screen:
-            from judge.report.klass import Glyphs, cohort_lines
+            from judge.report.klass import cohort_lines
+            from judge.report.picture import writes
 
             shown = out()
-            lines = list(cohort_lines(cohort, shown.width, whole=self.whole, glyphs=Glyphs.of(shown)))
+            block = "▇" if writes(shown, "▇") else "#"
+            lines = list(cohort_lines(cohort, shown.width, whole=self.whole, block=block))
             while lines and not lines[-1]:
                 lines.pop()
             shown.show([(), *lines] if lines else [])

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import count, pairwise
 from math import ceil, floor, log10
 
 from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, Piece, Raster, grid, pieces, trimmed
@@ -17,6 +17,7 @@ from judge.drawing.shapes import Dot, Mark, Panel, Role, Stroke
 from judge.drawing.svg import style, words
 
 _MOST_TICKS = 6
+_HAIR = 1e-9
 _LEAST = 1e-9  # a smaller value stands here on a logarithmic axis
 _HEIGHT, _TOP, _BELOW = 210, 24, 44  # pixels: of the plot, above it, and below it for the labels
 _LEFT, _WIDTH = 14, 82  # percent of the chart's width
@@ -70,22 +71,20 @@ class _Scale:
         return (self._level(value) - self._low) / self._span
 
     def ticks(self) -> list[tuple[float, str]]:
-        """At most six round values: where they are, and their texts."""
+        """At most six round values, or the two ends: where they are, and their texts."""
         low, high = self._low, self._low + self._span
-        slack = self._span * 1e-9
         if self._axis.log:
-            decades = range(floor(low), ceil(high) + 1)
-            values = [step * 10.0**decade for decade in decades for step in (1, 2, 5)]
-            inside = [each for each in values if low - slack <= log10(each) <= high + slack]
-            if len(inside) > _MOST_TICKS:
-                tens = [10.0**decade for decade in range(ceil(low - slack), floor(high + slack) + 1)]
-                inside = tens[:: ceil(len(tens) / _MOST_TICKS)]
+            powers = [digit * 10.0**ten for ten in range(floor(low), ceil(high) + 1) for digit in (1, 2, 5)]
+            found = [each for each in powers if low - _HAIR <= log10(each) <= high + _HAIR]
+            if len(found) > _MOST_TICKS:
+                tens = [each for each in found if abs(log10(each) - round(log10(each))) < _HAIR]
+                found = tens[:: ceil(len(tens) / _MOST_TICKS)]
+            found = found or [10.0**low, 10.0**high]
         else:
-            power = max(1.0, 10.0 ** floor(log10(self._span / _MOST_TICKS)))
-            steps = (step for step in (power, 2 * power, 5 * power, 10 * power))
+            steps = (digit * 10**ten for ten in count() for digit in (1, 2, 5))
             step = next(each for each in steps if self._span / each < _MOST_TICKS)
-            inside = [at * step for at in range(ceil((low - slack) / step), floor((high + slack) / step) + 1)]
-        return [(self(value), self._axis.text(value)) for value in inside]
+            found = [float(at) for at in range(ceil(low / step) * step, floor(high) + 1, step)]
+        return [(self(value), self._axis.text(value)) for value in found]
 
 
 def _scales(chart: Chart) -> tuple[_Scale, _Scale]:
@@ -113,25 +112,24 @@ def chart_svg(chart: Chart, *, alone: bool = False) -> str:
         f'<rect class="panel" width="100%" height="{bottom + _BELOW}"/>',
     ]
     for at, text in up.ticks():
-        parts.append(
-            f'<line class="leader" stroke-opacity="0.4" x1="0" x2="100%" y1="{y(at)}" y2="{y(at)}"/>'
-        )
-        parts.append(f'<text class="halo quiet" x="8" y="{float(y(at)) - 4:.1f}">{words(text)}</text>')
+        level = f'y1="{y(at)}" y2="{y(at)}"'
+        parts.append(f'<line class="leader" stroke-opacity="0.4" x1="0" x2="100%" {level}/>')
+        parts.append(_text("8", f"{float(y(at)) - 4:.1f}", "start", "halo quiet", text))
     marks = across.ticks()
     for at, text in marks[:: ceil(sum(len(text) + 2 for _, text in marks) / _LETTERS)]:
         parts.append(_text(x(at), str(bottom + 18), "middle", "quiet", text))
     parts.append(_text("50%", str(bottom + 36), "middle", "quiet", f"{chart.y.label} over {chart.x.label}"))
-    ends = [up(series.points[-1][1]) for series in chart.series]
-    for series, end in zip(chart.series, ends, strict=True):
+    highest = max(chart.series, key=lambda series: series.points[-1][1])
+    for series in chart.series:
         line, fill = _CLASSES.get(series.role, ("line", "case"))
         spots = [(x(across(a)), y(up(b))) for a, b in series.points]
         for (x1, y1), (x2, y2) in pairwise(spots):
             parts.append(f'<line class="{line}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>')
         for (a, b), (cx, cy) in zip(series.points, spots, strict=True):
-            told = words(f"{series.name}, {chart.x.text(a)}: {chart.y.text(b)}")
-            kind = line if a in series.bounds else fill
+            least, kind = ("at least ", line) if a in series.bounds else ("", fill)
+            told = words(f"{series.name}, {chart.x.text(a)}: {least}{chart.y.text(b)}")
             parts.append(f'<circle class="{kind}" cx="{cx}" cy="{cy}" r="4"><title>{told}</title></circle>')
-        label = float(spots[-1][1]) + (-11 if end == max(ends) else 21)
+        label = float(spots[-1][1]) + (-11 if series is highest else 21)
         parts.append(_text(spots[-1][0], f"{label:.1f}", "end", f"halo {fill}", series.name))
     return "\n".join([*(part for part in parts if part), "</svg>"]) + "\n" * alone
 

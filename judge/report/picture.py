@@ -24,10 +24,14 @@ _STYLES = {
 
 def has_room(screen: Screen, columns: int = COLUMNS) -> bool:
     """Whether a drawing can be read there: a terminal that is wide enough and knows the characters."""
-    if not is_terminal(screen.stream) or screen.width is None or screen.width < columns:
-        return False
+    wide = screen.width is not None and screen.width >= columns
+    return is_terminal(screen.stream) and wide and writes(screen, "\u28ff")
+
+
+def writes(screen: Screen, text: str) -> bool:
+    """Whether the screen's encoding has these characters."""
     try:
-        "\u28ff".encode(getattr(screen.stream, "encoding", None) or "utf-8")
+        text.encode(getattr(screen.stream, "encoding", None) or "utf-8")
     except UnicodeEncodeError:
         return False
     return True

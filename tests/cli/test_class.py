@@ -63,7 +63,7 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework)
         "zoe   –",
         "dan?  JE",
     ]
-    table = ended.lines[: ended.lines.index("middle  4 of 5 handed in, 1 accepted") - 1]
+    table = ended.lines[: ended.lines.index("middle  4 of 5 submitted, 1 accepted") - 1]
     assert [line for line in table[7:] if not line.startswith("judged with")] == [
         "= the same text as in another file, judged once",
         "? not in the list of students",

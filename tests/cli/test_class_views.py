@@ -51,9 +51,9 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     files += ("--feedback", "pages")
     ended = judge("class", homework, "--students", "list.csv", *files)
     assert ended.status == 1
-    shown = ended.out.split("middle  4 of 5 handed in, 1 accepted\n")[1]
+    shown = ended.out.split("middle  4 of 5 submitted, 1 accepted\n")[1]
     assert "floor-division" in shown
-    assert "groups failed  " in shown
+    assert "groups that fail: " in shown
     alike = "  middle  identical after removing names, spacing and comments: bob, cy\n"
     assert alike in shown
     grades = list(csv.reader(io.StringIO(Path("grades.csv").read_bytes().decode("utf-8-sig"), newline="")))

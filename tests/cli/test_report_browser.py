@@ -1,4 +1,4 @@
-"""The report as a browser shows it: nothing a submission says runs, and everybody can read it."""
+"""The pages as a browser shows them: nothing that a person typed runs, and everybody can read them."""
 
 from __future__ import annotations
 
@@ -58,25 +58,34 @@ def shown(tmp_path_factory):
 
 
 @pytest.fixture
-def full(judge, submit, shown):
-    """A report with everything: pictures, a chart, a source; made once."""
-    page = shown / "report.html"
-    if not page.exists():
+def pages(judge, submit, shown):
+    """A report, the page of a class with a student whose name is markup, and the page of that student."""
+    found = [shown / "report.html", shown / "class.html", shown / "pages" / "eve.html"]
+    if not found[0].exists():
         wrong = [mistaken("count", name) for name in ("forgotten-centre", "absolute-epsilon")]
         for source in (*wrong, (ROOT / "solutions" / "count" / "accepted" / "tolerant.py").read_bytes()):
             name = submit(source, "count.py")
             assert judge("run", "count", name, "--no-shrink").status in (0, 1)
-        assert judge("report", "--out", page, "--name", "Ada").status == 0
-    return page
+        for student, source in zip(("eve", "zoe"), wrong, strict=True):
+            for kata in ("count", "nobodys-kata-with-a-long-name", "which-side", "segment"):
+                submit(source, f"homework/{student}/{kata}.py")
+        submit(f"id,name\neve,{PWN}{MARKUP.replace(',', ' ')}\n", "list.csv")
+        files = ("--students", "list.csv", "--html", found[1], "--feedback", found[2].parent)
+        assert judge("class", "homework", *files).status in (1, 3)
+        assert judge("report", "--out", found[0], "--name", "Ada").status == 0
+    return found
 
 
+@pytest.mark.parametrize("place", [0, 1, 2])
 @pytest.mark.parametrize(("width", "dark"), [(360, True), (1400, False)])
-def test_it_fits_and_every_word_stands_out(full, width, dark):
-    found = measured(full, width=width, dark=dark)
+def test_it_fits_and_every_word_stands_out(pages, place, width, dark):
+    page = pages[place]
+    assert not re.findall(r"<(script|img)\b|<svg[^>]* onload", dom(page))
+    found = measured(page, width=width, dark=dark)
     assert found["width"] == width
     assert found["needed"] <= width
     assert found["dark"] is dark
     assert found["paper"] == ("rgb(17, 17, 19)" if dark else "rgb(244, 244, 245)")
-    assert found["words"] > 100
+    assert found["words"] > 40
     assert found["faint"] == []
     assert found["least"] >= 9  # pixels, of the words in pictures too

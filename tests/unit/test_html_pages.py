@@ -13,17 +13,16 @@ from html.parser import HTMLParser
 import pytest
 from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
-from past_runs import START, keep
+from past_runs import START, keep, past_result
 
 from judge.batch.model import Student
 from judge.batch.representatives import representatives
 from judge.kata.history import History
-from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report.html import is_page
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, class_page, feedback_pages
 from judge.report.html.learner import MARK, learner_page
-from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
+from judge.run.result import Failure
 
 NOW = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
 EVIL = (
@@ -35,27 +34,13 @@ ACTIVE = {"script", "img", "iframe", "object", "embed", "link"}
 ACTIVE |= {"form", "input", "base", "audio", "video", "use"}
 
 
-def outcome(problem="count", verdict=Verdict.WA, *, mistake=None, ratio=None, name="mine.py", **failure):
-    """A result with one passed group and, unless it is accepted, one failed on a case that can be drawn."""
-    accepted = verdict is Verdict.AC
-    points = 100 if accepted else 30
-    groups = [GroupResult(name="grid", verdict=Verdict.AC, cases=200, passed=200, points=points)]
-    told = None
-    if not accepted:
-        groups.append(GroupResult(name="tangent", verdict=verdict, cases=90, passed=41, points=70))
-        case = {"group": "tangent", "case": 3, "input": INPUT, "expected": "1", "got": "2", "message": "off"}
-        told = Failure(**{**case, **failure})
-    time = Timing(cpu_seconds=0.02, ratio=Ratio(ratio, ratio * 0.9, ratio * 1.2, 9) if ratio else None)
-    pitfall = Pitfall((mistake,), 0.9, ("Do better.",)) if mistake else None
-    return Result(
-        problem=problem,
-        submission=name,
-        verdict=verdict,
-        failure=told,
-        time=time,
-        pitfall=pitfall,
-        **earned(groups),
-    )
+def outcome(problem="count", *, solved=False, mistake=None, ratio=None, name="mine.py", **failure):
+    """A result with one passed group and, unless it is solved, one failed on a case that can be drawn."""
+    if solved:
+        return past_result(problem, name=name, ratio=ratio)
+    case = {"group": "tangent", "case": 3, "input": INPUT, "expected": "1", "got": "2", "message": "off"}
+    failed = past_result(problem, ("grid",), ("tangent",), name=name, mistake=mistake, ratio=ratio)
+    return replace(failed, failure=Failure(**{**case, **failure}))
 
 
 def kept(path, results, source=b"print(1)\n"):
@@ -132,7 +117,7 @@ def path(tmp_path):
 def test_the_page_of_a_learner(path):
     wrong = outcome(mistake="absolute-epsilon")
     small = {"input": INPUT, "expected": "1", "got": "2", "message": "", "replay": "count:x:1:abc"}
-    solved = outcome(verdict=Verdict.AC, ratio=1.25)
+    solved = outcome(solved=True, ratio=1.25)
     runs = kept(path, [wrong, replace(wrong, counterexample=small), solved])
     html = learner(runs, b"print(1)\n", "Ada")
     assert html == learner(runs, b"print(1)\n", "Ada")
@@ -156,7 +141,7 @@ def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
 
 @pytest.mark.parametrize("result", [{}, {"failure": 3}, {"failure": {"input": 7}}, {"failure": None}])
 def test_a_result_of_another_form_is_shown_without_its_case(path, result):
-    runs = kept(path, [outcome(), outcome(verdict=Verdict.AC, ratio=1.0)])
+    runs = kept(path, [outcome(), outcome(solved=True, ratio=1.0)])
     packed = zlib.compress(json.dumps(result).encode()) if result else b"rubbish"
     html = learner([replace(runs[0], packed=packed), runs[1]])
     checked(html)
@@ -170,7 +155,7 @@ def test_a_kata_that_is_gone_is_shown_by_its_runs(path):
 
 
 def test_long_histories_are_cut_and_say_so(path):
-    (run,) = kept(path, [outcome(verdict=Verdict.AC, ratio=2.0)])
+    (run,) = kept(path, [outcome(solved=True, ratio=2.0)])
     html = learner([replace(run, id=place + 1) for place in range(340)], b"#" * 100_000)
     text = checked(html).text
     assert html.count('<abbr class="badge good"') == 300 + 1  # in the footer
