@@ -11,7 +11,8 @@ from msgspec import Struct
 from judge.cli.options import write_json
 from judge.errors import ProblemError
 from judge.kata.events import Answer, Rating
-from judge.kata.quiz.question import MistypedError, Question, Reply
+from judge.kata.quiz.questions import Question, Reply
+from judge.kata.quiz.typed import MistypedError
 from judge.report.layout import Span, Style, line
 from judge.report.screen import is_terminal, note, out
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from judge.kata.checklist import Row
     from judge.kata.history import History
     from judge.kata.quiz.cards import Card
-    from judge.kata.quiz.sources import Sources
+    from judge.kata.quiz.questions import Sources
 
 SCHEMA = 1
 STOP = ("q", "quit")
@@ -232,7 +233,7 @@ class Round:
 
         A card whose figure cannot be made costs a note.
         """
-        from judge.kata.quiz.forms import ask
+        from judge.kata.quiz.questions import ask
 
         try:
             question = ask(card, self.sources, str(len(self.asked)))

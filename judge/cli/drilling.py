@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 def known_cards(found: Sequence[Review], folders: Sequence[Path]) -> list[Review]:
     """Those reviews whose card is in a deck that can be read; a broken one is told of by `judge quiz`."""
-    from judge.kata.quiz.cards import sound_decks
+    from judge.kata.quiz.cards import read_decks
 
-    decks, _ = sound_decks(folders)
+    decks, _ = read_decks(folders)
     keys = {card.key for deck in decks for card in deck.cards}
     return [review for review in found if review.name in keys]
 

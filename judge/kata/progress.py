@@ -226,9 +226,9 @@ def read_progress(
     `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
     HistoryError.
     """
-    from judge.kata.quiz.cards import sound_decks
+    from judge.kata.quiz.cards import read_decks
 
-    decks, faults = sound_decks(extra)
+    decks, faults = read_decks(extra)
     cards = [card for deck in decks for card in deck.cards]
     answers, hacks = history.events(Answer), history.events(Hack)
     return assess(problems, history.runs(), read_checklist(extra), cards, answers, hacks), faults

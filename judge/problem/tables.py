@@ -114,6 +114,10 @@ class TomlFile:
             return self.fault(
                 f"{name} = {given!r} is unknown", meant(str(given), choice, "use one of"), *path
             )
+        if what.startswith("Invalid value"):  # of the key that says which form a table has
+            return self.fault(
+                f"no {name} is called {given!r}", meant(str(given), self._kind(path, shape)), *path
+            )
         if "\0" in what:
             said, _, remedy = what.partition("\0")
             return self.fault(said.replace("{key}", name), remedy, *path)
@@ -126,19 +130,29 @@ class TomlFile:
 
     def _keys(self, path: KeyPath, shape: Any) -> tuple[str, ...]:
         """The keys of the table at `path`, or the words that may stand there."""
-        kind = inspect.type_info(shape)
-        for part in (*path, None):
+        kind = self._kind(path, shape)
+        if isinstance(kind, inspect.EnumType):
+            return tuple(member.value for member in kind.cls)
+        return tuple(each.encode_name for each in kind.fields)
+
+    def _kind(self, path: KeyPath, shape: Any) -> Any:
+        """What msgspec knows of the type at `path`; of several forms of a table, that which it says."""
+        kind: Any = inspect.type_info(shape)
+        for place, part in enumerate((*path, None)):
             if isinstance(kind, inspect.UnionType):
-                kind = next(each for each in kind.types if not isinstance(each, inspect.NoneType))
+                kinds = [each for each in kind.types if not isinstance(each, inspect.NoneType)]
+                if part is not None and part == getattr(kinds[0], "tag_field", None):
+                    return [each.tag for each in kinds if isinstance(each, inspect.StructType)]
+                given = _at(self.raw, path[:place])
+                said = given.get(getattr(kinds[0], "tag_field", None)) if isinstance(given, dict) else None
+                kind = next((each for each in kinds if said and getattr(each, "tag", "") == said), kinds[0])
             if part is None:
                 break
             if isinstance(kind, inspect.StructType):
                 kind = next(each.type for each in kind.fields if each.encode_name == part)
             else:
-                kind = getattr(kind, "value_type", None) or kind.item_type  # type: ignore[attr-defined]
-        if isinstance(kind, inspect.EnumType):
-            return tuple(member.value for member in kind.cls)
-        return tuple(each.encode_name for each in kind.fields)  # type: ignore[attr-defined]
+                kind = getattr(kind, "value_type", None) or kind.item_type
+        return kind
 
 
 def refusal(what: str, remedy: str) -> ValueError:

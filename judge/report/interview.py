@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from judge.kata.checklist import Row
 from judge.kata.events import Rating
-from judge.kata.quiz.question import Question
+from judge.kata.quiz.questions import Question
 from judge.problem import Problem, Verdict
 from judge.report.layout import Line, Span, Style, hanging, line
 from judge.report.names import shown_name

@@ -14,7 +14,7 @@ from judge.report.values import counted
 if TYPE_CHECKING:
     from judge.kata.checklist import Row
     from judge.kata.quiz.cards import Card
-    from judge.kata.quiz.question import Question, Reply
+    from judge.kata.quiz.questions import Question, Reply
     from judge.kata.review import Review
     from judge.report.screen import Screen
 

@@ -11,11 +11,9 @@ from math import sqrt
 import pytest
 
 from judge.errors import ProblemError
-from judge.kata.quiz.cards import Card, WrongOption, all_cards
-from judge.kata.quiz.forms import NAMES, ask
-from judge.kata.quiz.question import MistypedError
-from judge.kata.quiz.sources import Sources
-from judge.kata.quiz.typed import count, number, option, sequence
+from judge.kata.quiz.cards import FORMS, Card, WrongOption, all_cards
+from judge.kata.quiz.questions import Sources, ask
+from judge.kata.quiz.typed import MistypedError, count, number, option, sequence
 
 NUMBERS = re.compile(r"-?\d+")
 
@@ -34,7 +32,7 @@ def sources():
 
 
 def card(form, **keys):
-    return Card("deck", "card", form, "What?", "So.", **keys)
+    return Card("deck", FORMS[form](id="card", front="What?", back="So.", **keys))
 
 
 def questions(sources, wanted, many):
@@ -181,4 +179,4 @@ def test_every_shipped_card_can_be_asked(sources):
         question = ask(each, sources, "0")
         assert question.expects
         assert question.answer
-        assert each.form in NAMES
+        assert each.form in FORMS

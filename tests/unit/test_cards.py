@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 from judge.errors import ProblemError, UsageError
 from judge.kata.checklist import read_checklist
 from judge.kata.progress import Kind, assess
-from judge.kata.quiz.cards import all_cards, cards_of, sound_decks
+from judge.kata.quiz.cards import all_cards, cards_of, read_decks
 from judge.mistakes.puzzles import read_puzzles
 from judge.problem.find import all_problems, find_problem
 from judge.schema import schema_of_file
@@ -56,16 +56,16 @@ def test_what_is_shipped_keeps_to_its_schema(path):
         ("title = 3\n", "quiz/mine.toml:1: title is a whole number; give text"),
         (HEAD + "cards = []\n", "the deck has no card"),
         (HEAD + CARD + CARD, "quiz/mine.toml:9: the card 'a' is there twice"),
-        (HEAD + CARD.replace("recall", "recal"), "mine.toml:5: no form of cards is called 'recal'; did you"),
-        (HEAD + CARD.replace('back = "B."\n', ""), "mine.toml:3: the key 'back' is missing, which recall"),
-        (HEAD + CARD + 'right = "r"\n', "quiz/mine.toml:8: 'right' is no key of the form recall; remove it"),
-        (HEAD + CARD.replace('"F?"', '" "'), "quiz/mine.toml:6: front is empty"),
+        (HEAD + CARD.replace("recall", "recal"), ":5: no form is called 'recal'; did you mean 'recall'?"),
+        (HEAD + CARD.replace('back = "B."\n', ""), ":3: the key 'back' is missing in cards; add back"),
+        (HEAD + CARD + 'right = "r"\n', ":8: unknown key 'right'; the keys are id, front, back, rows"),
+        (HEAD + CARD.replace('"F?"', '" "'), "quiz/mine.toml:3: front is empty"),
         (HEAD + CARD + 'rows = ["J1", "J99"]\n', "quiz/mine.toml:8: the checklist has no row 'J99'"),
-        (HEAD + CHOICE, "the key 'wrong' is missing, which choice asks for"),
+        (HEAD + CHOICE, "the key 'wrong' is missing in cards"),
         (HEAD + CHOICE + WRONG.replace('"w"', '"r"'), "two options say 'r'"),
         (HEAD + CHOICE + WRONG * 8, "there are 8 wrong options; write 1 to 7"),
-        (HEAD + CARD.replace("recall", "number") + 'answer = "x"\n', "answer = 'x' is no number"),
-        (HEAD + CARD.replace("recall", "count"), "the key 'problem' is missing, which count asks for"),
+        (HEAD + CARD.replace("recall", "number") + 'answer = "x"\n', "answer = 'x' is not a number"),
+        (HEAD + CARD.replace("recall", "count"), "the key 'problem' is missing in cards"),
 
     ],
 )  # fmt: skip
@@ -76,7 +76,7 @@ def test_a_fault_of_a_deck_is_one_line_with_its_place(deck, text, said):
     assert said in str(fault.value)
     assert "\n" not in str(fault.value)
     assert str(fault.value).startswith("quiz/mine.toml")
-    decks, faults = sound_decks(where)  # the others are there all the same
+    decks, faults = read_decks(where)  # the others are there all the same
     assert len(faults) == 1
     assert {each.name for each in decks} == {path.stem for path in DECKS}
 

@@ -15,7 +15,7 @@ from judge.kata.checklist import Checklist, Row, Section, read_checklist
 from judge.kata.events import Answer, Hack, Help, Outcome, Rating
 from judge.kata.history import run_of
 from judge.kata.progress import Kind, State, assess
-from judge.kata.quiz.cards import Card
+from judge.kata.quiz.cards import FORMS, Card
 from judge.kata.quiz.choose import next_cards, next_due
 from judge.kata.review import LADDER, card_reviews, reviews
 from judge.kata.sets import find_set
@@ -178,8 +178,8 @@ def test_levels_are_counted_in_todays_groups_and_an_earlier_run_keeps_what_it_re
     assert [since for _, _, since in levels] == [START, days(1)]
 
 
-def card(name, *rows, form="choice", problem=""):
-    return Card("deck", name, form, "?", ".", rows=rows, problem=problem)
+def card(name, *rows, form="recall", **keys):
+    return Card("deck", FORMS[form](id=name, front="?", back=".", rows=rows, **keys))
 
 
 def answer(name, rating, when=START):
@@ -210,7 +210,12 @@ def test_or_by_all_of_its_skills_and_a_lost_one_is_lost():
 
 def test_or_by_all_of_its_cards_if_they_were_known_when_they_were_last_answered():
     row = Row("J1", "s", "?")
-    cards = (card("a", "J1"), card("b", "J1", "J2"), card("c", "J2"), card("d", "J1", problem="later"))
+    cards = (
+        card("a", "J1"),
+        card("b", "J1", "J2"),
+        card("c", "J2"),
+        card("d", "J1", form="order", problem="later"),
+    )
     known = [answer("a", Rating.GOOD), answer("b", Rating.HARD)]
     assert question(row, cards=cards, answers=known[:1]).state is State.OPEN
     assert question(row, cards=cards, answers=known).state is State.SHOWN
@@ -291,7 +296,7 @@ def test_hints_and_giving_up(person):
 
 
 def test_cards_that_are_due_come_first_then_those_that_are_new():
-    cards = [card("new"), card("good"), card("bad"), card("drawn", form="count")]
+    cards = [card("new"), card("good"), card("bad"), card("drawn", form="count", problem="count")]
     answers = [
         answer("good", Rating.GOOD),
         answer("bad", Rating.AGAIN, START + timedelta(minutes=1)),

@@ -18,7 +18,7 @@ from judge.errors import ExitCode, UsageError, nearest
 from judge.kata import events
 from judge.kata.quiz.cards import Card, all_cards, cards_of
 from judge.kata.quiz.choose import next_cards, next_due
-from judge.kata.quiz.sources import Sources
+from judge.kata.quiz.questions import Sources
 from judge.kata.review import Review, card_reviews
 from judge.kata.sets import USUAL
 from judge.report.progress import progress
@@ -151,11 +151,11 @@ def _narrowed(
 
 
 def _of_form(form: str, cards: Sequence[Card]) -> list[Card]:
-    from judge.kata.quiz.forms import NAMES
+    from judge.kata.quiz.cards import FORMS
 
-    if form not in NAMES:
-        meant = nearest(form, NAMES)
-        remedy = f"did you mean {meant!r}?" if meant else f"the forms are {', '.join(NAMES)}"
+    if form not in FORMS:
+        meant = nearest(form, FORMS)
+        remedy = f"did you mean {meant!r}?" if meant else f"the forms are {', '.join(FORMS)}"
         raise UsageError(f"no form of cards is called {form!r}", remedy=remedy)
     found = [card for card in cards if card.form == form]
     if not found:
@@ -221,7 +221,7 @@ def _as_object(card: Card, review: Review | None) -> dict[str, object]:
 def _check(cards: Sequence[Card], sources: Sources, *, as_json: bool) -> ExitCode:
     """Make a question of each card. Raises ProblemError with the first fault."""
     from judge.cli.options import write_json
-    from judge.kata.quiz.forms import ask
+    from judge.kata.quiz.questions import ask
     from judge.report.layout import Span, Style, line
     from judge.report.values import counted
 

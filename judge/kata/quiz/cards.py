@@ -9,27 +9,29 @@
                                        back = "Exactly 0, 1 or 2."
                                        rows = ["J1"]
 
-What else a card says depends on its form (judge.kata.quiz.forms). `rows` are those of checklist.toml that it
-drills, `sets` the practice sets that the deck's cards are asked with.
+Each form is a struct, whose fields are the keys of its cards. `rows` are the questions of checklist.toml that
+it practises, `sets` the practice sets that the deck's cards are asked with.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from pathlib import Path
-from typing import NoReturn
 
+import msgspec
 from msgspec import Struct
 
-from judge.errors import ProblemError, UsageError, nearest
-from judge.kata.sets import set_names
+from judge.errors import ProblemError, UsageError
+from judge.kata.checklist import read_checklist
+from judge.kata.quiz.typed import NUMBER, MistypedError, number
+from judge.kata.sets import USUAL, set_names
 from judge.problem.find import problem_folders, problem_roots
-from judge.problem.tables import TomlFile, meant
+from judge.problem.tables import TomlFile, meant, refusal
 
-_FOLDER = "quiz"
-_ALWAYS = ("id", "form", "front", "back", "rows")
-_NAME = "abcdefghijklmnopqrstuvwxyz0123456789-"
+_NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 _LONGEST = 2_000  # characters of a text
+LETTERS = "abcdefgh"  # of options
 
 
 class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
@@ -40,39 +42,139 @@ class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
     why: str
 
 
-class Card(Struct, frozen=True):
-    """One card. `front` is asked and `back` told afterwards; the rest belongs to some forms only.
+class Content(Struct, tag_field="form", forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """What a card of any form says: `front` is asked, and `back` is told afterwards."""
 
-    Attributes:
-        deck: the name of its deck; `key` is how the history knows it.
-        right, wrong: the options of a choice.
-        answer, within, unit: the number that is wanted, how far off an answer may be as a part of it, what it
-            counts.
-        problem, groups, mistakes: of which a figure or a wrong program is taken.
-        largest: figures are in whole numbers up to this; 0 where any will do.
-    """
-
-    deck: str
     id: str
-    form: str
     front: str
     back: str
     rows: tuple[str, ...] = ()
-    sets: tuple[str, ...] = ()
-    right: str = ""
-    wrong: tuple[WrongOption, ...] = ()
-    answer: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.id or set(self.id) - _NAME:
+            raise refusal(f"{self.id!r} is not an id", "write it in small letters, digits and -")
+        for field in msgspec.structs.fields(self):
+            text = getattr(self, field.name)
+            empty = isinstance(text, str) and field.required and not text.strip()
+            if empty or (isinstance(text, str) and len(text) > _LONGEST):
+                raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
+
+
+class Recall(Content, tag="recall", frozen=True):
+    """Free recall: the person compares with the back, and rates the own answer."""
+
+
+class Choice(Content, tag="choice", frozen=True):
+    """One option is right, every other one a mistake with a name."""
+
+    right: str
+    wrong: tuple[WrongOption, ...]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not 1 <= len(self.wrong) < len(LETTERS):
+            raise refusal(f"there are {len(self.wrong)} wrong options", f"write 1 to {len(LETTERS) - 1}")
+        texts = [self.right, *(each.text for each in self.wrong)]
+        for place, text in enumerate(texts):
+            if text in texts[:place]:
+                raise refusal(f"two options say {text!r}", "change one of them")
+        if not all(part.strip() for each in self.wrong for part in (each.text, each.mistake, each.why)):
+            raise refusal(
+                "a wrong option is empty", "write its text, its mistake's name, and why it is wrong"
+            )
+
+
+class Number(Content, tag="number", frozen=True):
+    """A number, off by `within` as a part of it at most; `unit` is what it counts."""
+
+    answer: str
     within: float = 0
     unit: str = ""
-    problem: str = ""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        try:
+            number(self.answer)
+        except MistypedError:
+            raise refusal(f"answer = {self.answer!r} is not a number", f"write {NUMBER}") from None
+        if not 0 <= Fraction(self.within) < 1:
+            raise refusal(f"within is {self.within}", "write a part of the answer: 0 up to 1")
+
+
+class Count(Content, tag="count", frozen=True):
+    """How many things the answer to a fresh case holds; in whole numbers up to `largest`, unless it is 0."""
+
+    problem: str
     groups: tuple[str, ...] = ()
-    mistakes: tuple[str, ...] = ()
     largest: int = 0
+
+
+class Drawn(Content, frozen=True):
+    """A figure that a problem's topic makes afresh each time."""
+
+    problem: str
+
+
+class FirstHit(Drawn, tag="first-hit", frozen=True):
+    """What is met first."""
+
+
+class Order(Drawn, tag="order", frozen=True):
+    """In which order things are met."""
+
+
+class Tags(Drawn, tag="tags", frozen=True):
+    """What each thing that is met is."""
+
+
+class Spot(Content, tag="spot", frozen=True, kw_only=True):
+    """Which test group a wrong program fails, that makes one of these `mistakes`, or any."""
+
+    back: str = ""
+    problem: str
+    mistakes: tuple[str, ...] = ()
+
+
+AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
+FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
+
+
+class Card(Struct, frozen=True):
+    """One card of a deck; `key` is how the history knows it: `junior/three-counts`."""
+
+    deck: str
+    content: AnyForm
+    sets: tuple[str, ...] = ()
 
     @property
     def key(self) -> str:
-        """What the history knows it by: `junior/three-counts`."""
+        """Its deck and its id."""
         return f"{self.deck}/{self.id}"
+
+    @property
+    def id(self) -> str:
+        """Its name in its deck."""
+        return self.content.id
+
+    @property
+    def form(self) -> str:
+        """The name of its form."""
+        return str(self.content.__struct_config__.tag)
+
+    @property
+    def front(self) -> str:
+        """What is asked."""
+        return self.content.front.strip()
+
+    @property
+    def rows(self) -> tuple[str, ...]:
+        """The questions of the checklist that it practises."""
+        return self.content.rows
+
+    @property
+    def problem(self) -> str:
+        """The problem that it takes a figure or a program of; empty where it takes none."""
+        return getattr(self.content, "problem", "")
 
 
 class Deck(Struct, frozen=True):
@@ -83,85 +185,46 @@ class Deck(Struct, frozen=True):
     cards: tuple[Card, ...]
 
 
-class Wants(Struct, frozen=True):
-    """What a form asks of a card: keys that must be there, keys that may be, and a check of their values.
-
-    The check gives the key at fault, what is wrong, and what to do.
-    """
-
-    needs: tuple[str, ...] = ()
-    takes: tuple[str, ...] = ()
-    check: Callable[[Card], tuple[str, str, str] | None] | None = None
-
-
-class _CardTable(Struct, forbid_unknown_fields=True, frozen=True):
-    id: str
-    form: str
-    front: str
-    back: str | None = None
-    rows: list[str] | None = None
-    right: str | None = None
-    wrong: list[WrongOption] | None = None
-    answer: str | None = None
-    within: float | None = None
-    unit: str | None = None
-    problem: str | None = None
-    groups: list[str] | None = None
-    largest: int | None = None
-    mistakes: list[str] | None = None
-
-
 class _DeckTable(Struct, forbid_unknown_fields=True, frozen=True):
     title: str
-    cards: list[_CardTable]
-    sets: list[str] = []
+    cards: list[AnyForm]
+    sets: tuple[str, ...] = ()
 
 
-def all_cards(extra: Sequence[Path] = ()) -> list[Card]:
-    """The cards of all decks, in their order. Raises ProblemError where a deck is broken."""
-    return [card for deck in all_decks(extra) for card in deck.cards]
+def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemError]]:
+    """Every deck that can be read, one of each name, and the fault of each that cannot.
 
-
-def all_decks(extra: Sequence[Path] = ()) -> list[Deck]:
-    """Every deck that can be found, one of each name; the sets' own decks come first, in the sets' order.
-
-    Raises:
-        ProblemError: a deck is broken: the first fault there is.
+    The sets' own decks come first, in the sets' order.
     """
-    decks, faults = sound_decks(extra)
-    for fault in faults:
-        raise fault
-    return decks
-
-
-def sound_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemError]]:
-    """Every deck that can be read, and the fault of each that cannot."""
-    from judge.kata.checklist import read_checklist  # which does not need decks
-
     found: dict[str, Path] = {}
     for root in problem_roots(extra):
-        for path in sorted((root / _FOLDER).glob("*.toml")):
+        for path in sorted((root / "quiz").glob("*.toml")):
             found.setdefault(path.stem, path)
     sets = set_names(extra)
-    order = {name: place for place, name in enumerate(sets)}
     decks: list[Deck] = []
     faults: list[ProblemError] = []
     try:
         rows = [row.id for row in read_checklist(extra).rows]
     except ProblemError as fault:
         return [], [fault]
-    for name in sorted(found, key=lambda name: (order.get(name, len(order)), name)):
+    for name in sorted(found, key=lambda name: (sets.index(name) if name in sets else len(sets), name)):
         try:
-            decks.append(_Reader(found[name], rows, sets).deck())
+            decks.append(_deck(name, TomlFile(found[name]), rows, sets))
         except ProblemError as fault:
             faults.append(fault)
     return decks, faults
 
 
+def all_cards(extra: Sequence[Path] = ()) -> list[Card]:
+    """The cards of all decks, in their order. Raises ProblemError where a deck is broken."""
+    decks, faults = read_decks(extra)
+    for fault in faults:
+        raise fault
+    return [card for deck in decks for card in deck.cards]
+
+
 def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> list[Card]:
     """The cards of a practice set, or of a deck. Raises UsageError where nothing is called so."""
-    from judge.kata.sets import USUAL
-
     found = [card for card in cards if name == USUAL or name == card.deck or name in card.sets]
     if not found:
         known = list(dict.fromkeys([*set_names(extra), *(card.deck for card in cards)]))
@@ -172,95 +235,26 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
     return found
 
 
-class _Reader:
-    """Reads one deck; every fault has its line."""
-
-    def __init__(self, path: Path, rows: Sequence[str], sets: Sequence[str]) -> None:
-        self._file = TomlFile(path)
-        self._name = path.stem
-        self._rows = rows
-        self._sets = sets
-
-    def deck(self) -> Deck:
-        """The deck. Raises ProblemError."""
-        table = self._file.read(_DeckTable)
-        for place, name in enumerate(table.sets):
-            if name not in self._sets:
-                remedy = meant(name, list(self._sets))
-                raise self._file.fault(f"no practice set is called {name!r}", remedy, "sets", place)
-        if not table.cards:
-            raise self._file.fault("the deck has no card", "add [[cards]]")
-        cards: dict[str, Card] = {}
-        for place, each in enumerate(table.cards):
-            if each.id in cards:
-                what = f"the card {each.id!r} is there twice"
-                raise self._file.fault(what, "give one another id", "cards", place, "id")
-            cards[each.id] = self._card(each, place, tuple(table.sets))
-        return Deck(self._name, table.title, tuple(cards.values()))
-
-    def _card(self, table: _CardTable, place: int, sets: tuple[str, ...]) -> Card:
-        from judge.kata.quiz.forms import WANTS
-
-        given = {key for key in table.__struct_fields__ if getattr(table, key) is not None}
-        if not table.id or set(table.id) - set(_NAME):
-            self._fail(place, "id", f"{table.id!r} is no id", "write it in small letters, digits and -")
-        wants = WANTS.get(table.form)
-        if wants is None:
-            meant = nearest(table.form, WANTS)
-            remedy = f"did you mean {meant!r}?" if meant else f"the forms are {', '.join(WANTS)}"
-            self._fail(place, "form", f"no form of cards is called {table.form!r}", remedy)
-        for key in (*wants.needs, *(() if "back" in wants.takes else ("back",))):
-            if key not in given:
-                self._fail(
-                    place, "", f"the key {key!r} is missing, which {table.form} asks for", f"add {key} = …"
-                )
-        for key in sorted(given - {*_ALWAYS, *wants.needs, *wants.takes}):
-            self._fail(place, key, f"{key!r} is no key of the form {table.form}", "remove it")
-        for key in given:
-            value = getattr(table, key)
-            if isinstance(value, str) and (not value.strip() or len(value) > _LONGEST):
-                self._fail(
-                    place, key, f"{key} is {'too long' if value.strip() else 'empty'}", "write a sentence"
-                )
-        for at, row in enumerate(table.rows or ()):
-            if row not in self._rows:
-                what, remedy = f"the checklist has no row {row!r}", self._like_row(row)
-                raise self._file.fault(what, remedy, "cards", place, "rows", at)
-        card = self._made(table, sets)
-        if wants.check and (fault := wants.check(card)):
-            self._fail(place, *fault)
-        return card
-
-    def _made(self, table: _CardTable, sets: tuple[str, ...]) -> Card:
-        return Card(
-            deck=self._name,
-            id=table.id,
-            form=table.form,
-            front=table.front.strip(),
-            back=(table.back or "").strip(),
-            rows=tuple(table.rows or ()),
-            sets=sets,
-            right=table.right or "",
-            wrong=tuple(table.wrong or ()),
-            answer=table.answer or "",
-            within=table.within or 0,
-            unit=table.unit or "",
-            problem=table.problem or "",
-            groups=tuple(table.groups or ()),
-            mistakes=tuple(table.mistakes or ()),
-            largest=table.largest or 0,
-        )
-
-    def _like_row(self, row: str) -> str:
-        meant = nearest(row, self._rows)
-        return f"did you mean {meant!r}?" if meant else "'judge progress --all' lists them"
-
-    def _fail(self, place: int, key: str, what: str, remedy: str) -> NoReturn:
-        path: tuple[str | int, ...] = ("cards", place, key) if key else ("cards", place)
-        raise self._file.fault(what, remedy, *path)
-
-
 def unknown_parts(cards: Sequence[Card], extra: Sequence[Path] = ()) -> Mapping[str, str]:
     """The problems that cards name and that are not here, each with a card that does."""
     here = {folder.name for folder in problem_folders(extra)}
     return {card.problem: card.key for card in cards if card.problem and card.problem not in here}
+
+
+def _deck(name: str, file: TomlFile, rows: Sequence[str], sets: Sequence[str]) -> Deck:
+    table = file.read(_DeckTable)
+    for place, each in enumerate(table.sets):
+        if each not in sets:
+            raise file.fault(f"no practice set is called {each!r}", meant(each, sets), "sets", place)
+    if not table.cards:
+        raise file.fault("the deck has no card", "add [[cards]]")
+    ids = [card.id for card in table.cards]
+    for place, card in enumerate(table.cards):
+        if card.id in ids[:place]:
+            what = f"the card {card.id!r} is there twice"
+            raise file.fault(what, "give one another id", "cards", place, "id")
+        for at, row in enumerate(card.rows):
+            if row not in rows:
+                what = f"the checklist has no row {row!r}"
+                raise file.fault(what, meant(row, rows), "cards", place, "rows", at)
+    return Deck(name, table.title, tuple(Card(name, card, table.sets) for card in table.cards))

@@ -6,13 +6,15 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from judge.kata.quiz.question import MistypedError
-
 NONE = "none"
 _NUMBER = re.compile(r"([+-]?)(\d{1,40})(?:\.(\d{0,40}))?(?:e([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.IGNORECASE)
 _LONGEST = 40  # characters of it that are quoted
 _COUNT = "a whole number such as 0, 1 or 2, or none"
 NUMBER = "a number such as 4, 0.5, 1e-9 or 2/3"
+
+
+class MistypedError(Exception):
+    """What was typed is not an answer; the message says what one looks like."""
 
 
 def number(text: str) -> Fraction:

@@ -1,0 +1,320 @@
+"""A card as a question: what is shown, and what an answer comes to.
+
+recall                             free recall; the person compares with the model answer, and rates it
+choice                             one option is right, every other one a mistake with a name
+number                             a number, exactly or nearly
+count                              a fresh case of a problem: how many things its answer holds
+first-hit, order, tags             a figure that the problem's topic makes (`Hooks.puzzle`)
+spot                               which test group breaks a wrong program
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from msgspec import Struct
+
+from judge.errors import ProblemError
+from judge.kata.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
+from judge.kata.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
+from judge.problem import Problem
+from judge.problem.find import find_problem
+
+if TYPE_CHECKING:
+    from judge.data.draw import Draw
+    from judge.data.model import ProblemData, Progress
+    from judge.drawing import Picture
+    from judge.problem import Group
+    from judge.problem.module import Module
+
+_FRESH = 1_000  # cases that are looked at for one of small numbers
+_PROGRAMS = 12  # wrong programs that are looked at
+_LONGEST = 60  # lines of a program that are shown
+_OPTIONS = 4  # groups to choose from
+_Part = TypeVar("_Part")
+
+
+class Reply(Struct, frozen=True):
+    """What an answer comes to; `given` is the answer as it was understood.
+
+    Where it is wrong in a way that has a name, `mistake` is that, and `why` says what is wrong with it.
+    """
+
+    right: bool
+    given: str
+    mistake: str = ""
+    why: str = ""
+
+
+class Question(Struct, frozen=True):
+    """One question.
+
+    Attributes:
+        card: what it is made from.
+        expects: what may be typed, in words.
+        answer: the right answer in words, the model answer of one that the person rates.
+        check: what an answer comes to; raises MistypedError. None where the person rates it.
+        given: what is known of the figure, a line each.
+        options: what to choose from, each with its letter.
+        program: the source that the question is about.
+        picture: the figure, without the answer.
+        why: what makes the answer right in this figure.
+    """
+
+    card: Card
+    expects: str
+    answer: str
+    check: Callable[[str], Reply] | None = None
+    given: tuple[str, ...] = ()
+    options: tuple[tuple[str, str], ...] = ()
+    program: str = ""
+    picture: Picture | None = None
+    why: str = ""
+
+
+class Sources:
+    """Problems are read, and their code is run, when a question asks for them; each once.
+
+    `bars` opens a bar for work of that label.
+    """
+
+    def __init__(
+        self,
+        folders: Sequence[Path],
+        seed: int,
+        bars: Callable[[str], AbstractContextManager[Progress | None]],
+    ) -> None:
+        self.folders = folders
+        self.seed = seed
+        self._bars = bars
+        self.problem: Callable[[str], Problem] = cache(partial(find_problem, extra=folders))
+        self.module: Callable[[str], Module] = cache(self._module)
+        self.data: Callable[[str], ProblemData] = cache(self._data)
+
+    def _module(self, name: str) -> Module:
+        from judge.problem.module import load_module
+
+        return load_module(self.problem(name))
+
+    def _data(self, name: str) -> ProblemData:
+        from judge.data.load import load_data
+
+        with self._bars(f"building the data of {name}") as progress:
+            return load_data(self.problem(name), progress=progress)
+
+
+def ask(card: Card, sources: Sources, turn: str) -> Question:
+    """The card as a question; what is left to chance depends on the seed and on the `turn`.
+
+    Raises:
+        UsageError: a problem that it names is not here.
+        ProblemError: a problem's own code fails, or the card asks for what it has not.
+    """
+    from judge.data.draw import SeededDraw
+
+    draw = SeededDraw(f"quiz/{sources.seed}/{card.key}/{turn}")
+    match card.content:
+        case Choice() as content:
+            right = (content.right, Reply(True, ""))
+            wrong = [(each.text, Reply(False, "", each.mistake, each.why)) for each in content.wrong]
+            return _options(card, [right, *wrong], draw, content.right, content.back)
+        case Number() as content:
+            answer = f"{content.answer} {content.unit}".rstrip()
+            return Question(card, NUMBER, answer, partial(_nearly, content), why=content.back.strip())
+        case Count() as content:
+            return _count(card, content, sources, draw)
+        case Drawn() as content:
+            return _drawn(card, content, sources, draw)
+        case Spot() as content:
+            return _spot(card, content, sources, draw)
+    return Question(card, "your answer, or nothing if you say it aloud", card.content.back.strip())
+
+
+def _cannot(card: Card, what: str, remedy: str) -> ProblemError:
+    """The fault of a card that asks for what its problem has not."""
+    return ProblemError(f"card {card.id!r}: {what}", where=f"quiz/{card.deck}.toml", remedy=remedy)
+
+
+def _options(
+    card: Card, replies: Sequence[tuple[str, Reply]], draw: Draw, answer: str, why: str, program: str = ""
+) -> Question:
+    """A choice between texts, each with what it comes to; the first is right."""
+    order = _shuffled(replies, draw)
+    letters = LETTERS[: len(order)]
+    found = dict(zip(letters, order, strict=True))
+    right = next(letter for letter, each in found.items() if each is replies[0])
+
+    def check(typed: str) -> Reply:
+        letter = option(typed, letters)
+        reply = found[letter][1]
+        return Reply(reply.right, letter, reply.mistake, reply.why)
+
+    options = tuple((letter, text) for letter, (text, _) in found.items())
+    shown = f"{right}  {answer}"
+    return Question(
+        card, letters_of(letters), shown, check, options=options, program=program, why=why.strip()
+    )
+
+
+def _shuffled(parts: Sequence[_Part], draw: Draw) -> list[_Part]:
+    """The parts in an order by chance."""
+    found = list(parts)
+    for end in range(len(found) - 1, 0, -1):
+        at = draw.integer(0, end)
+        found[at], found[end] = found[end], found[at]
+    return found
+
+
+def _nearly(content: Number, typed: str) -> Reply:
+    typed = typed.strip().removesuffix(content.unit) if content.unit else typed
+    found, wanted = number(typed), number(content.answer)
+    return Reply(abs(found - wanted) <= Fraction(content.within) * abs(wanted), typed.strip())
+
+
+# -- figures -----------------------------------------------------------------------------------------------
+
+
+def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question:
+    from judge.data.build import new_case
+    from judge.data.validate import Validator
+    from judge.problem.declare import Shown
+    from judge.problem.module import blaming
+
+    problem, module = sources.problem(content.problem), sources.module(content.problem)
+    validator = Validator(problem, module.solve)
+    with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
+        for _ in range(_FRESH):
+            group = draw.choice(_groups(card, content, problem))
+            builder = module.draws[group.name]
+            case, exact = new_case(problem, group, builder, validator, lambda _attempt: draw, 1)
+            if not content.largest or all(
+                abs(each) <= content.largest and each == int(each) for each in _numbers(case)
+            ):
+                break
+        else:
+            what = f"no case is in whole numbers up to {content.largest}"
+            raise _cannot(card, what, "raise largest, or name other groups")
+        values = problem.named(case)
+        shown = Shown(problem, values, None, None, None)  # else the answer would be drawn
+        drawn = module.hooks.picture(shown) if module.hooks.picture else None
+    if drawn:  # the figure at true scale alone, and no words but the names of its points
+        whole = replace(drawn.whole, title="", note="")
+        drawn = replace(drawn, heading="", description="", whole=whole, lens=None, facts=())
+    many = NONE if exact is None else str(len(exact)) if isinstance(exact, list) else str(exact)
+    if not (exact is None or isinstance(exact, list) or (type(exact) is int and exact >= 0)):
+        what = f"the answer of {card.problem} counts nothing"
+        raise _cannot(card, what, "name a problem that answers a count or a list")
+
+    def check(typed: str) -> Reply:
+        found = count(typed)
+        return Reply(found == many, found)
+
+    given = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
+    expects, why = "a whole number, or none", content.back.strip()
+    return Question(card, expects, many, check, given=(given,), picture=drawn, why=why)
+
+
+def _numbers(value: Any) -> Iterator[float]:
+    """The numbers in a case."""
+    if isinstance(value, int | float):
+        yield value
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from _numbers(part)
+
+
+def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
+    from judge.problem.model import EXAMPLES
+
+    able = {each.name: each for each in problem.groups if each.name != EXAMPLES and each.size is None}
+    for name in content.groups:
+        if name not in able:
+            what = f"{problem.id} has no group {name!r} to draw from"
+            raise _cannot(card, what, f"name some of {', '.join(able)}")
+    found = [each for name, each in able.items() if not content.groups or name in content.groups]
+    if not found:
+        raise _cannot(card, f"{problem.id} has no group to draw from", "name another problem")
+    return found
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, tuple | list):
+        return f"({', '.join(map(_plain, value))})"
+    return repr(int(value) if isinstance(value, float) and value.is_integer() else value)
+
+
+def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question:
+    from judge.problem.module import blaming
+
+    problem, module = sources.problem(content.problem), sources.module(content.problem)
+    make = module.hooks.puzzle
+    with blaming(problem, f"card {card.key}: the figure cannot be made"):
+        figure = make(card.form, draw, module.solve) if make else None
+    if figure is None:
+        raise _cannot(card, f"{problem.id} has no figure for {card.form!r}", "name another problem, or form")
+    words = [f"{word} ({meaning})" if meaning else word for word, meaning in figure.words.items()]
+    expects = f"{listed(words, 'or' if figure.one else 'and')}{'' if figure.one else ' in order'}, or {NONE}"
+
+    def check(typed: str) -> Reply:
+        found = sequence(typed, figure.words)
+        return Reply(found == figure.answer, " ".join(found) or NONE)
+
+    answer = " ".join(figure.answer) or NONE
+    why = " ".join(part for part in (figure.why, content.back.strip()) if part)
+    return Question(card, expects, answer, check, given=figure.given, picture=figure.picture, why=why)
+
+
+# -- wrong programs ----------------------------------------------------------------------------------------
+
+
+def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
+    """A known wrong program: of the groups to choose from one rejects it, and the others accept it."""
+    from judge.mistakes.computed import Program, computed
+    from judge.mistakes.puzzles import read_puzzles
+    from judge.problem.solutions import MISTAKES
+
+    problem = sources.problem(content.problem)
+    puzzles = [
+        each
+        for each in read_puzzles(problem)
+        if each.trusted and _readable(each.source) and each.mistake in (content.mistakes or (each.mistake,))
+    ]
+    if not puzzles:
+        what = f"{card.problem} has no program with such a mistake"
+        raise _cannot(card, what, f"name mistakes of its {MISTAKES}, or none")
+    data = sources.data(content.problem)
+    for _ in range(_PROGRAMS):
+        puzzle = draw.choice(puzzles)
+        does = computed(data, Program(puzzle.source, puzzle.mistake, trusted=True))
+        asked = [group for group in problem.groups if group.name in does]
+        breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]
+        passing = [each for each in asked if not does[each.name].wrong]
+        if breaking and passing:
+            right = draw.choice(breaking)
+            others = _shuffled(passing, draw)[: _OPTIONS - 1]
+            replies = [(f"{right.name}: {right.about}", Reply(True, ""))]
+            for each in others:
+                why = f"It answers every case of {each.name} rightly."
+                replies.append((f"{each.name}: {each.about}", Reply(False, "", why=why)))
+            answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {content.back}"
+            return _options(card, replies, draw, answer, why, puzzle.source.decode())
+    what = f"no program of {card.problem} is broken by some groups and not by others"
+    raise _cannot(card, what, "name other mistakes, or another problem")
+
+
+def _readable(source: bytes) -> bool:
+    """Whether it is short, nothing stands behind a return, and no lambda is called where it stands."""
+    for node in ast.walk(ast.parse(source)):
+        body = getattr(node, "body", None)
+        if isinstance(body, list) and any(isinstance(each, ast.Return) for each in body[:-1]):
+            return False
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Lambda):
+            return False
+    return source.count(b"\n") <= _LONGEST
