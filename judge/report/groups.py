@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from judge.problem import Group, Problem
+from judge.report.katas import growth_rule, time_rule, totals
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.levels import level_name
-from judge.report.problems import growth_rule, time_rule, totals
 
 _COLUMN = 14  # where what follows a label begins
 

@@ -15,7 +15,7 @@ import pytest
 from cli_support import FLOOR, MEAN, PACK, ROOT
 from sampling import nightly
 
-from judge.cli.commands import list as list_module
+from judge.cli.commands import look
 from judge.errors import ProblemError
 from judge.judging import session
 from judge.judging import session as judging
@@ -74,7 +74,7 @@ def test_an_internal_fault_is_one_line_and_debug_shows_the_traceback(judge, monk
     def fail(_folders):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(list_module, "sound_problems", fail)
+    monkeypatch.setattr(look, "sound_problems", fail)
     line = "judge: internal fault: RuntimeError: the sky fell"
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
@@ -213,7 +213,7 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
     def short(_folders):
         raise fault
 
-    monkeypatch.setattr(list_module, "sound_problems", short)
+    monkeypatch.setattr(look, "sound_problems", short)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")

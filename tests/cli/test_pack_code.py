@@ -29,8 +29,7 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "due": ["due"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],
-    "help": ["help --search pack"],
-    "schema": ["schema run"],
+    "help": ["help pack of katas", "help --schema run"],
 }
 RUN_IT = {
     "run": "run middle mine.py -q",
