@@ -141,6 +141,8 @@ def explain(fault: Exception) -> tuple[str, int]:
     """The line and the exit status that `fault` comes to."""
     if isinstance(fault, JudgeError):
         return str(fault), fault.exit_code
+    if isinstance(fault, click.MissingParameter) and fault.param and "KATA" in (fault.param.metavar or ""):
+        return "Which kata? judge list shows them", ExitCode.USAGE
     if isinstance(fault, click.UsageError):
         message = _usage(fault)
         if fault.ctx and not message.endswith("?"):

@@ -19,7 +19,7 @@ from types import UnionType
 from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin
 
 import click
-from msgspec import Struct
+from msgspec import NODEFAULT, Struct
 from msgspec.structs import fields
 
 from judge.cli.emit import emit
@@ -39,7 +39,8 @@ class Option(NamedTuple):
 def opt(*names: str, **settings: Any) -> Option:
     """An option of these names; `help`, `type`, `metavar`, `hidden` are those of click.option.
 
-    The field's own type and default say the rest: a bool is a flag, a tuple may be given again.
+    The field's own type and default say the rest: a bool is a flag, a tuple may be given again,
+    what has no default is required.
     """
     return Option(names, settings)
 
@@ -70,9 +71,13 @@ def _option(field: str, type_: Any, default: Any) -> Callable[[F], F]:
         plain, settings["multiple"] = get_args(plain)[0], True
     if isinstance(plain, UnionType):
         plain = get_args(plain)[0]
+    if default is NODEFAULT:
+        settings["required"] = True
+    else:
+        settings["default"] = default
     if plain is not bool:
         settings.setdefault("type", click.Path(path_type=Path) if plain is Path else plain)
-    return click.option(*option.names, field, default=default, **settings)
+    return click.option(*option.names, field, **settings)
 
 
 class Common(Struct, frozen=True):

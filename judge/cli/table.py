@@ -118,7 +118,7 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
         "help": Entry(
             "Read the manual, or search it.",
             "commands",
-            "machine",
+            "help",
             ("judge help quiz", "judge help tolerance zero", "judge help --schema run"),
         ),
     },
@@ -156,23 +156,21 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "new": Entry(
-            "Write a kata of your own to begin with.", "new-kata", "new", ("judge new . two-points",)
+            "Write a kata of your own to begin with.", "new-kata", "setter", ("judge new . two-points",)
         ),
         "verify": Entry(
-            "Check problems from the setter's side.",
+            "Check katas from the setter's side.",
             "problem-toml",
-            "verify",
-            (
-                "judge verify count",
-                "judge verify --problems problems two-points",
-            ),
+            "setter",
+            ("judge verify count --matrix", "judge verify --problems problems two-points"),
         ),
         "export": Entry(
-            "Write problems as packages that other judges read.",
+            "Write katas as packages or files that other judges read.",
             "packages",
-            "export",
+            "setter",
             (
                 "judge export count --out packages",
+                "judge export count --format files --out data",
                 "judge export exact-count --out packages --version legacy --zip --wrong 5",
             ),
         ),
@@ -180,7 +178,7 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             "Say how well submissions are contained on this machine.",
             "containment",
             "doctor",
-            ("judge doctor",),
+            ("judge doctor", "judge doctor --languages"),
         ),
     },
     "Also": {
@@ -221,12 +219,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
             ),
         ),
-        "data": Entry(
-            "Write a problem's test data and exact answers as files.",
-            "problem-toml",
-            "data",
-            ("judge data count --out count-data",),
-        ),
     },
 }
 COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
@@ -234,6 +226,7 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
     "why": ("show", "--groups"),
+    "data": ("export", "--format", "files"),
     "schema": ("help", "--schema"),
     "completion": ("help", "--completion"),
 }

@@ -73,7 +73,7 @@ class _Table(NamedTuple):
     def _laid(self, columns: Sequence[int], rows: list[list[Text]], options: ConsoleOptions) -> Table:
         titled = any(self.titles) and rows is self.cells
         laid = Table(box=None, show_header=titled, header_style=FAINT, pad_edge=False, padding=(0, 2, 0, 0))
-        readable = READABLE if options.max_width < ENDLESS else None
+        readable = READABLE if options.max_width < ENDLESS // 2 else None
         left = max(options.max_width - sum(self._widths()[:-1]) - 2 * (len(columns) - 1), 1)
         for at in columns:
             cut = self.prose is None and at == columns[-1]

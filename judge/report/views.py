@@ -18,6 +18,12 @@ if TYPE_CHECKING:
 VIEWS: Mapping[str, tuple[str, str]] = {
     "KataList": ("katas", "kata_list"),
     "KataShown": ("katas", "kata_shown"),
+    "NewKata": ("setter", "new_kata"),
+    "Verified": ("setter", "verified"),
+    "VerifySummary": ("setter", "verify_summary"),
+    "FilesWritten": ("setter", "files_written"),
+    "Exported": ("setter", "exported"),
+    "Doctor": ("setter", "doctor"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),

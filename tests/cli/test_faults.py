@@ -54,7 +54,7 @@ ENDING = [
     ("words", "ending"),
     [
         *(("run middle mine.py", ending) for ending in ENDING),
-        ("data middle --out data", ENDING[0]),
+        ("export middle --format files --out data", ENDING[0]),
         ("stress middle mine.py", ENDING[-1]),
     ],
 )
@@ -103,7 +103,7 @@ def test_ctrl_c_in_mid_run(submit, tmp_path):
     assert "Traceback" not in err
 
 
-@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.commands.list"])
+@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.commands.look"])
 def test_ctrl_c_while_modules_are_imported_is_quiet_and_never_lost(module):
     script = f"""
 import os, signal, sys

@@ -25,7 +25,16 @@ from judge.run import Failure, GroupResult, LevelResult, Mode, Pitfall, Ratio, R
 pytestmark = pytest.mark.slow
 
 SAMPLES = ["stress middle mine.py --for 20s", "stress middle mine.py --for 0.1s --group whole", "doctor"]
-OPTIONAL = {"matrix", "unreliable", "busy", "level", "levels", "growth", "size"}  # keys that may be missing
+OPTIONAL = {
+    "schema",
+    "matrix",
+    "unreliable",
+    "busy",
+    "level",
+    "levels",
+    "growth",
+    "size",
+}  # keys that may be missing
 FREE = {"input", "bands", "rejected", "cases", "mistakes", "broken"}  # whose keys are names of the problem
 
 

@@ -1,4 +1,4 @@
-"""`judge help`: the manual, the JSON Schemas, and what a shell needs to complete words."""
+"""`judge help`: the manual, the schemas of the JSON, and what a shell needs to complete words."""
 
 from __future__ import annotations
 
