@@ -70,7 +70,7 @@ def kata_shown(found: KataShown, screen: Screen) -> RenderableType:
     """The statement, the parameters and what is allowed; or the test groups."""
     problem = found.problem
     if found.groups:
-        return Together(joined(text(problem.id, STRONG), "  ", problem.title), *_groups(problem))
+        return group_details(problem, problem.groups)
     source = problem.source
     said = (
         ("authors", ", ".join(source.authors)),
@@ -131,12 +131,18 @@ def _smallest(parameters: Sequence[Parameter]) -> str:
     return "; ".join(parts)
 
 
-def _groups(problem: Problem) -> Iterator[RenderableType]:
-    """The groups of each level: what each tests, and the mistakes that it finds."""
+def group_details(problem: Problem, groups: Sequence[Group]) -> RenderableType:
+    """What these groups of a problem test, and the mistakes that they find."""
+    return Together(joined(text(problem.id, STRONG), "  ", problem.title), *_levels(problem, groups))
+
+
+def _levels(problem: Problem, groups: Sequence[Group]) -> Iterator[RenderableType]:
     if problem.growth is not None:
         yield text(f"CPU time may grow {growth_rule(problem.growth)}.")
     for level in problem.levels or (None,):
-        own = [group for group in problem.groups if group.level is level]
+        own = [group for group in groups if group.level is level]
+        if not own:
+            continue
         yield Text()
         yield joined(
             text(f"{level.value.capitalize()} level" if level else "Test groups", STRONG), f"  {totals(own)}"
