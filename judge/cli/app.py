@@ -14,7 +14,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.cli.table import COMMANDS, EXAMPLES, FIRST, FURTHER, TOPICS
+from judge.cli.table import COMMANDS, HEADINGS, LIKE, OLD
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
@@ -42,10 +42,11 @@ class Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
-        command = importlib.import_module(f"judge.cli.commands.{cmd_name}").command
+        module = importlib.import_module(f"judge.cli.commands.{COMMANDS[cmd_name].module}")
+        found = (each for each in vars(module).values() if isinstance(each, click.Command))
+        command = next(each for each in found if each.name == cmd_name)
         gc.enable()
         imported()
-        assert isinstance(command, click.Command)
         command.epilog = _epilog(cmd_name)
         if ctx is not None and ctx.resilient_parsing:
             from judge.cli.complete import offer_names  # only where a shell asks
@@ -56,16 +57,14 @@ class Commands(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that the first argument names; a name unlike any is refused with the nearest one."""
+        """The command that the first argument names, or named; any other name is refused with a near one."""
         name = args[0]
+        if name in OLD and not ctx.resilient_parsing:
+            now = OLD[name]
+            _note(f"{name} is now: judge {' '.join(now)}")
+            return super().resolve_command(ctx, [*now, *args[1:]])
         if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
-            meant = nearest(name, COMMANDS)
-            advice = f"; did you mean '{meant}'?" if meant else ""
-            if os.path.isfile(name):  # noqa: PTH113 - of any name
-                from judge.report.names import shown_command  # only for the one who is told
-
-                advice = f"; to judge that file: {shown_command('judge', 'run', file=name)}"
-            raise click.UsageError(f"no such command '{name}'{advice}", ctx)
+            raise UsageError(_unknown(name))
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
@@ -74,18 +73,19 @@ class Commands(click.Group):
 
         return [*commands(incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
 
-    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """The commands by what a person wants to do, the further ones by name, the options on a line.
 
         All within a screen of 24 lines, and without importing any.
         """
-        for aim, rows in FIRST.items():
-            with formatter.section(aim):
-                formatter.write_dl(rows)
-        with formatter.section("More (judge help start has them all)"):
-            formatter.write(f"{click.wrap_text(', '.join(FURTHER), formatter.width, '  ', '  ')}\n")
+        formatter.write(f"{self.help} Usage: judge COMMAND ...\n")
+        *listed, named, also = HEADINGS
+        for heading in listed:
+            with formatter.section(heading):
+                formatter.write_dl([(name, entry.sentence) for name, entry in HEADINGS[heading].items()])
         names = [name for each in self.get_params(ctx) for name in each.opts if name[:2] == "--"]
-        formatter.write(f"Options: {', '.join(names)}\n")
+        for heading, words in ((named, HEADINGS[named]), (also, HEADINGS[also]), ("Options", names)):
+            formatter.write(f"{heading}: {', '.join(words)}\n")
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; a reader that left is told apart from other faults of the system."""
@@ -121,14 +121,28 @@ class Commands(click.Group):
 
 def _epilog(name: str) -> str:
     """What ends a command's help: what to type, line by line, and the page that tells more."""
-    examples = "\n".join(f"  {each}" for each in EXAMPLES[name])
-    return f"\b\nFor example:\n{examples}\n\nMore: judge help {TOPICS[name]}"
+    examples = "\n".join(f"  {each}" for each in COMMANDS[name].examples)
+    more = f"More: judge help {COMMANDS[name].topic}"
+    return f"\b\nFor example:\n{examples}\n\n{more}"
+
+
+def _unknown(name: str) -> str:
+    """That there is no such command, and what was most likely meant."""
+    if os.path.isfile(name):  # noqa: PTH113 - of any name
+        from judge.report.names import shown_command  # only for the one who is told
+
+        return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
+    near = LIKE.get(name) or nearest(name, [*COMMANDS, *OLD])
+    meant = f"Did you mean judge {near}?" if near else "judge --help shows the commands"
+    return f"There is no command {name}. {meant}"
 
 
 def explain(fault: Exception) -> tuple[str, int]:
     """The line and the exit status that `fault` comes to."""
     if isinstance(fault, JudgeError):
         return str(fault), fault.exit_code
+    if isinstance(fault, click.MissingParameter) and fault.param and "KATA" in (fault.param.metavar or ""):
+        return "Which kata? judge list shows them", ExitCode.USAGE
     if isinstance(fault, click.UsageError):
         message = _usage(fault)
         if fault.ctx and not message.endswith("?"):
@@ -188,6 +202,12 @@ def _complain(message: str) -> None:
     note(message, Style.BAD)
 
 
+def _note(message: str) -> None:
+    from judge.report.screen import note  # only for the one who is told
+
+    note(message)
+
+
 def _show_traceback(fault: Exception) -> None:
     import traceback  # only for --debug
 
@@ -214,6 +234,6 @@ def _hush() -> None:
 @click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")
 @click.pass_context
 def app(ctx: click.Context) -> None:
-    """Circle-line geometry: exact answers, contained submissions, named mistakes."""
+    """Practise circle and line geometry, offline."""
     if ctx.invoked_subcommand is None:
         click.echo(ctx.get_help())

@@ -20,15 +20,20 @@ else:
 
 def commands(incomplete: str) -> Items:
     """The commands that begin with what was typed, each with its sentence."""
-    return [CompletionItem(name, help=text) for name, text in COMMANDS.items() if name.startswith(incomplete)]
+    return [
+        CompletionItem(name, help=entry.sentence)
+        for name, entry in COMMANDS.items()
+        if name.startswith(incomplete)
+    ]
 
 
 def offer_names(command: click.Command) -> None:
     """Let the command's parameters that name a kata or a file complete themselves."""
     for parameter in command.params:
         words = parameter.metavar or ""
-        if "PROBLEM" in words or words.strip("[].") == "FILE":
-            parameter.type = _Named("PROBLEM" in words, "FILE" in words or words.startswith("[["))
+        kata = "PROBLEM" in words or "KATA" in words
+        if kata or words.strip("[].") == "FILE":
+            parameter.type = _Named(kata, "FILE" in words or words.startswith("[["))
 
 
 class _Named(_ParamType):
@@ -42,7 +47,11 @@ class _Named(_ParamType):
         from judge.problem.find import problem_folders
 
         try:
-            folders = problem_folders(ctx.params.get("folders") or ()) if self._katas else ()
+            folders = (
+                problem_folders(ctx.params.get("folders") or ctx.params.get("problems") or ())
+                if self._katas
+                else ()
+            )
             names = sorted({folder.name for folder in folders if folder.name.startswith(incomplete)})
         except (JudgeError, OSError):  # a folder that is gone: nothing to offer
             names = []

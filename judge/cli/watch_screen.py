@@ -17,13 +17,12 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
-from judge.report.groups import group_lines
 from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
 from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
-from judge.report.screen import Screen, out
+from judge.report.screen import Screen, drawn, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.watch import note_text, prompt_text, report_lines
 
@@ -183,19 +182,21 @@ class _WatchScreen:
         if group is None:
             text = f"no test group fails; judge show {problem.id} --groups lists them all"
             return lambda screen: note_text(text, screen)
-        return lambda screen: screen.text(group_lines(problem, [group], screen.width))
+        from judge.report.katas import group_details  # which imports rich
+
+        return lambda screen: drawn(group_details(problem, [group]), screen)
 
     def picture(self) -> View:
         """The failing case, drawn."""
         found = self._found
 
-        def drawn(screen: Screen) -> str:
+        def shown(screen: Screen) -> str:
             if not has_room(screen):
                 return note_text("a picture wants a terminal of 60 columns that knows braille", screen)
             lines = [] if isinstance(found, str) else found.lines(screen, height(screen) - _BELOW - 2)
             return screen.text(lines) if lines else note_text("there is no failing case to draw", screen)
 
-        return drawn
+        return shown
 
     def report(self) -> View:
         """What judging came to."""

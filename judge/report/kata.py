@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from shlex import quote
+from collections.abc import Iterator
 
 from judge.problem import Problem
 from judge.report.layout import Line, Span, Style, beside, hanging, line
@@ -39,22 +38,6 @@ def begun_lines(problem: Problem, file: str, width: int | None) -> Iterator[Line
             "judge run": "judges it once",
             "judge hint": "gives the next hint",
             f"judge show {problem.id}": "shows the statement",
-        },
-        width,
-    )
-
-
-def new_lines(problem: Problem, problems: str, files: Sequence[str], width: int | None) -> Iterator[Line]:
-    """A kata that a setter has begun: its files, and the commands that go on with it."""
-    yield from beside(Span(problem.id, Style.STRONG), f"{problem.title}, {problem.tier.value}", width)
-    yield from (line("  ", Span(file)) for file in files)
-    yield line()
-    chosen = f"--problems {quote(problems)} {problem.id}"
-    yield from command_lines(
-        {
-            f"judge verify {chosen}": "checks it",
-            f"judge verify {chosen} --pin": "checks it and pins its data, once you have changed them",
-            f"judge show {chosen}": "shows it as others will see it",
         },
         width,
     )

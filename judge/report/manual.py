@@ -1,45 +1,45 @@
-"""The manual on a terminal: its topics, a page by the pager, where words were found."""
+"""The manual on a screen: its topics, a page, where words were found, a text as it is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from rich.console import Group, RenderableType
+from rich.text import Text
 
-from judge.manual import Hit, Page
-from judge.report.layout import Column, Line, Span, Style, Table, hanging, line, wrap
-from judge.report.screen import Screen, is_terminal
-from judge.report.statement import statement_text
-from judge.report.terminal import height
+from judge.report.parts import FAINT, STRONG, commands, indented, joined, table, text
+from judge.report.published import Document, Mentions, PageShown, Topics
+from judge.report.screen import Screen
+from judge.report.statement import prose
 
-_HITS = 12  # that are shown
+_HITS = 8  # that are shown
 
 
-def topic_lines(pages: Sequence[Page], width: int | None) -> Iterator[Line]:
+def topics(found: Topics, screen: Screen) -> RenderableType:  # noqa: ARG001
     """Every topic with its title, and how to read one."""
-    columns = (Column(""), Column("", flexible=True))
-    yield from Table(columns, [(Span(each.name, Style.STRONG), each.title) for each in pages]).lines(width)
-    yield line()
-    for row in wrap("judge help TOPIC reads one, judge help --search WORD… finds words", width):
-        yield line(row)
+    rows = [(text(each.topic, STRONG), each.title) for each in found.published]
+    rows.append((text("options", STRONG), "Options of every command"))
+    below = [("judge help TOPIC", "read one"), ("judge help WORDS", "find the pages that mention them")]
+    return Group(table(("", ""), rows), Text(), commands(below))
 
 
-def show_page(text: str, screen: Screen) -> None:
-    """Write a page of Markdown: rendered for a person, by the pager where it is longer than the terminal."""
-    shown = statement_text(text, screen)
-    if is_terminal(screen.stream) and shown.count("\n") >= height(screen):
-        import click
-
-        click.echo_via_pager(shown, color=None if screen.colour else False)  # None has `less` show colours
-    else:
-        screen.write(shown)
+def page(found: PageShown, screen: Screen) -> RenderableType:
+    """A page, drawn for a person and as it is in a pipe."""
+    return prose(found.published[0].text, screen)
 
 
-def found_lines(hits: Sequence[Hit], words: str, width: int | None) -> Iterator[Line]:
-    """The sections that have the words, the page's name before each."""
-    for hit in hits[:_HITS]:
-        head = f"{hit.page}: {hit.heading}" if hit.heading else hit.page
-        yield from hanging(Span(head, Style.STRONG), Span(""), width, indent=0, column=len(head) + 1)
-        yield from (line(f"  {row}") for row in wrap(hit.line, None if width is None else width - 2))
-    if len(hits) > _HITS:
-        yield line(Span(f"and {len(hits) - _HITS} more sections", Style.FAINT))
-    if not hits:
-        yield line(f"The manual does not have '{words}'.")
+def mentions(found: Mentions, screen: Screen) -> RenderableType:  # noqa: ARG001
+    """The sections that have the words, each below the name of its page."""
+    if not found.published:
+        remedy = f"Did you mean judge help {found.near}?" if found.near else "judge help lists the topics."
+        return text(f"No page mentions {found.words!r}. {remedy}")
+    parts: list[RenderableType] = [text(f"Pages that mention {found.words!r}:")]
+    for each in found.published[:_HITS]:
+        head = joined(text(each.topic, STRONG), f"  {each.section}" if each.section else "")
+        parts += [head, indented(text(each.line))]
+    if len(found.published) > _HITS:
+        parts.append(text(f"and {len(found.published) - _HITS} more sections", FAINT))
+    return Group(*parts)
+
+
+def document(found: Document, screen: Screen) -> RenderableType:  # noqa: ARG001
+    """A text, line by line."""
+    return Group(*(Text(row) for row in found.text.rstrip("\n").split("\n")))

@@ -7,11 +7,15 @@ import re
 import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import IO
+from typing import IO, TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.report.layout import Line, Link, Span, Style, line, printable
+from judge.report.layout import Line, Link, Span, Style, line, printable, wrap
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+    from rich.segment import Segment
 
 # Only the sixteen colours of the person's own theme, so that light and dark backgrounds both serve.
 _CODES = {
@@ -27,7 +31,8 @@ _LINK = "\x1b]8;;{}\x1b\\"  # OSC 8: what follows is a link to this address, up 
 _COMMAND = re.compile(r"^([^\S\n]*)::", re.MULTILINE)
 _LEAST_WIDTH = 20
 _SENTENCE = 1200  # characters of the judge's own sentences that are shown
-_USUAL_WIDTH = 80  # of a terminal that does not tell
+_USUAL_WIDTH, _USUAL_ROWS = 80, 24  # of a terminal that does not tell
+ENDLESS = 10_000  # columns of a pipe, where nothing is wrapped
 
 
 class Screen(Struct, frozen=True):
@@ -50,6 +55,16 @@ class Screen(Struct, frozen=True):
         colour = terminal and not settings.get("NO_COLOR") and settings.get("TERM") != "dumb"
         links = colour and settings.get("TERM") != "linux"  # old consoles of it show the address
         return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")), links)
+
+    @property
+    def rows(self) -> int | None:
+        """How many rows a person sees at once; None where nobody looks."""
+        if not is_terminal(self.stream):
+            return None
+        try:
+            return os.get_terminal_size(self.stream.fileno()).lines or _USUAL_ROWS
+        except (OSError, ValueError):
+            return _USUAL_ROWS
 
     def show(self, lines: Iterable[Line]) -> None:
         """Write the lines."""
@@ -79,6 +94,59 @@ class Screen(Struct, frozen=True):
         return "".join(parts)
 
 
+def show(what: RenderableType, screen: Screen) -> None:
+    """Draw what a view returned."""
+    screen.write(drawn(what, screen))
+
+
+def show_paged(what: RenderableType, screen: Screen) -> None:
+    """Draw it; what is longer than the terminal is shown by the pager, without colours."""
+    if screen.rows is None or drawn(what, screen).count("\n") < screen.rows:
+        show(what, screen)
+        return
+    import click
+
+    click.echo_via_pager(drawn(what, Screen(screen.stream, False, screen.width)), color=False)
+
+
+def drawn(what: RenderableType, screen: Screen) -> str:
+    """What a view returned, as whole lines of text for that screen.
+
+    Control characters are written out, wherever they come from, and no line ends in blanks.
+    """
+    from io import StringIO
+
+    from rich.console import Console
+
+    console = Console(
+        file=StringIO(),
+        width=screen.width or ENDLESS,
+        force_terminal=screen.colour,
+        color_system="standard" if screen.colour else None,
+        markup=False,
+        highlight=False,
+        emoji=False,
+        legacy_windows=False,
+    )
+    return "".join(f"{_row(row, screen)}\n" for row in console.render_lines(what, pad=False))
+
+
+def _row(segments: Iterable[Segment], screen: Screen) -> str:
+    """One line of rich's, without the blanks that it is filled up with."""
+    pieces = [(printable(each.text), each.style) for each in segments if not each.control]
+    while pieces and not pieces[-1][0].rstrip(" "):
+        pieces.pop()
+    if pieces:
+        pieces[-1] = (pieces[-1][0].rstrip(" "), pieces[-1][1])
+    if not screen.colour:
+        return "".join(text for text, _ in pieces)
+    from rich.color import ColorSystem
+
+    return "".join(
+        style.render(text, color_system=ColorSystem.STANDARD) if style else text for text, style in pieces
+    )
+
+
 def is_terminal(stream: IO[str]) -> bool:
     """Whether a person is looking at `stream`; a closed one is nobody's."""
     try:
@@ -105,8 +173,10 @@ def note(text: str, style: Style = Style.WARNING) -> None:
     """
     if len(text) > _SENTENCE:
         text = f"{text[: _SENTENCE * 2 // 3]} … {text[-_SENTENCE // 3 :]}"
+    screen = err()
+    first, *rest = wrap(text, screen.width and screen.width - 7)
     try:
-        err().show([line(Span("judge:", style), f" {text}")])
+        screen.show([line(Span("judge:", style), f" {first}"), *(line(f"       {row}") for row in rest)])
     except OSError:
         hush(sys.stderr)
 

@@ -1,64 +1,73 @@
-"""A problem's statement: drawn on a terminal, as its own Markdown in a pipe."""
+"""A text in Markdown: drawn on a terminal, as it is in a pipe."""
 
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
-from judge.report.layout import line
-from judge.report.screen import Screen, is_terminal
+from judge.report.screen import Screen, drawn, is_terminal
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
 
 _FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
 _READABLE = 88  # columns of prose that an eye follows with ease
+_REMARK = re.compile(r"^( *)(>>> .*?) {2,}(# .*)$", re.MULTILINE)
 
 
 def show_statement(text: str, screen: Screen) -> None:
-    """Write the Markdown `text`, rendered where a person is looking."""
+    """Write the Markdown `text`, drawn where a person is looking."""
     screen.write(statement_text(text, screen))
 
 
 def statement_text(text: str, screen: Screen) -> str:
-    """The Markdown `text` for that screen, ready to be written: rendered where a person is looking.
+    """The Markdown `text` for that screen, ready to be written."""
+    return drawn(prose(text, screen), screen)
 
-    A figure on a line of its own is left out.
+
+def prose(text: str, screen: Screen) -> RenderableType:
+    """The Markdown `text`, drawn where a person is looking; a figure on a line of its own is left out.
+
+    Its colours are those of the person's own theme, without a background, so that light and dark both serve.
     """
-    text = _FIGURE.sub("", text)
-    if is_terminal(screen.stream):
-        return _rendered(text, screen)
-    return screen.text(line(row) for row in text.rstrip("\n").split("\n"))
-
-
-def _rendered(text: str, screen: Screen) -> str:
-    """Draw it in the colours of the person's own theme: no background, so that light and dark both serve."""
-    from io import StringIO
-
     from rich.console import Console, ConsoleOptions, RenderResult
     from rich.markdown import CodeBlock, Heading, Markdown
     from rich.padding import Padding
     from rich.text import Text
     from rich.theme import Theme
 
+    from judge.report.layout import printable
+
+    text = _FIGURE.sub("", text)
+    if not is_terminal(screen.stream):
+        return Text("\n".join(printable(row) for row in text.rstrip("\n").split("\n")))
+
     class Code(CodeBlock):
         def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-            yield Padding(Text(str(self.text).rstrip(), style="cyan"), (0, 0, 0, 4))
+            source = _unbroken(str(self.text).rstrip(), options.max_width - 4)
+            yield Padding(Text(source, style="cyan"), (0, 0, 0, 4))
 
     class Title(Heading):
         def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
             self.text.justify = "left"
+            self.text.stylize("bold")
             yield self.text
 
     class Statement(Markdown):
         elements = {**Markdown.elements, "fence": Code, "code_block": Code, "heading_open": Title}  # noqa: RUF012
 
-    styles = {"markdown.code": "cyan", "markdown.h1": "bold underline", "markdown.h2": "bold"}
-    drawn = StringIO()
-    console = Console(
-        file=drawn,
-        force_terminal=True,
-        width=min(screen.width or _READABLE, _READABLE),
-        color_system="standard" if screen.colour else None,
-        no_color=not screen.colour,
-        highlight=False,
-        theme=Theme(styles),
-    )
-    console.print(Statement(text, hyperlinks=False))
-    return drawn.getvalue()
+        def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+            width = min(options.max_width, _READABLE)
+            with console.use_theme(Theme({"markdown.code": "cyan"})):
+                yield from super().__rich_console__(console, options.update(width=width))
+
+    return Statement(text, hyperlinks=False)
+
+
+def _unbroken(source: str, width: int) -> str:
+    """Examples with a remark at the end of a row that is too wide: the remark goes above the call."""
+
+    def above(row: re.Match[str]) -> str:
+        return row[0] if len(row[0]) <= width else f"{row[1]}{row[3]}\n{row[1]}{row[2]}"
+
+    return _REMARK.sub(above, source)

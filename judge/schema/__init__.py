@@ -5,8 +5,8 @@
                                    `result` is generated from the structs that are written
     judge/schema/files/<name>.json files that a setter writes, as TOML
 
-A command that gets `--json` gets a file here. `schema_of` puts a command's file and what it refers to into
-one document that needs no other.
+A command whose value is a struct needs no file: its schema is made of the type. `schema_of` puts a command's
+file and what it refers to into one document that needs no other.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ _FOLDER = Path(__file__).parent
 _SHARED = "shared.json"
 _LOCAL = "#/$defs/"
 RESULT = "result"  # of shared.json, but in no file
-_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 Schema = dict[str, Any]
 
@@ -50,22 +49,6 @@ def schema_of_file(name: str) -> Schema:
     if name not in files():
         raise KeyError(name)
     return _read(f"files/{name}.json")
-
-
-def whole() -> Schema:
-    """One document for all commands: any of their objects; each command's is in `$defs` under its name."""
-    definitions: dict[str, Schema] = {}
-    for command in commands():
-        schema = schema_of(command)
-        definitions |= schema.pop("$defs", {})
-        del schema["$schema"]
-        definitions[command] = schema
-    return {
-        "$schema": _DIALECT,
-        "title": "What the commands of judge write with --json",
-        "anyOf": [{"$ref": f"{_LOCAL}{command}"} for command in commands() if command != "schema"],
-        "$defs": definitions,
-    }
 
 
 def _bundled(file: str, schema: Any, definitions: dict[str, Schema]) -> Any:

@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 from jsonschema import Draft202012Validator
 
+from judge.cli.app import app
+from judge.cli.emit import schema_of
 from judge.packs.export.metadata import Version, uuid_of
-from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -33,7 +34,7 @@ def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
     done = judge("export", "middle", "--out", "packages", "--zip", "--json")
     assert done.status == 0, done
     said = json.loads(done.out)
-    Draft202012Validator(schema_of("export")).validate(said)
+    Draft202012Validator(schema_of(app.get_command(None, "export"))).validate(said)
     assert {each["file"]: each["verdict"] for each in said["programs"]} == {
         "accepted/mean.py": "AC",
         "accepted/program.py": "AC",
@@ -90,7 +91,9 @@ def test_a_package_of_the_problem_is_replaced_whole_and_nothing_else(judge):
 def test_two_problems_of_one_short_name_are_refused(judge, pack, tmp_path):
     for name in ("mid-dle", "middle"):
         shutil.copytree(pack / "problems/middle", tmp_path / "pack/problems" / name)
-    refused = judge("export", "--all", "--problems", tmp_path / "pack/problems", "--out", "packages")
+    refused = judge(
+        "export", "mid-dle", "middle", "--problems", tmp_path / "pack/problems", "--out", "packages"
+    )
     assert refused.status == 2
     assert "mid-dle and middle would both be the package middle" in refused.err
     assert not Path("packages").exists()

@@ -15,7 +15,7 @@ import pytest
 from cli_support import FLOOR, MEAN, PACK, ROOT
 from sampling import nightly
 
-from judge.cli.commands import list as list_module
+from judge.cli.commands import look
 from judge.errors import ProblemError
 from judge.judging import session
 from judge.judging import session as judging
@@ -54,7 +54,7 @@ ENDING = [
     ("words", "ending"),
     [
         *(("run middle mine.py", ending) for ending in ENDING),
-        ("data middle --out data", ENDING[0]),
+        ("export middle --format files --out data", ENDING[0]),
         ("stress middle mine.py", ENDING[-1]),
     ],
 )
@@ -74,7 +74,7 @@ def test_an_internal_fault_is_one_line_and_debug_shows_the_traceback(judge, monk
     def fail(_folders):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(list_module, "sound_problems", fail)
+    monkeypatch.setattr(look, "sound_problems", fail)
     line = "judge: internal fault: RuntimeError: the sky fell"
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
@@ -103,7 +103,7 @@ def test_ctrl_c_in_mid_run(submit, tmp_path):
     assert "Traceback" not in err
 
 
-@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.commands.list"])
+@pytest.mark.parametrize("module", ["judge.cli.app", "judge.cli.commands.look"])
 def test_ctrl_c_while_modules_are_imported_is_quiet_and_never_lost(module):
     script = f"""
 import os, signal, sys
@@ -213,7 +213,7 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
     def short(_folders):
         raise fault
 
-    monkeypatch.setattr(list_module, "sound_problems", short)
+    monkeypatch.setattr(look, "sound_problems", short)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")

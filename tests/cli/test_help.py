@@ -5,7 +5,6 @@ What they say is in the transcripts of `help/` and `screens/help`.
 
 from __future__ import annotations
 
-import importlib
 import json
 import re
 import shlex
@@ -17,7 +16,7 @@ from cli_support import ROOT
 from terminals import on_a_terminal
 
 from judge.cli.app import app
-from judge.cli.table import COMMANDS, EXAMPLES, TOPICS
+from judge.cli.table import COMMANDS, OLD
 from judge.manual import page, topics
 
 pytestmark = pytest.mark.slow
@@ -25,7 +24,7 @@ pytestmark = pytest.mark.slow
 QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --question Q7",
     "judge help interview",
-    "judge help --search tolerance",
+    "judge help tolerance zero",
     'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
 )
@@ -67,15 +66,16 @@ def test_a_page_that_is_longer_than_the_terminal_goes_through_the_pager(tmp_path
 def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, judge):
     ended = judge(name, "--help")
     command = app.get_command(None, name)
-    assert COMMANDS[name] in ended.out
-    assert command.help.splitlines()[0] == COMMANDS[name]
+    entry = COMMANDS[name]
+    assert entry.sentence in ended.out
+    assert command.help.splitlines()[0] == entry.sentence
     assert all(parameter.help for parameter in command.params if parameter.param_type_name == "option")
     start = ended.lines.index("  For example:") + 1
-    assert tuple(line.strip() for line in ended.lines[start : start + len(EXAMPLES[name])]) == EXAMPLES[name]
-    assert ended.lines[-1] == f"  More: judge help {TOPICS[name]}"
+    shown = tuple(line.strip() for line in ended.lines[start : start + len(entry.examples)])
+    assert shown == entry.examples
+    assert ended.lines[-1] == f"  More: judge help {entry.topic}"
     assert max(map(len, ended.lines)) < 80
-    assert "--json" in ended.out
-    assert f"judge {name}" in page(TOPICS[name]).text
+    assert f"judge {name}" in page(entry.topic).text
     assert f"`judge {name}" in page("start").text
 
 
@@ -92,15 +92,14 @@ def parse(line: str) -> str:
     """The name of a command line's command; fails where an option or a number is not valid."""
     program, name, *words = shlex.split(line, comments=True)
     assert program == "judge"
-    command = importlib.import_module(f"judge.cli.commands.{name}").command
-    with command.make_context(name, words) as parsed:
+    with app.get_command(None, name).make_context(name, words) as parsed:
         assert parsed.args == []
     return name
 
 
 def test_the_words_and_options_of_each_example_are_its_commands_own():
-    for name, examples in EXAMPLES.items():
-        assert {parse(example) for example in examples} == {name}
+    for name, entry in COMMANDS.items():
+        assert {parse(example) for example in entry.examples} == {name}
 
 
 PIPED = re.compile(r"^(?:\$ )?(?:printf .* \| )?(judge [^&|\n]*)", re.MULTILINE)
@@ -121,10 +120,40 @@ def test_the_command_lines_of_a_page_are_valid(name):
 
 @pytest.mark.parametrize("example", QUIET)
 def test_examples_that_need_nothing_succeed(example, judge):
-    assert example in {each for examples in EXAMPLES.values() for each in examples}
+    assert example in {each for entry in COMMANDS.values() for each in entry.examples}
     ended = judge(*shlex.split(example)[1:])
     assert (ended.status, ended.err) == (0, "")
     assert ended.out
+
+
+# -- names that are no command's -----------------------------------------------------------------------------
+
+
+def test_an_old_name_stands_for_its_words_and_says_so(judge):
+    now, before = judge("show", "--groups", "count"), judge("why", "count")
+    assert (before.status, before.out) == (0, now.out)
+    assert before.err == "judge: why is now: judge show --groups\n"
+    assert not {*OLD} & {*COMMANDS}
+    for words in OLD.values():
+        assert words[0] in COMMANDS
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("submit", "run"), ("shwo", "show"), ("lst", "list"), ("scheme", "schema")]
+)
+def test_a_mistyped_command_is_refused_with_the_one_that_was_meant(typed, meant, judge):
+    ended = judge(typed)
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err == f"judge: There is no command {typed}. Did you mean judge {meant}?\n"
+
+
+def test_the_name_of_a_file_is_told_how_to_judge_it(judge, submit):
+    assert f"judge run {submit('x = 1')}" in judge("mine.py").err
+
+
+def test_options_of_every_command_have_a_page_and_are_hidden_in_the_others(judge):
+    assert "--isolation LEVEL" in judge("help", "options").out
+    assert "--isolation" not in judge("show", "--help").out
 
 
 # -- completion in a shell -------------------------------------------------------------------------------

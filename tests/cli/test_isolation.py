@@ -37,7 +37,7 @@ def bare(tmp_path):
 @pytest.mark.usefixtures("own_cache")
 def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp_path, bare):
     file = str(tmp_path / submit(MEAN))
-    assert process("doctor").lines[-1] == "isolation is full"
+    assert process("doctor").lines[-1] == "Isolation: full"
     ended = process("run", "middle", file, file, "--json", PATH=bare)
     assert (ended.status, ended.out) == (2, "")
     assert ended.err == (
@@ -49,7 +49,7 @@ def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp
         assert (ended.status, ended.err) == (0, "")
         assert json.loads(ended.out)["isolation"] == level
     assert process("verify", "middle", PATH=bare).status == 2
-    assert process("doctor", PATH=bare).lines[-1] == "isolation is strong"
+    assert process("doctor", PATH=bare).lines[-1] == "Isolation: strong"
     ended = process("run", "middle", file, "--json", PATH=bare)
     assert (ended.status, ended.err, json.loads(ended.out)["isolation"]) == (0, "", "strong")
     ended = process("run", "middle", file, "--json")
@@ -86,7 +86,7 @@ def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
         probe.Level("limits", available=True, meaning=""),
     )
     monkeypatch.setattr("judge.cli.commands.doctor.levels", lambda _hide: found)
-    assert judge("doctor").lines[-1] == "isolation is strong"
+    assert judge("doctor").lines[-1] == "Isolation: strong"
     assert kept_level() == "full"
     monkeypatch.setattr(
         "judge.cli.commands.doctor.levels", lambda _hide: (found[0]._replace(lasting=True), *found[1:])
@@ -129,9 +129,10 @@ def test_doctor_in_json(judge):
     assert found["isolation"] == OFFERED[0]
     assert [level["name"] for level in found["levels"]] == list(LEVELS)
     for level in found["levels"]:
-        assert level["available"] == (level["why_not"] is None)
-        assert level["hides"] == (level["name"] != "limits" if level["available"] else None)
-        assert (level["visible"] is None) == (level["hides"] is not False)
+        assert level["available"] == (level["why_not"] == "")
+        assert (level["visible"] is not None) == level["available"]
+        if level["available"]:
+            assert (level["visible"] == "") == (level["name"] != "limits")
 
 
 @pytest.fixture
@@ -151,7 +152,7 @@ def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monk
         level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
     ]
     for level in weak[:-1]:
-        assert (level["available"], level["hides"]) == (False, None)
+        assert (level["available"], level["visible"]) == (False, None)
         assert f"would let a submission read {pack_among_modules}" in level["why_not"]
         assert "virtual environment of its own" in level["remedy"]
 

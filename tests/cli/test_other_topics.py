@@ -85,10 +85,10 @@ def test_the_katas_are_sound_by_the_setters_own_check(names, judge):
 @every
 def test_data_are_what_programs_read_and_print(name, judge):
     kata = BY_ID[name]
-    assert judge("data", name, "--out", "data").status == 0
+    assert judge("export", name, "--out", "data", "--format", "files").status == 0
     for group in load_problem(PROBLEMS / name).groups:
-        given = Path("data", f"{group.name}.in").read_bytes()
-        wanted = Path("data", f"{group.name}.ans").read_text(encoding="ascii").splitlines()
+        given = Path("data", name, f"{group.name}.in").read_bytes()
+        wanted = Path("data", name, f"{group.name}.ans").read_text(encoding="ascii").splitlines()
         command = [sys.executable, "-I", str(kata.accepted.with_name("program.py"))]
         printed = subprocess.run(command, input=given, capture_output=True, check=True, timeout=60)
         lines = printed.stdout.decode("ascii").splitlines()

@@ -29,8 +29,7 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "due": ["due"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],
-    "help": ["help --search pack"],
-    "schema": ["schema run"],
+    "help": ["help pack of katas", "help --schema run"],
 }
 RUN_IT = {
     "run": "run middle mine.py -q",
@@ -41,13 +40,12 @@ RUN_IT = {
     "class": "class homework",
     "replay": "replay {id} mine.py",
     "solution": "solution middle --give-up",
-    "data": "data middle --out made",
-    "export": "export middle --out packages --no-submissions",
+    "export": "export middle --out made --format files",
     "verify": "verify middle",
     "report": "report",
     "quiz": "quiz --interview --cards 0 --kata middle --file mine.py",
 }
-BY_DAY = ("try", "data")
+BY_DAY = ("try", "export")
 MARKING = """
 import os
 with open(os.environ["MARK"], "a") as mark:

@@ -46,7 +46,7 @@ def test_no_line_of_the_output_begins_with_a_name_that_is_a_command(name, judge,
         ("", "history"),
         ("", "init", "middle", "--", f"new{name}"),
         ("", "report", "--out", f"{name}.html"),
-        ("", "data", "middle", "--out", f"{name}.d"),
+        ("", "export", "middle", "--format", "files", "--out", f"{name}.d"),
     ):
         monkeypatch.setenv("COLUMNS", columns)
         ended = judge(*words)

@@ -57,7 +57,7 @@ def main() -> None:
 def _import_ahead() -> None:
     from judge.cli.table import COMMANDS
 
-    for name in (*_AHEAD, *(f"judge.cli.commands.{name}" for name in COMMANDS)):
+    for name in (*_AHEAD, *(f"judge.cli.commands.{entry.module}" for entry in COMMANDS.values())):
         importlib.import_module(name)
     for path in (Path(sys.modules["judge"].__path__[0])).rglob("*.py"):
         if "inside" not in path.parts and "__main__" not in path.parts and "testing" not in path.stem:

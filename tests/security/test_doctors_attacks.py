@@ -11,8 +11,9 @@ from jsonschema import Draft202012Validator
 from residents import Resident
 from sampling import nightly
 
+from judge.cli.app import app
+from judge.cli.emit import schema_of
 from judge.sandbox.attacks import ATTACKS
-from judge.schema import schema_of
 
 NAMES = [attack.name for attack in ATTACKS]
 MAYBE = {"namespace", "trace", "memory-of-others", "proc"}  # what some kernels let nobody do
@@ -67,7 +68,7 @@ def test_the_command(resident: Resident, level: str | None, status: int) -> None
     ended = resident.run(["-m", "judge", "doctor", "--attack", "--json", *words])
     assert ended.returncode == status, ended.stderr
     (told,) = map(json.loads, ended.stdout.splitlines())
-    Draft202012Validator(schema_of("doctor")).validate(told)
+    Draft202012Validator(schema_of(app.get_command(None, "doctor"))).validate(told)
     assert told["attacks"]["isolation"] == (level or told["isolation"])
     assert [each["name"] for each in told["attacks"]["attacks"]] == NAMES
     assert all(each["held"] for each in told["attacks"]["attacks"]) == (status == 0)

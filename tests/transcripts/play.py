@@ -37,9 +37,11 @@ from jsonschema.exceptions import best_match
 
 from judge import __version__
 from judge.cli import main
+from judge.cli.app import app
+from judge.cli.emit import schema_of
+from judge.cli.table import OLD
 from judge.judging.isolation import keep_level
 from judge.sandbox import levels
-from judge.schema import schema_of
 from transcripts.steady import steadied
 
 ROOT = Path(__file__).parents[2]
@@ -232,10 +234,17 @@ def _judged(step: Step, terminal: tuple[int, int] | None) -> str:
 def _checked(step: Step, line: str) -> str:
     """A line of JSON, which keeps to its command's schema, without noise."""
     value = json.loads(line)
-    command = step.words.split()[0]
-    fault = best_match(Draft202012Validator(schema_of(command)).iter_errors(value))
+    if "--schema" in step.words:
+        return json.dumps(value, ensure_ascii=False)
+    fault = best_match(Draft202012Validator(_schema(step.words.split())).iter_errors(value))
     assert fault is None, f"judge {step.words}: {fault.json_path} {fault.message}"
-    return json.dumps(value if command == "schema" else _quiet(value), ensure_ascii=False)
+    return json.dumps(_quiet(value), ensure_ascii=False)
+
+
+def _schema(words: list[str]) -> dict[str, Any]:
+    command = app.get_command(None, OLD.get(words[0], words)[0])
+    assert command is not None
+    return schema_of(command)
 
 
 def _quiet(value: Any, key: str = "") -> Any:

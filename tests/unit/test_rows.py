@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from judge.cli.commands.verify import command
+from judge.cli.commands.setter import verify
 from judge.data import load_data
 from judge.data.pins import read_pins
 from judge.errors import ProblemError, UsageError
@@ -227,7 +227,7 @@ def test_one_solution_is_held_to_its_folder_on_every_seed(kata, capsys):
     (solutions / "accepted" / "lucky.py").write_text(f'"""lucky"""\n\n\ndef sign(x):\n{lucky}{sound}')
     for file, what in (("wrong/sound.py", "gets AC where"), ("accepted/lucky.py", "with --seed 1")):
         given = ["signs", "--problems", str(kata.parent), "--solution", file, "--seeds", "2"]
-        command.main(given, standalone_mode=False)
+        verify.main(given, standalone_mode=False)
         said = " ".join(capsys.readouterr().out.split())
         assert what in said
         assert file in said

@@ -1,92 +1,110 @@
-"""`judge help`: the manual, on a terminal as it is on the web."""
+"""`judge help`: the manual, the schemas of the JSON, and what a shell needs to complete words."""
 
 from __future__ import annotations
 
+import json
+from contextlib import suppress
+from typing import TYPE_CHECKING, Annotated, Any
+
 import click
+from msgspec import Struct
+from msgspec.structs import fields
 
-from judge.cli.options import json_option, write_json
+from judge import manual
+from judge.cli.emit import schema_of
+from judge.cli.options import Common, command, opt, takes
 from judge.cli.table import COMMANDS
-from judge.errors import ExitCode, UsageError, nearest
-from judge.manual import Page, page, pages, search, topics
-from judge.report.manual import found_lines, show_page, topic_lines
-from judge.report.screen import out
+from judge.errors import UsageError, nearest
+from judge.report.published import Document, Mention, Mentions, PageShown, PageText, Topics
+from judge.schema import files, schema_of_file
 
-_FORM = 1
+if TYPE_CHECKING:
+    from judge.cli.app import Commands
+
+_OPTIONS = "options"  # the page that is made of Common
 
 
-@click.command("help")
-@click.argument("words", metavar="[TOPIC]", nargs=-1)
-@click.option("-s", "--search", "sought", is_flag=True, help="Find the sections that have all these words.")
-@json_option
-def command(words: tuple[str, ...], sought: bool, as_json: bool) -> ExitCode:
+class HelpAsk(Struct, frozen=True):
+    """What to read, besides the manual."""
+
+    schema: Annotated[
+        str | None, opt("--schema", metavar="COMMAND", help="The JSON Schema of what it writes with --json.")
+    ] = None
+    completion: Annotated[
+        str | None,
+        opt(
+            "--completion",
+            metavar="SHELL",
+            type=click.Choice(("bash", "zsh", "fish")),
+            help="The script with which bash, zsh or fish completes words: put it into its settings.",
+        ),
+    ] = None
+
+
+@command("help", PageText, Mention)
+@click.argument("words", metavar="[TOPIC|WORDS]...", nargs=-1)
+@takes(HelpAsk, "ask")
+@click.pass_context
+def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: Common) -> Struct:
     """Read the manual, or search it.
 
-    Without words, it lists the pages. A page that is longer than the terminal is shown by your pager
-    ($PAGER); into a pipe it goes as Markdown. The name of a command shows that command's --help.
+    Without words you see its topics. Words that name no topic and no command are searched for. A page that is
+    longer than the terminal is shown by your pager ($PAGER); into a pipe it goes as Markdown.
 
-    \b
-    Examples: judge help time
-              judge help --search exit status
+    Exit status: 0, 1 no page has the words, 2 usage.
     """
-    if sought:
-        return _search(words, as_json=as_json)
+    app: Any = context.find_root().command
+    if ask.schema is not None:
+        return _schema(app, ask.schema)
+    if ask.completion is not None:
+        from click.shell_completion import get_completion_class
+
+        complete = get_completion_class(ask.completion)
+        assert complete is not None
+        return Document(complete(app, {}, "judge", "_JUDGE_COMPLETE").source(), ())
     if not words:
-        _list(as_json=as_json)
-        return ExitCode.ACCEPTED
+        return Topics(tuple(map(_text, manual.pages())))
     name = "-".join(words).lower()
-    try:
-        _read(page(name), as_json=as_json)
-    except KeyError:
-        if name not in COMMANDS or as_json:
-            raise _unknown(name) from None
-        _usage_of(name)
-    return ExitCode.ACCEPTED
+    with suppress(KeyError):
+        return PageShown((_text(manual.page(name)),))
+    if name in COMMANDS and not common.json:
+        return Document(_usage_of(app, name), ())
+    if name == _OPTIONS:
+        return PageShown((PageText(_OPTIONS, "Options of every command", _common_options()),))
+    hits = tuple(Mention(hit.page, hit.heading, hit.line) for hit in manual.search(words))
+    return Mentions(" ".join(words), hits, nearest(name, [*manual.topics(), *COMMANDS]) or "")
 
 
-def _unknown(name: str) -> UsageError:
-    meant = nearest(name, [*topics(), *COMMANDS])
-    remedy = (
-        f"did you mean '{meant}'?"
-        if meant
-        else "judge help lists the topics, judge help --search finds words"
-    )
-    return UsageError(f"the manual has no topic '{name}'", remedy=remedy)
+def _text(page: manual.Page) -> PageText:
+    return PageText(page.name, page.title, page.text)
 
 
-def _list(*, as_json: bool) -> None:
-    if as_json:
-        for each in pages():
-            _read(each, as_json=True)
-        return
-    screen = out()
-    screen.show(topic_lines(pages(), screen.width))
-
-
-def _read(topic: Page, *, as_json: bool) -> None:
-    if as_json:
-        write_json({"schema": _FORM, "topic": topic.name, "title": topic.title, "text": topic.text})
-        return
-    show_page(topic.text, out())
-
-
-def _search(words: tuple[str, ...], *, as_json: bool) -> ExitCode:
-    """Show where all the words are; 1 where nowhere, as `grep` has it."""
-    if not words:
-        raise UsageError("nothing to search for", remedy="write judge help --search WORD")
-    hits = list(search(words))
-    if as_json:
-        for hit in hits:
-            write_json({"schema": _FORM, "topic": hit.page, "section": hit.heading, "line": hit.line})
+def _schema(app: Commands, name: str) -> Document:
+    """The schema of a command's JSON, or of a file that a setter writes. Raises UsageError."""
+    if name in files():
+        schema = schema_of_file(name)
+    elif name in COMMANDS and (made := app.get_command(None, name)) is not None:
+        schema = schema_of(made)
     else:
-        screen = out()
-        screen.show(found_lines(hits, " ".join(words), screen.width))
-    return ExitCode.ACCEPTED if hits else ExitCode.NOT_ACCEPTED
+        near = nearest(name, [*COMMANDS, *files()])
+        remedy = f"did you mean {near}?" if near else f"name a command, or {' or '.join(files())}"
+        raise UsageError(f"There is no schema of {name!r}", remedy=remedy)
+    return Document(json.dumps(schema, indent=2), (schema,))
 
 
-def _usage_of(name: str) -> None:
-    from judge.cli.app import app  # which imports this module only when it is asked for
+def _usage_of(app: Commands, name: str) -> str:
+    made = app.get_command(None, name)
+    assert made is not None
+    with click.Context(made, info_name=f"judge {name}", **app.context_settings) as context:
+        return made.get_help(context)
 
-    command = app.get_command(None, name)
-    assert command is not None
-    with click.Context(command, info_name=f"judge {name}", **app.context_settings) as context:
-        click.echo(command.get_help(context))
+
+def _common_options() -> str:
+    """The page of the options of every command."""
+    rows = []
+    for field in fields(Common):
+        option = field.type.__metadata__[0]
+        shown = " ".join(filter(None, (*option.names, option.settings.get("metavar"))))
+        rows.append(f"- `{shown}`: {option.settings['help']}")
+    rows.append("- `--debug`: Show the traceback of a fault.")
+    return "\n".join(("# Options of every command", "", *rows, ""))

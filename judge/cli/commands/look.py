@@ -1,0 +1,126 @@
+"""`judge list` and `judge show`: the katas that there are, and one of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import click
+from msgspec import Struct
+
+from judge.cli.kept import history_at
+from judge.cli.options import Common, command, opt, takes
+from judge.errors import HistoryError, ProblemError, UsageError, nearest
+from judge.kata.sets import USUAL, sound_sets
+from judge.problem import Problem
+from judge.problem.find import find_problem, sound_problems
+from judge.report.layout import Style
+from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
+from judge.report.screen import note
+
+if TYPE_CHECKING:
+    from judge.kata.events import Run
+
+_OTHERS = "others"  # the set of the katas that are in none
+
+
+class ListAsk(Struct, frozen=True):
+    """What to list."""
+
+    todo: Annotated[bool, opt("--todo", help="Only the katas that you have not solved.")] = False
+    whole: Annotated[bool, opt("--all", help="Every set, or all katas of the SET.")] = False
+
+
+@command("list", KataRow)
+@click.argument("name", metavar="[SET]", required=False)
+@takes(ListAsk, "ask")
+def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
+    """List the katas by set.
+
+    ✓ is solved, ★ the interview level of a kata, ★★ its production level too, > your current kata. Without a
+    SET you see the katas of the set you are in.
+
+    Exit status: 0, 2 usage, 3 a kata cannot be read (the others are listed).
+    """
+    problems, faults = sound_problems(common.problems)
+    rows, current = _rows(problems, common.db)
+    sets, broken = _sets(problems, common.problems)
+    for fault in (*faults, *broken):
+        note(str(fault), Style.BAD)
+    names = [each.name for each in sets]
+    if name is not None and name not in names:
+        meant = nearest(name, names)
+        remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(names)}"
+        raise UsageError(f"There is no set {name!r}", remedy=remedy)
+    listed = sets if name == USUAL else tuple(each for each in sets if each.name != USUAL)
+    shown = name or ("" if common.json or ask.whole else _opened(listed, rows, current))
+    return KataList(listed, rows, shown, current, ask.todo, ask.whole, len(faults) + len(broken))
+
+
+def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, ...], str]:
+    """Each problem's row, and the current kata; a history that cannot be read counts as empty."""
+    try:
+        with history_at(db, reading=True) as history:
+            runs, taken_up = history.runs(), history.current()
+    except HistoryError as fault:
+        note(str(fault))
+        runs, taken_up = [], None
+    rows = (_row(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
+    return tuple(rows), taken_up.problem if taken_up else ""
+
+
+def _row(problem: Problem, runs: Sequence[Run]) -> KataRow:
+    """How far these runs have come: a level counts once one run has passed all its groups."""
+    solved = any(run.solved for run in runs)
+    passed = [set(run.passed) for run in runs]
+    levels = [{group.name for group in problem.of_level(level)} for level in problem.levels]
+    stars = len(levels) if solved else sum(any(level <= each for each in passed) for level in levels)
+    return kata_row(problem, solved=solved, stars=stars)
+
+
+def _sets(
+    problems: Sequence[Problem], folders: Sequence[Path]
+) -> tuple[tuple[SetRow, ...], list[ProblemError]]:
+    """The sets in their order, the katas that are in none as the last; and the faults of the others."""
+    sets, faults = sound_sets(problems, folders)
+    found = [SetRow(each.name, each.about, tuple(problem.id for problem in each.problems)) for each in sets]
+    held = {kata for each in found for kata in each.katas}
+    others = tuple(problem.id for problem in problems if problem.id not in held)
+    return (*found, *([SetRow(_OTHERS, "Katas that are in no set.", others)] if others else ())), faults
+
+
+def _opened(sets: Sequence[SetRow], rows: Sequence[KataRow], current: str) -> str:
+    """The set of the current kata; failing that, the first with something to do."""
+    todo = {row.problem for row in rows if not row.solved}
+    with_current: Iterator[str] = (each.name for each in sets if current in each.katas)
+    with_todo: Iterator[str] = (each.name for each in sets if todo & {*each.katas})
+    return next(with_current, None) or next(with_todo, sets[0].name if sets else "")
+
+
+class ShowAsk(Struct, frozen=True):
+    """What to show of a kata."""
+
+    groups: Annotated[
+        bool, opt("--groups", help="What each test group tests, and the mistakes that it finds.")
+    ] = False
+    opened: Annotated[bool, opt("--open", help="Open the statement's figure in the browser.")] = False
+
+
+@command("show", KataInFull)
+@click.argument("name", metavar="KATA")
+@takes(ShowAsk, "ask")
+def show(name: str, ask: ShowAsk, common: Common) -> KataShown:
+    """Show a kata: its statement, its examples and what it allows.
+
+    With --groups you see its test groups instead, each with the names of the mistakes that it finds.
+    """
+    problem = find_problem(name, common.problems)
+    if ask.opened:
+        figure = problem.folder / "figure.svg"
+        if not figure.is_file():
+            raise UsageError(
+                f"{problem.id} has no figure", remedy=f"leave out --open: judge show {problem.id}"
+            )
+        click.launch(str(figure))
+    return KataShown(problem, ask.groups)

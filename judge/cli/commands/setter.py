@@ -1,0 +1,316 @@
+"""`judge new`, `judge verify` and `judge export`: write a kata, check it, and give it to other judges."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import click
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.atomic import replace_file
+from judge.cli.options import Common, command, opt, takes
+from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.errors import ProblemError, UsageError, unwritable
+from judge.judging.isolation import kept_level
+from judge.kata.begin import begin_kata
+from judge.kata.check import kata_faults
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
+from judge.mistakes.verified import ChoicesReport, verify_choices
+from judge.packs.export.files import group_files
+from judge.packs.export.forms import why_left_out
+from judge.packs.export.job import Export, Order, check_places, export
+from judge.packs.export.metadata import Version, short_name, short_names
+from judge.packs.export.statement import latex
+from judge.problem import Problem
+from judge.problem.find import find_problem, folders_within, problem_folders
+from judge.problem.model import chosen_groups
+from judge.report.progress import Stage, progress, stages
+from judge.report.published_setter import (
+    Exported,
+    FilesWritten,
+    NewKata,
+    Verified,
+    VerifySummary,
+    exported,
+    verified,
+)
+from judge.report.screen import note
+from judge.report.values import counted
+from judge.run.edges import edges_of
+from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
+from judge.sandbox import Boxes
+
+_BOTH = "both"
+_REMEDY = "name another folder with --out"
+
+
+@command("new", NewKata)
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+@click.argument("name", metavar="[NAME]", required=False)
+def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG001 - every command has them
+    """Write a kata of your own to begin with.
+
+    It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
+    there. Without a NAME it is called as DIR is. The kata is complete, a small one about two points, and
+    judge verify finds it sound: change it file by file into yours. Nothing is ever written over.
+
+    Exit status: 0 written, 2 usage.
+    """
+    begun = begin_kata(folder, name)
+    files = tuple(map(str, begun.files))
+    return NewKata(begun.problem.id, begun.problem.title, str(begun.problems), files)
+
+
+class VerifyAsk(Struct, frozen=True):
+    """What to check of each kata."""
+
+    matrix: Annotated[
+        bool, opt("--matrix", help="Which groups find each mistake, and how many cases reach each edge.")
+    ] = False
+    pin: Annotated[bool, opt("--pin", help="Pin the data as they are now: write pins.json.")] = False
+    figures: Annotated[bool, opt("--figures", help="Draw the statement's figure: write figure.svg.")] = False
+    seeds: Annotated[
+        int,
+        opt(
+            "--seeds",
+            type=click.IntRange(1, 100),
+            metavar="N",
+            help="Check N sets of data, pinned ones first.",
+        ),
+    ] = 1
+    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Look at this group alone.")] = ()
+    solution: Annotated[
+        str, opt("--solution", metavar="FILE", help="Judge this solution alone, as accepted/exact.py.")
+    ] = ""
+    jobs: Annotated[
+        int, opt("-j", "--jobs", type=click.IntRange(1, 64), metavar="N", help="Check N katas at once.")
+    ] = 1
+
+
+@command("verify", Verified)
+@click.argument("names", metavar="[KATA]...", nargs=-1)
+@takes(VerifyAsk, "ask")
+def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
+    """Check katas from the setter's side.
+
+    Every case keeps the promise, the examples agree with the reference, the data are the pinned ones, every
+    solution gets the verdict its folder says, hints can be read and a stub can be made. Without a name: all
+    katas of the folders that --problems gives, or all there are.
+
+    With --group or --solution only a part is checked, as you work on it.
+
+    Exit status: 0 sound, 2 usage, 3 something is wrong.
+    """
+    if ask.pin and (ask.groups or ask.solution):
+        raise UsageError("--pin is for the whole kata", remedy="leave out --group and --solution")
+    chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in _all(common.problems))))
+    for name in names:
+        with suppress(ProblemError):  # which is in the report then
+            find_problem(name, common.problems)
+    faults = 0
+    for found in _checked(partial(_verify, ask, common.problems), chosen, ask.jobs):
+        if ask.figures and found.ok:
+            _draw_figure(find_problem(found.problem, common.problems))
+        faults += len(found.faults)
+        yield found
+    if len(chosen) > 1:
+        yield VerifySummary(len(chosen), faults)
+
+
+def _all(folders: Sequence[Path]) -> list[Path]:
+    """The katas to check where none is named: a setter means their own, not all that can be found."""
+    return folders_within(folders) if folders else problem_folders()
+
+
+def _checked(check: Callable[[str], Verified], names: Sequence[str], jobs: int) -> Iterator[Verified]:
+    """What was found of each, in their order; several at once are several processes."""
+    if jobs == 1 or len(names) == 1:
+        yield from map(check, names)
+        return
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(check, names)
+
+
+def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
+    """What was found of one kata; of one that cannot be read, that is its only fault."""
+    try:
+        problem = find_problem(name, folders)
+    except ProblemError as error:
+        fault = Fault(error.what, error.where or name, error.remedy or "")
+        return verified(VerifyReport(name, 0, 0, "differing", (), (fault,)))
+    boxes = Boxes(least=kept_level())
+    if ask.groups:
+        problem = replace(problem, groups=chosen_groups(problem, ask.groups))
+    with stages(name) as advance:
+        data = _data(problem, ask.seeds, advance)
+        found = ChoicesReport()
+        if data and not ask.solution:
+            found = verify_choices(problem, data, boxes, advance, partial=bool(ask.groups))
+        report = verify_problem(
+            problem,
+            update_pins=ask.pin,
+            progress=advance,
+            box_factory=AnyBoxes(boxes, signature_of(problem)),
+            kills=found.kills,
+            data=data,
+            solution=ask.solution,
+            partial=bool(ask.groups),
+        )
+    report = replace(
+        report,
+        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
+        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
+        warnings=(*report.warnings, *found.warnings),
+    )
+    return verified(report, found if ask.matrix or ask.groups else None)
+
+
+def _data(problem: Problem, seeds: int, advance: Stage | None) -> list[ProblemData]:
+    """The pinned data, built anew, and those of seeds 1, 2, …; none where they cannot be built, which
+    verify_problem tells."""
+    try:
+        return [fresh_data(problem, advance, seed) for seed in (None, *range(1, seeds))]
+    except ProblemError:
+        return []
+
+
+def _draw_figure(problem: Problem) -> None:
+    """Write figure.svg beside the statement, where there is something to draw."""
+    from judge.report.figure import FIGURE, figure
+
+    drawn = figure(problem)
+    if drawn is not None:
+        replace_file(problem.folder / FIGURE, drawn.encode())
+
+
+class ExportAsk(Struct, frozen=True):
+    """What to write."""
+
+    out: Annotated[Path, opt("--out", metavar="DIR", help="Where to write.")]
+    form: Annotated[
+        str,
+        opt(
+            "--format",
+            type=click.Choice(("kattis", "files")),
+            metavar="kattis|files",
+            help="Packages for Kattis and DOMjudge (usual), or the data alone.",
+        ),
+    ] = "kattis"
+    version: Annotated[
+        str,
+        opt(
+            "--version",
+            type=click.Choice([*(each.value for each in Version), _BOTH]),
+            metavar="|".join([*(each.value for each in Version), _BOTH]),
+            help="Of the packages' format; both is usual.",
+        ),
+    ] = _BOTH
+    archives: Annotated[bool, opt("--zip", help="Write archives too, one of them for DOMjudge.")] = False
+    bare: Annotated[bool, opt("--no-submissions", help="Packages without programs.")] = False
+    wrong: Annotated[
+        int | None, opt("--wrong", type=click.IntRange(0), metavar="N", help="At most N wrong programs.")
+    ] = None
+    seed: Annotated[
+        int | None,
+        opt("--seed", metavar="N", help="Files of other cases, from this seed, not the pinned ones."),
+    ] = None
+    force: Annotated[bool, opt("--force", help="Write over files that are there already.")] = False
+
+
+@command("export", Exported, FilesWritten)
+@click.argument("names", metavar="KATA...", nargs=-1, required=True)
+@takes(ExportAsk, "ask")
+def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[Struct]:
+    """Write katas as packages or files that other judges read.
+
+    Packages: DIR/legacy/ID and DIR/2025-09/ID are one package in two versions of the format, with the tests,
+    a validator that decides as judge does, the statement as LaTeX, and the programs of solutions/. With
+    --zip also DIR/*/ID.kpp, and DIR/domjudge/ID.zip. A package of the same kata is replaced.
+
+    Files: DIR/ID/G.in is what a program reads for the test group G, G.ans what a perfect one prints, and
+    G.json holds every case with its exact answer and the least and greatest double that is accepted.
+
+    Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
+    """
+    problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
+    if ask.form == "files":
+        for each in problems:
+            _make_room(ask.out / each.id, _names(each), force=ask.force)
+        return map(partial(_write_files, ask), problems)
+    return _packages(problems, ask)
+
+
+def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
+    """The packages of each; of several, one whose folder is broken costs itself only."""
+    versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
+    order = Order(ask.out, versions, ask.archives, not ask.bare, ask.wrong)
+    left_out = {each.id: why for each in problems if (why := why_left_out(each))}
+    wanted = [each for each in problems if each.id not in left_out]
+    short_names(each.id for each in wanted)
+    for each in wanted:  # what cannot be is said before anything takes long
+        check_places(each, order)
+    if wanted:
+        latex(wanted[0])
+    boxes = Boxes(least=kept_level())
+    broken = None
+    for each in problems:
+        if each.id in left_out:
+            yield exported(Export(each, short_name(each.id), left_out[each.id]))
+            continue
+        try:
+            with stages(each.id) as advance:
+                yield exported(export(each, order, boxes, advance or (lambda *_: None)))
+        except ProblemError as fault:
+            broken = fault
+            if len(problems) > 1:
+                yield exported(Export(each, short_name(each.id), str(fault)))
+    if broken is not None:
+        raise broken
+    if not wanted:
+        raise UsageError(
+            "No package can hold it" if len(problems) == 1 else "No package can hold any of these"
+        )
+
+
+def _names(problem: Problem) -> tuple[str, ...]:
+    return tuple(f"{group.name}{kind}" for group in problem.groups for kind in (".in", ".ans", ".json"))
+
+
+def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
+    """Make the folder; nothing that is there already is written over unasked."""
+    try:
+        target.mkdir(parents=True, exist_ok=True)
+        there = [name for name in names if (target / name).exists()]
+    except OSError as fault:
+        raise unwritable(target, fault, _REMEDY) from fault
+    if there and not force:
+        more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
+        what = f"{there[0]}{more} would be written over"
+        raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
+
+
+def _write_files(ask: ExportAsk, problem: Problem) -> FilesWritten:
+    """The data of one kata, three files a group."""
+    target, cases = ask.out / problem.id, 0
+    with progress(f"building {problem.id}") as advance:
+        data = load_data(problem, seed=ask.seed, progress=advance)
+    for said in data.notes:
+        note(said)
+    for group in data.groups:
+        cases += len(group.cases)
+        for name, content in group_files(data, group):
+            try:
+                replace_file(target / name, content.encode())
+            except OSError as fault:
+                raise unwritable(target / name, fault, _REMEDY) from fault
+    return FilesWritten(problem.id, str(target), cases, _names(problem))

@@ -1,0 +1,279 @@
+"""What `judge list` and `judge show` say of katas: frozen structs, whose field names are the JSON's keys."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import Struct
+
+from judge.errors import ExitCode
+from judge.problem import Group, Parameter, Problem, Tolerance
+from judge.problem.model import GroupLimits
+
+
+class Published(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """One line of a command's JSON; `schema` rises where a key changes its meaning or goes."""
+
+    schema: int = 1
+
+
+class KataRow(Published, frozen=True):
+    """A kata in a list; `stars` is 1 once the interview level is passed, 2 with production."""
+
+    problem: str
+    title: str
+    tier: str
+    summary: str
+    entry: str
+    groups: int
+    cases: int
+    points: int
+    sets: tuple[str, ...]
+    solved: bool
+    stars: int
+
+
+def kata_row(problem: Problem, *, solved: bool, stars: int) -> KataRow:
+    """The row of a problem, as far as the person has come with it."""
+    return KataRow(
+        problem.id,
+        problem.title,
+        problem.tier.value,
+        problem.summary,
+        problem.entry,
+        groups=len(problem.groups),
+        cases=sum(group.count for group in problem.groups),
+        points=sum(group.points for group in problem.groups),
+        sets=problem.sets,
+        solved=solved,
+        stars=stars,
+    )
+
+
+class SetRow(Struct, frozen=True):
+    """A set of katas: its name, a sentence about it, and the names of its katas in order."""
+
+    name: str
+    about: str
+    katas: tuple[str, ...]
+
+
+class KataList(Struct, frozen=True):
+    """The sets, the rows of all katas, the set to show and the current kata; a broken kata is in `faults`."""
+
+    sets: tuple[SetRow, ...]
+    katas: tuple[KataRow, ...]
+    shown: str = ""
+    current: str = ""
+    todo: bool = False
+    whole: bool = False
+    faults: int = 0
+
+    @property
+    def published(self) -> tuple[KataRow, ...]:
+        """The rows of the katas that were asked for."""
+        rows = {row.problem: row for row in self.katas}
+        asked = next((each.katas for each in self.sets if each.name == self.shown), tuple(rows))
+        return tuple(row for name in asked if (row := rows.get(name)) and not (self.todo and row.solved))
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """3 where a kata cannot be read."""
+        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
+
+
+class ParameterRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A parameter; the bounds are exact, `n` or `n/d` as text."""
+
+    name: str
+    type: str
+    low: str
+    high: str
+    smallest: str
+    about: str
+
+
+class Allowed(Struct, frozen=True, forbid_unknown_fields=True):
+    """The limits of a test group, in seconds and bytes."""
+
+    cpu_seconds: float
+    wall_seconds: float
+    memory_bytes: int
+    output_bytes: int
+
+
+class Growth(Struct, frozen=True, forbid_unknown_fields=True):
+    """CPU time may grow by n to a power that exceeds the reference's by `slope`, over these groups."""
+
+    slope: float
+    groups: tuple[str, ...]
+
+
+class Accuracy(Struct, frozen=True, forbid_unknown_fields=True):
+    """A tolerance; its parts are exact, `n` or `n/d` as text."""
+
+    extent: str
+    relative: str
+    zero: str
+    ulps: str
+
+
+class GroupRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A test group, with the mistakes that it finds; what it does not have of its own is null."""
+
+    name: str
+    about: str
+    cases: int
+    points: int
+    seed: int | str
+    tolerance: Accuracy
+    kills: tuple[str, ...]
+    level: str | None
+    size: int | None
+    limits: Allowed | None
+    time_limit: float | None
+
+
+class ExampleRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A worked example: the arguments by name, and the answer."""
+
+    input: dict[str, Any]
+    answer: Any
+
+
+class Origin(Struct, frozen=True, forbid_unknown_fields=True):
+    """Who wrote the kata, on which terms, after what."""
+
+    authors: tuple[str, ...]
+    license: str
+    origin: str | None
+
+
+class KataInFull(Published, frozen=True):
+    """A kata, whole."""
+
+    problem: str
+    title: str
+    tier: str
+    summary: str
+    entry: str
+    answer: str
+    parameters: tuple[ParameterRow, ...]
+    limits: Allowed
+    growth: Growth | None
+    groups: tuple[GroupRow, ...]
+    examples: tuple[ExampleRow, ...]
+    statement: str
+    source: Origin
+
+
+class KataShown(Struct, frozen=True):
+    """A kata to show: its statement, or what its test groups test."""
+
+    problem: Problem
+    groups: bool = False
+
+    @property
+    def published(self) -> tuple[KataInFull, ...]:
+        """Both, in one object."""
+        return (kata_in_full(self.problem),)
+
+
+def kata_in_full(problem: Problem) -> KataInFull:
+    """All that is published of a problem."""
+    source, growth = problem.source, problem.growth
+    return KataInFull(
+        problem.id,
+        problem.title,
+        problem.tier.value,
+        problem.summary,
+        problem.entry,
+        str(problem.answer),
+        parameters=tuple(map(_parameter, problem.parameters)),
+        limits=_allowed(problem.limits),
+        growth=Growth(growth.slope, tuple(growth.groups)) if growth else None,
+        groups=tuple(map(_group, problem.groups)),
+        examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
+        statement=problem.statement,
+        source=Origin(source.authors, source.license or "unknown", source.origin or None),
+    )
+
+
+def _parameter(each: Parameter) -> ParameterRow:
+    return ParameterRow(
+        each.name, str(each.type), str(each.low), str(each.high), str(each.smallest), each.about
+    )
+
+
+def _group(each: Group) -> GroupRow:
+    return GroupRow(
+        each.name,
+        each.about,
+        each.count,
+        each.points,
+        each.seed,
+        tolerance=_accuracy(each.tolerance),
+        kills=each.kills,
+        level=each.level.value if each.level else None,
+        size=each.size,
+        limits=_allowed(each.limits) if each.limits else None,
+        time_limit=each.time_limit,
+    )
+
+
+def _allowed(limits: GroupLimits) -> Allowed:
+    return Allowed(limits.cpu_seconds, limits.wall_seconds, limits.memory_bytes, limits.output_bytes)
+
+
+def _accuracy(tolerance: Tolerance) -> Accuracy:
+    parts = (tolerance.extent, tolerance.relative, tolerance.zero, tolerance.ulps)
+    return Accuracy(*map(str, parts))
+
+
+class PageText(Published, frozen=True):
+    """A page of the manual, as Markdown."""
+
+    topic: str
+    title: str
+    text: str
+
+
+class Mention(Published, frozen=True):
+    """A section of the manual that has the words, and its line that has most of them."""
+
+    topic: str
+    section: str
+    line: str
+
+
+class Topics(Struct, frozen=True):
+    """All pages of the manual, to choose from."""
+
+    published: tuple[PageText, ...]
+
+
+class PageShown(Struct, frozen=True):
+    """One page to read."""
+
+    published: tuple[PageText]
+    paged: bool = True
+
+
+class Mentions(Struct, frozen=True):
+    """Where the manual has the words; 1 where nowhere, as grep has it."""
+
+    words: str
+    published: tuple[Mention, ...]
+    near: str = ""  # the topic or command that was most likely meant
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """1 where nothing was found."""
+        return ExitCode.ACCEPTED if self.published else ExitCode.NOT_ACCEPTED
+
+
+class Document(Struct, frozen=True):
+    """A text that is shown as it is, and what goes out with --json."""
+
+    text: str
+    published: tuple[Any, ...]

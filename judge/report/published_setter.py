@@ -1,0 +1,254 @@
+"""What new, verify, export and doctor say: frozen structs, whose field names are the JSON's keys."""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from judge.errors import ExitCode
+from judge.mistakes.verified import ChoicesReport
+from judge.packs.export.job import Export
+from judge.report.published import Published
+from judge.run.verify import Fault, VerifyReport
+
+
+class NewKata(Published, frozen=True):
+    """A kata that was written: its folder of problems, and its files."""
+
+    problem: str
+    title: str
+    problems: str
+    files: tuple[str, ...]
+
+
+class SolutionRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A file of solutions/: its verdict, null where it is `unjudged`, and the groups that it fails."""
+
+    file: str
+    name: str
+    verdict: str | None
+    ok: bool
+    failed: tuple[str, ...]
+    unjudged: str
+
+
+class MistakeRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A mistake: its line of mistakes.py, the group that finds it in most cases, and all that find it."""
+
+    name: str
+    line: str
+    group: str
+    cases: int
+    groups: tuple[str, ...]
+
+
+class EdgeRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """How many cases reach an edge of what may come."""
+
+    what: str
+    cases: int
+
+
+class Verified(Published, frozen=True):
+    """What was checked of a kata, and what is wrong."""
+
+    problem: str
+    ok: bool
+    groups: int
+    cases: int
+    pins: str
+    solutions: tuple[SolutionRow, ...]
+    mistakes: tuple[MistakeRow, ...]
+    edges: tuple[EdgeRow, ...]
+    faults: tuple[Fault, ...]
+    warnings: tuple[Fault, ...]
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """3 where something is wrong."""
+        return ExitCode.ACCEPTED if self.ok else ExitCode.FAULT
+
+
+def verified(report: VerifyReport, choices: ChoicesReport | None = None) -> Verified:
+    """What is published of a report, and of what came of the problem's mistakes.py."""
+    choices = choices or ChoicesReport()
+    found = {
+        each.name: MistakeRow(
+            each.name,
+            each.line,
+            each.group,
+            each.cases,
+            tuple(group for group, names in choices.kills.items() if each.name in names),
+        )
+        for each in sorted(choices.least, key=lambda least: (least.name, -least.cases))
+    }
+    return Verified(
+        report.problem,
+        report.ok,
+        report.groups,
+        report.cases,
+        report.pins,
+        solutions=tuple(
+            SolutionRow(
+                each.file,
+                each.name,
+                each.verdict.value if each.verdict else None,
+                each.ok,
+                each.failed,
+                each.unjudged,
+            )
+            for each in report.solutions
+        ),
+        mistakes=tuple(found.values()),
+        edges=tuple(EdgeRow(what, cases) for what, cases in report.edges),
+        faults=report.faults,
+        warnings=report.warnings,
+    )
+
+
+class VerifySummary(Struct, frozen=True):
+    """What all of it comes to; nothing of it is in the JSON."""
+
+    katas: int
+    faults: int
+    published: tuple[()] = ()
+
+
+class FilesWritten(Published, frozen=True):
+    """A kata's data as files of a folder: three for each group."""
+
+    problem: str
+    out: str
+    cases: int
+    files: tuple[str, ...]
+
+
+class PackageRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A package that was written; `archive` is null where none was asked for."""
+
+    version: str
+    folder: str
+    archive: str | None
+    files: int
+    bytes: int
+
+
+class ProgramRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A program of the packages: its verdict there, and the test that decides it."""
+
+    file: str
+    verdict: str
+    test: str | None
+
+
+class LeftOutRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A program that no package holds."""
+
+    file: str
+    why: str
+
+
+class Exported(Published, frozen=True):
+    """The packages of a kata; `left_out` says why there are none."""
+
+    problem: str
+    package: str
+    left_out: str | None
+    packages: tuple[PackageRow, ...]
+    domjudge: str | None
+    time_limit: int | None
+    programs: tuple[ProgramRow, ...]
+    programs_left_out: tuple[LeftOutRow, ...]
+    notes: tuple[str, ...]
+
+
+def exported(found: Export) -> Exported:
+    """What is published of an export."""
+    programs = found.programs
+    return Exported(
+        found.problem.id,
+        found.short,
+        found.why or None,
+        packages=tuple(
+            PackageRow(
+                each.version.value,
+                str(each.folder),
+                str(each.archive) if each.archive else None,
+                each.files,
+                each.bytes,
+            )
+            for each in found.packages
+        ),
+        domjudge=str(found.domjudge) if found.domjudge else None,
+        time_limit=programs.seconds if programs else None,
+        programs=tuple(
+            ProgramRow(each.path, each.trial.verdict.value, each.trial.file or None)
+            for each in (programs.held if programs else ())
+        ),
+        programs_left_out=tuple(
+            LeftOutRow(each.file, each.why) for each in (programs.left_out if programs else ())
+        ),
+        notes=found.notes,
+    )
+
+
+class LevelRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A level of isolation: what it means, or why this machine has it not and what would help.
+
+    `visible` is what a submission can read there that none may: a path, "" for nothing, null if not tried;
+    `lasting` is false where the machine was only short of something.
+    """
+
+    name: str
+    available: bool
+    meaning: str
+    why_not: str
+    remedy: str
+    lasting: bool
+    visible: str | None
+
+
+class LanguageRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A language: its version, or what is missing; `works` is null where it was not tried."""
+
+    name: str
+    version: str
+    missing: str
+    remedy: str
+    works: bool | None
+    why_not: str
+
+
+class AttackRow(Struct, frozen=True, forbid_unknown_fields=True):
+    """A harmless attack: what it tries, whether it was held, and how."""
+
+    name: str
+    tries: str
+    held: bool
+    how: str
+
+
+class Attacks(Struct, frozen=True, forbid_unknown_fields=True):
+    """What came of the attacks at a level of isolation."""
+
+    isolation: str
+    attacks: tuple[AttackRow, ...]
+
+
+class Doctor(Published, frozen=True):
+    """What this machine gives; `isolation` is the best level, null where nothing can be run."""
+
+    isolation: str | None
+    levels: tuple[LevelRow, ...]
+    languages: tuple[LanguageRow, ...]
+    attacks: Attacks | None
+    judge: str
+    python: str
+    system: str
+    cores: int
+    cache: str
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """1 where an attack was not held."""
+        held = self.attacks is None or all(each.held for each in self.attacks.attacks)
+        return ExitCode.ACCEPTED if held else ExitCode.NOT_ACCEPTED
