@@ -74,6 +74,25 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
     return PracticeSet(name, table.title, table.about, members, tuple(faults))
 
 
+def sound_sets(
+    problems: Iterable[Problem], extra: Sequence[Path] = ()
+) -> tuple[list[PracticeSet], list[ProblemError]]:
+    """Every set of these problems, easiest first, and the fault of each that cannot be read."""
+    found, faults = [], []
+    by_name = {problem.id: problem for problem in problems}
+    for name, path in _files(problem_roots(extra)).items():
+        file = TomlFile(path)
+        try:
+            table = file.read(_SetTable)
+        except ProblemError as fault:
+            faults.append(fault)
+            continue
+        listed = [each.id for each in by_name.values() if name in each.sets]
+        members = [by_name[each] for each in table.problems or listed if each in by_name]
+        found.append(PracticeSet(name, table.title, table.about, tuple(members)))
+    return found, faults
+
+
 def set_names(extra: Sequence[Path] = ()) -> list[str]:
     """The names of all sets, easiest first; none of them is read."""
     return list(_files(problem_roots(extra)))

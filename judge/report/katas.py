@@ -26,7 +26,7 @@ def kata_list(found: KataList, screen: Screen) -> RenderableType:
     said += "".join(f"   {'★' * each} {stars[each]}" for each in (1, 2) if stars[each])
     parts: list[RenderableType] = [bar(len(solved), len(found.katas), said, screen.width), Text()]
     sets = [each for each in found.sets if each.katas]
-    if found.whole:
+    if found.whole and not found.shown:
         for each in sets:
             parts += [text(each.name, STRONG), *_rows(found, each.katas, None), Text()]
         return Together(*parts[:-1])
@@ -40,7 +40,7 @@ def kata_list(found: KataList, screen: Screen) -> RenderableType:
     parts += [table(("", ""), rows, right=[1], prose=None), Text()] if len(rows) > 1 else []
     shown = next((each for each in sets if each.name == found.shown), None)
     parts += [table(("",), [(text(shown.about, FAINT),)], prose=None)] if shown else []
-    room = None if screen.rows is None else screen.rows - len(rows) - 7
+    room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     parts += _rows(found, shown.katas if shown else (), room)
     parts += [Text(), commands([("judge list SET", "another set"), ("judge list --all", "all katas")])]
     return Together(*parts)
@@ -53,9 +53,8 @@ def _rows(found: KataList, names: Sequence[str], room: int | None) -> Iterator[R
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield text("  All katas of this set are solved." if found.todo else "  There is no kata.", GOOD)
-    yield table(
-        ("", "", "", ""), [_row(row, current=row.problem == found.current) for row in kept], prose=None
-    )
+    marked = [_row(row, current=row.problem == found.current) for row in kept]
+    yield indented(table(("", "", "", ""), marked, prose=None))
     if len(kept) < len(there):
         yield text(f"  … and {len(there) - len(kept)} more: add --all", FAINT)
 

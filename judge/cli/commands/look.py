@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import click
 from msgspec import Struct
@@ -12,14 +12,15 @@ from msgspec import Struct
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import HistoryError, ProblemError, UsageError, nearest
-from judge.kata.levels import level_standings
-from judge.kata.sets import USUAL, find_set, set_names
-from judge.kata.standing import standings
+from judge.kata.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
 from judge.report.layout import Style
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
+
+if TYPE_CHECKING:
+    from judge.kata.history import Run
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -28,7 +29,7 @@ class ListAsk(Struct, frozen=True):
     """What to list."""
 
     todo: Annotated[bool, opt("--todo", help="Only the katas that you have not solved.")] = False
-    whole: Annotated[bool, opt("--all", help="Every set with all its katas.")] = False
+    whole: Annotated[bool, opt("--all", help="Every set, or all katas of the SET.")] = False
 
 
 @command("list", KataRow)
@@ -53,7 +54,7 @@ def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
         remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(names)}"
         raise UsageError(f"There is no set {name!r}", remedy=remedy)
     listed = sets if name == USUAL else tuple(each for each in sets if each.name != USUAL)
-    shown = name or ("" if common.json else _opened(listed, rows, current))
+    shown = name or ("" if common.json or ask.whole else _opened(listed, rows, current))
     return KataList(listed, rows, shown, current, ask.todo, ask.whole, len(faults) + len(broken))
 
 
@@ -65,26 +66,25 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     except HistoryError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    passed = {name for name, standing in standings(runs).items() if standing.passed}
-    stars = {problem.id: 0 for problem in problems}
-    for each in level_standings(problems, runs):
-        stars[each.problem] += each.since is not None
-    rows = (kata_row(each, solved=each.id in passed, stars=stars[each.id]) for each in problems)
+    rows = (_row(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
     return tuple(rows), taken_up.problem if taken_up else ""
+
+
+def _row(problem: Problem, runs: Sequence[Run]) -> KataRow:
+    """How far these runs have come: a level counts once one run has passed all its groups."""
+    solved = any(run.solved for run in runs)
+    passed = [set(run.passed) for run in runs]
+    levels = [{group.name for group in problem.of_level(level)} for level in problem.levels]
+    stars = len(levels) if solved else sum(any(level <= each for each in passed) for level in levels)
+    return kata_row(problem, solved=solved, stars=stars)
 
 
 def _sets(
     problems: Sequence[Problem], folders: Sequence[Path]
 ) -> tuple[tuple[SetRow, ...], list[ProblemError]]:
     """The sets in their order, the katas that are in none as the last; and the faults of the others."""
-    found, faults = [], []
-    for name in set_names(folders):
-        try:
-            each = find_set(name, folders)
-        except ProblemError as fault:
-            faults.append(fault)
-            continue
-        found.append(SetRow(name, each.about, tuple(problem.id for problem in each.problems)))
+    sets, faults = sound_sets(problems, folders)
+    found = [SetRow(each.name, each.about, tuple(problem.id for problem in each.problems)) for each in sets]
     held = {kata for each in found for kata in each.katas}
     others = tuple(problem.id for problem in problems if problem.id not in held)
     return (*found, *([SetRow(_OTHERS, "Katas that are in no set.", others)] if others else ())), faults
