@@ -98,9 +98,6 @@ class VerifyReport(Struct, frozen=True):
     pins: str
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
-    matrix: Matrix | None = None  # of the wrong programs; None where none was judged
-    choices: int = 0  # mistakes of mistakes.py
-    least: tuple[Least, ...] = ()  # and for each the group that rejects it in most cases
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
     edges: tuple[tuple[str, int], ...] = ()  # which edges have cases, and how many
 
@@ -181,7 +178,6 @@ def verify_problem(
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
-        matrix=matrix,
         warnings=tuple(_in_vain(pinned)),
     )
 
