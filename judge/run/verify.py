@@ -45,7 +45,7 @@ ENOUGH = 5  # cases of one group that should reject a wrong program: fewer may b
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
 
-class Fault(Struct, frozen=True, forbid_unknown_fields=True):
+class Fault(Struct, frozen=True):
     """One broken promise: what, where and what to do."""
 
     what: str
