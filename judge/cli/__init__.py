@@ -1,8 +1,10 @@
 """The command line: thin, and quick to start.
 
-    app.py          the commands' table, loading a command when it is used, and how everything ends
-    commands/       one module a command
-    options.py      options that several commands share; judging_options.py: those of the ones that judge
+    table.py        the commands: sentence, module, page of the manual, examples; old names
+    app.py          loading a command when it is used, and how everything ends
+    options.py      options as fields of structs; judging_options.py: those of the commands that judge
+    emit.py         a command's value to JSON, or to its view in judge/report
+    commands/       the commands
     submissions.py  reading the files to judge; target.py: the files that options write
     judging.py      what `judge run` and `judge watch` ask of `judge.judging`
     regression.py, picture.py, outputs.py

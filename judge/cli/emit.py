@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
+from inspect import cleandoc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -48,6 +49,10 @@ def schema_of(command: click.Command) -> dict[str, Any]:
     kinds, parts = msgspec.json.schema_components(
         writes, schema_hook=lambda _type: {"type": "string"}, ref_template="#/$defs/{name}"
     )
+    for part in parts.values():
+        part["description"] = cleandoc(part.get("description", ""))
+        if "properties" in part:  # every key is always there, and no other one
+            part |= {"required": [*part["properties"]], "additionalProperties": False}
     dialect = "https://json-schema.org/draft/2020-12/schema"
     return {"$schema": dialect, **(kinds[0] if len(kinds) == 1 else {"anyOf": [*kinds]}), "$defs": parts}
 

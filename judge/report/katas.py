@@ -53,9 +53,8 @@ def _rows(found: KataList, names: Sequence[str], room: int | None) -> Iterator[R
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield text("  All katas of this set are solved." if found.todo else "  There is no kata.", GOOD)
-    yield table(
-        ("", "", "", ""), [_row(row, current=row.problem == found.current) for row in kept], prose=None
-    )
+    marked = [_row(row, current=row.problem == found.current) for row in kept]
+    yield indented(table(("", "", "", ""), marked, prose=None))
     if len(kept) < len(there):
         yield text(f"  … and {len(there) - len(kept)} more: add --all", FAINT)
 

@@ -11,7 +11,7 @@ from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.problem.model import GroupLimits
 
 
-class Published(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Published(Struct, frozen=True, kw_only=True):
     """One line of a command's JSON; `schema` rises where a key changes its meaning or goes."""
 
     schema: int = 1
@@ -82,7 +82,7 @@ class KataList(Struct, frozen=True):
         return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
 
 
-class ParameterRow(Struct, frozen=True, forbid_unknown_fields=True):
+class ParameterRow(Struct, frozen=True):
     """A parameter; the bounds are exact, `n` or `n/d` as text."""
 
     name: str
@@ -93,7 +93,7 @@ class ParameterRow(Struct, frozen=True, forbid_unknown_fields=True):
     about: str
 
 
-class Allowed(Struct, frozen=True, forbid_unknown_fields=True):
+class Allowed(Struct, frozen=True):
     """The limits of a test group, in seconds and bytes."""
 
     cpu_seconds: float
@@ -102,14 +102,14 @@ class Allowed(Struct, frozen=True, forbid_unknown_fields=True):
     output_bytes: int
 
 
-class Growth(Struct, frozen=True, forbid_unknown_fields=True):
+class Growth(Struct, frozen=True):
     """CPU time may grow by n to a power that exceeds the reference's by `slope`, over these groups."""
 
     slope: float
     groups: tuple[str, ...]
 
 
-class Accuracy(Struct, frozen=True, forbid_unknown_fields=True):
+class Accuracy(Struct, frozen=True):
     """A tolerance; its parts are exact, `n` or `n/d` as text."""
 
     extent: str
@@ -118,7 +118,7 @@ class Accuracy(Struct, frozen=True, forbid_unknown_fields=True):
     ulps: str
 
 
-class GroupRow(Struct, frozen=True, forbid_unknown_fields=True):
+class GroupRow(Struct, frozen=True):
     """A test group, with the mistakes that it finds; what it does not have of its own is null."""
 
     name: str
@@ -134,14 +134,14 @@ class GroupRow(Struct, frozen=True, forbid_unknown_fields=True):
     time_limit: float | None
 
 
-class ExampleRow(Struct, frozen=True, forbid_unknown_fields=True):
+class ExampleRow(Struct, frozen=True):
     """A worked example: the arguments by name, and the answer."""
 
     input: dict[str, Any]
     answer: Any
 
 
-class Origin(Struct, frozen=True, forbid_unknown_fields=True):
+class Origin(Struct, frozen=True):
     """Who wrote the kata, on which terms, after what."""
 
     authors: tuple[str, ...]

@@ -20,7 +20,7 @@ class NewKata(Published, frozen=True):
     files: tuple[str, ...]
 
 
-class SolutionRow(Struct, frozen=True, forbid_unknown_fields=True):
+class SolutionRow(Struct, frozen=True):
     """A file of solutions/: its verdict, null where it is `unjudged`, and the groups that it fails."""
 
     file: str
@@ -31,7 +31,7 @@ class SolutionRow(Struct, frozen=True, forbid_unknown_fields=True):
     unjudged: str
 
 
-class MistakeRow(Struct, frozen=True, forbid_unknown_fields=True):
+class MistakeRow(Struct, frozen=True):
     """A mistake: its line of mistakes.py, the group that finds it in most cases, and all that find it."""
 
     name: str
@@ -41,7 +41,7 @@ class MistakeRow(Struct, frozen=True, forbid_unknown_fields=True):
     groups: tuple[str, ...]
 
 
-class EdgeRow(Struct, frozen=True, forbid_unknown_fields=True):
+class EdgeRow(Struct, frozen=True):
     """How many cases reach an edge of what may come."""
 
     what: str
@@ -122,7 +122,7 @@ class FilesWritten(Published, frozen=True):
     files: tuple[str, ...]
 
 
-class PackageRow(Struct, frozen=True, forbid_unknown_fields=True):
+class PackageRow(Struct, frozen=True):
     """A package that was written; `archive` is null where none was asked for."""
 
     version: str
@@ -132,7 +132,7 @@ class PackageRow(Struct, frozen=True, forbid_unknown_fields=True):
     bytes: int
 
 
-class ProgramRow(Struct, frozen=True, forbid_unknown_fields=True):
+class ProgramRow(Struct, frozen=True):
     """A program of the packages: its verdict there, and the test that decides it."""
 
     file: str
@@ -140,7 +140,7 @@ class ProgramRow(Struct, frozen=True, forbid_unknown_fields=True):
     test: str | None
 
 
-class LeftOutRow(Struct, frozen=True, forbid_unknown_fields=True):
+class LeftOutRow(Struct, frozen=True):
     """A program that no package holds."""
 
     file: str
@@ -191,7 +191,7 @@ def exported(found: Export) -> Exported:
     )
 
 
-class LevelRow(Struct, frozen=True, forbid_unknown_fields=True):
+class LevelRow(Struct, frozen=True):
     """A level of isolation: what it means, or why this machine has it not and what would help.
 
     `visible` is what a submission can read there that none may: a path, "" for nothing, null if not tried;
@@ -207,7 +207,7 @@ class LevelRow(Struct, frozen=True, forbid_unknown_fields=True):
     visible: str | None
 
 
-class LanguageRow(Struct, frozen=True, forbid_unknown_fields=True):
+class LanguageRow(Struct, frozen=True):
     """A language: its version, or what is missing; `works` is null where it was not tried."""
 
     name: str
@@ -218,7 +218,7 @@ class LanguageRow(Struct, frozen=True, forbid_unknown_fields=True):
     why_not: str
 
 
-class AttackRow(Struct, frozen=True, forbid_unknown_fields=True):
+class AttackRow(Struct, frozen=True):
     """A harmless attack: what it tries, whether it was held, and how."""
 
     name: str
@@ -227,7 +227,7 @@ class AttackRow(Struct, frozen=True, forbid_unknown_fields=True):
     how: str
 
 
-class Attacks(Struct, frozen=True, forbid_unknown_fields=True):
+class Attacks(Struct, frozen=True):
     """What came of the attacks at a level of isolation."""
 
     isolation: str

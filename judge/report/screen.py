@@ -174,7 +174,8 @@ def note(text: str, style: Style = Style.WARNING) -> None:
     if len(text) > _SENTENCE:
         text = f"{text[: _SENTENCE * 2 // 3]} … {text[-_SENTENCE // 3 :]}"
     screen = err()
-    first, *rest = wrap(text, screen.width and screen.width - 7)
+    room = screen.width - 7 if screen.width and is_terminal(screen.stream) else None
+    first, *rest = wrap(text, room)
     try:
         screen.show([line(Span("judge:", style), f" {first}"), *(line(f"       {row}") for row in rest)])
     except OSError:

@@ -48,21 +48,10 @@ class Row(Struct, frozen=True):
 
 
 class Matrix(Struct, frozen=True):
-    """All wrong programs of a problem against all its groups.
-
-    `aimless` are the groups whose `kills` name nothing, `replaceable` those of the others that are the only
-    ones to reject no program: without such a group every wrong program still dies.
-    """
+    """All wrong programs of a problem against all its groups."""
 
     groups: tuple[str, ...]
     rows: tuple[Row, ...]
-    aimless: tuple[str, ...]
-    replaceable: tuple[str, ...]
-
-    @property
-    def unkilled(self) -> tuple[Row, ...]:
-        """The programs that no group rejects."""
-        return tuple(row for row in self.rows if not row.killing)
 
 
 def kill_matrix(
@@ -75,13 +64,7 @@ def kill_matrix(
     rejects nothing.
     """
     rows = tuple(_row(groups, sizes, *program) for program in programs)
-    needed = {row.killing[0].group for row in rows if len(row.killing) == 1}
-    return Matrix(
-        groups=tuple(group.name for group in groups),
-        rows=rows,
-        aimless=tuple(group.name for group in groups if not group.kills),
-        replaceable=tuple(group.name for group in groups if group.kills and group.name not in needed),
-    )
+    return Matrix(tuple(group.name for group in groups), rows)
 
 
 def _row(groups: Sequence[Group], sizes: Mapping[str, int], file: str, mistake: str, does: Behaviour) -> Row:

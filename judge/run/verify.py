@@ -45,7 +45,7 @@ ENOUGH = 5  # cases of one group that should reject a wrong program: fewer may b
 Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
 
 
-class Fault(Struct, frozen=True, forbid_unknown_fields=True):
+class Fault(Struct, frozen=True):
     """One broken promise: what, where and what to do."""
 
     what: str
@@ -94,9 +94,6 @@ class VerifyReport(Struct, frozen=True):
     pins: str
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
-    matrix: Matrix | None = None  # of the wrong programs; None where none was judged
-    choices: int = 0  # mistakes of mistakes.py
-    least: tuple[Least, ...] = ()  # and for each the group that rejects it in most cases
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
     edges: tuple[tuple[str, int], ...] = ()  # which edges have cases, and how many
 
@@ -177,7 +174,6 @@ def verify_problem(
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
-        matrix=matrix,
         warnings=tuple(_in_vain(pinned)),
     )
 

@@ -33,17 +33,17 @@ from judge.run.result import (
 
 pytestmark = pytest.mark.slow
 
-SAMPLES = ["doctor"]
-OPTIONAL = {
-    "schema",
-    "matrix",
-    "unreliable",
-    "busy",
-    "level",
-    "levels",
-    "growth",
-    "size",
-}  # that may be missing
+SAMPLES = [
+    "list others",
+    "help quiz",
+    "help tolerance zero",
+    "new pack two-points",
+    "verify middle --matrix",
+    "export middle --out packages --zip",
+    "export middle --out data --format files",
+    "doctor",
+]
+OPTIONAL = {"matrix", "unreliable", "busy", "level", "levels", "growth", "size"}  # keys that may be missing
 FREE = {"input", "bands", "rejected", "cases", "mistakes", "broken"}  # whose keys are names of the problem
 
 
@@ -89,8 +89,13 @@ def test_every_command_with_json_has_a_sound_schema():
 def test_a_schema_takes_what_its_command_writes_and_nothing_that_differs(words, judge, submit):
     submit(FLOOR)
     command = words.split()[0]
-    (line,) = judge(*words.split(), "--json").lines
+    line = judge(*words.split(), "--json").lines[0]
     refuses(validator_of(command), shortened(json.loads(line)), command)
+
+
+def test_a_kata_in_full_keeps_to_its_schema(judge):
+    for name in ("middle", "exact-count", "nearest"):  # numbers of any size, limits of one group
+        validator_of("show").validate(json.loads(judge("show", name, "--json").out))
 
 
 def validator_of(command: str) -> Draft202012Validator:

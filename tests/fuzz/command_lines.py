@@ -138,7 +138,7 @@ def _words(chance: random.Random) -> tuple[tuple[str, ...], click.Command | None
 def _option(chance: random.Random, option: Any) -> list[str]:
     """The option with a value, several times, or most often not at all."""
     words: list[str] = []
-    while option.name != "as_json" and chance.random() < 0.22:
+    while option.name not in ("as_json", "json") and chance.random() < 0.22:
         name = chance.choice(option.opts)
         value = [] if option.is_flag else [_value(chance, option)]
         joined = value and name.startswith("--") and chance.random() < 0.3

@@ -75,6 +75,7 @@ def test_a_line_of_json_can_hold_any_number_and_stands_for_what_is_published(cap
 def test_the_schema_is_made_of_the_type():
     schema = schema_of(told)
     assert schema["$defs"]["Ask"]["properties"]["count"] == {"type": "integer", "default": 3}
+    assert schema["$defs"]["Ask"]["required"] == ["groups", "whole", "out", "count"]
 
 
 def test_every_view_is_there():

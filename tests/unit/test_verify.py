@@ -89,11 +89,3 @@ def test_a_row_tells_every_groups_share(matrix):
     assert (blind.aimed, deaf.aimed, immortal.aimed) == (("grid", "spare"), ("grid", "edge"), ())
     assert [row.own and row.own.group for row in matrix.rows] == ["grid", "edge", "edge", None]
     assert [kill.group for kill in once.killing] == ["edge"]
-
-
-def test_groups_that_do_nothing_of_their_own(matrix):
-    assert matrix.aimless == ("examples",)
-    assert matrix.replaceable == ("grid", "spare")
-    assert [row.file for row in matrix.unkilled] == ["wrong/immortal.py"]
-    empty = kill_matrix(GROUPS, SIZES, [])
-    assert (empty.rows, empty.unkilled) == ((), ())

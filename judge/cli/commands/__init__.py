@@ -1,4 +1,4 @@
-"""The commands, a module each: `judge NAME` is `command` in NAME.py, imported when it is used.
+"""The commands: `judge NAME` is the click command of that name in the module that judge/cli/table.py names.
 
-The table in judge/cli/app.py names them in the order of `judge --help`; what they share is one folder up.
+It is imported when it is used. What the commands share is one folder up.
 """

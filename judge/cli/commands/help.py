@@ -61,7 +61,8 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
 
         complete = get_completion_class(ask.completion)
         assert complete is not None
-        return Document(complete(app, {}, "judge", "_JUDGE_COMPLETE").source(), ())
+        script = complete(app, {}, "judge", "_JUDGE_COMPLETE").source()
+        return Document(script, (PageText("completion", ask.completion, script),))
     if not words:
         return Topics(tuple(map(_text, manual.pages())))
     name = "-".join(words).lower()
