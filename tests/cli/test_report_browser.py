@@ -67,7 +67,7 @@ def pages(judge, submit, shown):
             name = submit(source, "count.py")
             assert judge("run", "count", name, "--no-shrink").status in (0, 1)
         for student, source in zip(("eve", "zoe"), wrong, strict=True):
-            for kata in ("count", "nobodys-kata-with-a-long-name", "which-side", "segment"):
+            for kata in ("count", "segment", "sphere", "which-side")[: 4 if student == "eve" else 3]:
                 submit(source, f"homework/{student}/{kata}.py")
         submit(f"id,name\neve,{PWN}{MARKUP.replace(',', ' ')}\n", "list.csv")
         files = ("--students", "list.csv", "--html", found[1], "--feedback", found[2].parent)

@@ -58,10 +58,10 @@ def command(
     target = OutFile(path, "--out", "report", _is_report)
     target.check(force=force, remedy="name another file with --out, or overwrite it with --force")
     with history_at(db, reading=True) as history:
-        runs = history.runs()
+        runs = [run for run in history.runs() if run.counts]
         if not runs:
-            remedy = "judge something first: judge run PROBLEM FILE"
-            raise UsageError("there is nothing to report", where=str(history.path), remedy=remedy)
+            remedy = "judge a file of yours first: judge run FILE"
+            raise UsageError("it holds no run of your own", where=str(history.path), remedy=remedy)
         solved = {run.problem: run.id for run in runs if run.solved}
         sources = {name: history.source(number) for name, number in solved.items()}
     from judge.report.html.learner import learner_page

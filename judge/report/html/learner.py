@@ -67,7 +67,7 @@ def learner_page(
     """The page of at least one run.
 
     Args:
-        runs: of all katas, oldest first; those of a kata that is not in `problems` any more are shown too.
+        runs: those that count, of all katas, oldest first. Those of a kata that is gone are shown too.
         problems: all katas, in the order of the page.
         skills: how they stand after these runs; without any there is no list of skills.
         sources: the last accepted source of a kata, by its id.
@@ -147,8 +147,7 @@ def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequenc
 def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> Kata:
     name = runs[0].problem
     problem = cases.problems.get(name)
-    counting = [run for run in runs if run.counts]
-    passed = [set(run.passed) for run in counting]
+    passed = [set(run.passed) for run in runs]
     levels = problem.levels if problem else ()
     groups = {level: {group.name for group in problem.of_level(level)} for level in levels} if problem else {}
     text = source.decode("utf-8", "backslashreplace")
@@ -160,12 +159,12 @@ def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> Kata
         title=problem.title if problem else name,
         summary=problem.summary if problem else "This kata is not here any more.",
         solved=next((run.when for run in runs if run.solved), None),
-        best=max((run.score for run in counting), default=0),
+        best=max(run.score for run in runs),
         levels=tuple(level.value for level in levels if any(groups[level] <= each for each in passed)),
         ratio=min((run.ratio for run in runs if run.solved and run.ratio is not None), default=None),
         runs=tuple(runs[: -_MOST_RUNS - 1 : -1]),
         left_out=max(0, len(runs) - _MOST_RUNS),
-        failed=tuple(_failed(anchor, counting, cases)),
+        failed=tuple(_failed(anchor, runs, cases)),
         source=text,
     )
 
