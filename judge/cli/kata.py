@@ -101,14 +101,9 @@ def take_up(kata: Kata, db: Path | None) -> None:
 
 def _stub(problem: Problem, path: Path) -> str:
     """The stub in the language that the file's name says; in Python where it says none."""
-    language = language_of(path)
-    if language is not None:
-        from judge.kata.native_stub import make_native_stub
-
-        return make_native_stub(problem, language)
     from judge.kata.stub import make_stub  # only what writes one needs it
 
-    return make_stub(problem)
+    return make_stub(problem, language_of(path))
 
 
 def write_stub(problem: Problem, path: Path, *, force: bool = False) -> None:

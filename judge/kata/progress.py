@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
 from pathlib import Path
@@ -261,7 +261,26 @@ def assess(
         if run.counts and run.mistake:
             made[run.problem].update(mistake_names(run))
     found = standings(runs)
-    rows = _rows(checklist.rows, _Shown(problems, found, skills, cards, answers, hacks))
+    katas = {
+        each.id: Evidence(Kind.KATA, each.id, f"judge init {each.id}", found.get(each.id, Standing()).passed)
+        for each in problems
+    }
+    skilled = {each.skill.name: _of_skill(each) for each in skills}
+    answered = _of_cards((card for card in cards if not card.problem or card.problem in katas), answers)
+    attempts: defaultdict[str, list[Hack]] = defaultdict(list)
+    for hack in hacks:
+        attempts[hack.problem].append(hack)
+    rows = []
+    for row in checklist.rows:
+        evidence = [katas[name] for name in row.katas if name in katas]
+        evidence += [skilled[name] for name in row.skills if name in skilled]
+        evidence += answered[row.id]
+        for name in row.broken:
+            problem_id, mistake = name.split("/")
+            when = broken(attempts[problem_id]).get(mistake)
+            if when or problem_id in katas:
+                evidence.append(Evidence(Kind.BROKEN, name, f"judge hack {problem_id} {mistake}", when))
+        rows.append(RowProgress(row, tuple(evidence)))
     own = [(part, tuple(row for row in rows if row.row.section == part.id)) for part in checklist.sections]
     return Progress(
         found,
@@ -339,52 +358,22 @@ def _covered(
     return Covered(problem, groups, level, best, since, lost, attempts, made)
 
 
-class _Shown(NamedTuple):
-    """All that may tick a question."""
-
-    problems: Sequence[Problem]
-    standings: Mapping[str, Standing]
-    skills: Sequence[SkillProgress]
-    cards: Iterable[Card]
-    answers: Iterable[Answer]
-    hacks: Iterable[Hack]
+def _of_skill(progress: SkillProgress) -> Evidence:
+    needs = progress.needs
+    drilled = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
+    lost = progress.state is State.LOST
+    return Evidence(Kind.SKILL, progress.skill.name, f"judge init {drilled}", progress.since, lost)
 
 
-def _rows(rows: Iterable[Row], shown: _Shown) -> list[RowProgress]:
-    here = {problem.id for problem in shown.problems}
-    skills = {each.skill.name: each for each in shown.skills}
-    answers: defaultdict[str, list[Answer]] = defaultdict(list)
-    for answer in shown.answers:
-        answers[answer.card].append(answer)
-    cards: defaultdict[str, list[Card]] = defaultdict(list)
-    for card in shown.cards:
-        if not card.problem or card.problem in here:
-            for name in card.rows:
-                cards[name].append(card)
-    hacks: defaultdict[str, list[Hack]] = defaultdict(list)
-    for hack in shown.hacks:
-        hacks[hack.problem].append(hack)
-    done = {problem: broken(own) for problem, own in hacks.items()}
-
-    def evidence(row: Row) -> Iterator[Evidence]:
-        for name in row.katas:
-            if name in here:
-                solved = shown.standings.get(name, Standing()).passed
-                yield Evidence(Kind.KATA, name, f"judge init {name}", solved)
-        for name in row.skills:
-            if skill := skills.get(name):
-                need = next((each for each in skill.needs if each.since is None or each.lost), skill.needs[0])
-                drill, lost = f"judge init {need.problem}", skill.state is State.LOST
-                yield Evidence(Kind.SKILL, name, drill, skill.since, lost)
-        for card in cards[row.id]:
-            its = answers[card.key]
-            known = next((answer.when for answer in its if answer.known), None)
-            lost = known is not None and not its[-1].known
-            yield Evidence(Kind.CARD, card.key, f"judge quiz --row {row.id}", known, lost)
-        for name in row.broken:
-            problem, mistake = name.split("/")
-            since = done.get(problem, {}).get(mistake)
-            if since or problem in here:
-                yield Evidence(Kind.BROKEN, name, f"judge hack {problem} {mistake}", since)
-
-    return [RowProgress(row, tuple(evidence(row))) for row in rows]
+def _of_cards(cards: Iterable[Card], answers: Iterable[Answer]) -> Mapping[str, list[Evidence]]:
+    """What cards show, by the id of each question that they practise."""
+    given: defaultdict[str, list[Answer]] = defaultdict(list)
+    for answer in answers:
+        given[answer.card].append(answer)
+    found: defaultdict[str, list[Evidence]] = defaultdict(list)
+    for card in cards:
+        known = next((answer.when for answer in given[card.key] if answer.known), None)
+        lost = known is not None and not given[card.key][-1].known
+        for row in card.rows:
+            found[row].append(Evidence(Kind.CARD, card.key, f"judge quiz --row {row}", known, lost))
+    return found

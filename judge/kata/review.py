@@ -12,7 +12,7 @@ accepted before counts for nothing: judging the old file again shows no memory. 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime, timedelta
 from typing import TypeVar
 
@@ -63,7 +63,7 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
         if run.whole:  # a model solution too, which may be copied
             known.add((run.problem, run.source_hash))
     rated = {name: [_rated(sitting) for sitting in _sittings(own)] for name, own in events.items()}
-    return _by_date((name, [each for each in own if each]) for name, own in rated.items())
+    return _reviews({name: [each for each in own if each] for name, own in rated.items()})
 
 
 def card_reviews(answers: Iterable[Answer]) -> list[Review]:
@@ -72,7 +72,7 @@ def card_reviews(answers: Iterable[Answer]) -> list[Review]:
     for answer in answers:
         of_card[answer.card].append(answer)
     firsts = {card: [sitting[0] for sitting in _sittings(own)] for card, own in of_card.items()}
-    return _by_date((card, [(each.when, each.rating) for each in own]) for card, own in firsts.items())
+    return _reviews({card: [(each.when, each.rating) for each in own] for card, own in firsts.items()})
 
 
 def _sittings(events: Iterable[_Event]) -> Iterator[list[_Event]]:
@@ -102,17 +102,16 @@ def _rated(events: Sequence[Run | Help]) -> _Rated | None:
     return (when, Rating.AGAIN) if when else None
 
 
-def _by_date(rated: Iterable[tuple[str, Sequence[_Rated]]]) -> list[Review]:
-    found = [_review(name, own) for name, own in rated if own]
+def _reviews(rated: Mapping[str, Sequence[_Rated]]) -> list[Review]:
+    found = []
+    for name, sittings in rated.items():
+        step = in_a_row = 0
+        for _, rating in sittings:
+            well = rating >= Rating.GOOD
+            in_a_row = in_a_row + 1 if well else 0
+            step = 0 if rating is Rating.AGAIN else min(max(step + (1 if well else -1), 0), len(LADDER) - 1)
+        if sittings:
+            last, rating = sittings[-1]
+            solved = any(each is not Rating.AGAIN for _, each in sittings)
+            found.append(Review(name, last, rating, len(sittings), in_a_row, LADDER[step], solved))
     return sorted(found, key=lambda review: (review.due, review.name))
-
-
-def _review(name: str, rated: Sequence[_Rated]) -> Review:
-    step = in_a_row = 0
-    for _, rating in rated:
-        well = rating >= Rating.GOOD
-        in_a_row = in_a_row + 1 if well else 0
-        step = 0 if rating is Rating.AGAIN else min(max(step + (1 if well else -1), 0), len(LADDER) - 1)
-    last, rating = rated[-1]
-    solved = any(rating is not Rating.AGAIN for _, rating in rated)
-    return Review(name, last, rating, len(rated), in_a_row, LADDER[step], solved)

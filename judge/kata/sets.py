@@ -11,14 +11,14 @@ A file may list its `problems` itself, in an order of its own: then the set is m
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError
 from judge.problem import Problem, Tier
-from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
+from judge.problem.find import find_problem, problem_roots, sound_problems
 from judge.problem.tables import TomlFile, key_place, meant
 
 USUAL = "path"  # the set that stands for all of them in order
@@ -54,24 +54,22 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
         UsageError: there is none of that name.
         ProblemError: its file is broken, or it has no problem.
     """
-    files = _files(problem_roots(extra, installed=False))
-    if name not in files:
-        files = _files(problem_roots(extra))
+    files = _files(extra)
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
     file = TomlFile(files[name])
     table = file.read(_SetTable)
+    faults: list[ProblemError] = []
     if table.problems is not None:
-        return PracticeSet(name, table.title, table.about, tuple(_listed(file, table.problems, extra)))
-    problems, faults = sound_problems(extra)
-    names = set_names(extra)
-    faults += [fault for problem in problems for fault in unknown_sets(problem, names)]
-    members = tuple(problem for problem in problems if name in problem.sets)
+        members = _listed(file, table.problems, extra)
+    else:
+        problems, faults = sound_problems(extra)
+        faults += [fault for problem in problems for fault in unknown_sets(problem, list(files))]
+        members = [problem for problem in problems if name in problem.sets]
     if not members:
-        for fault in faults:
-            raise fault
-        raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
-    return PracticeSet(name, table.title, table.about, members, tuple(faults))
+        fault = file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
+        raise next(iter(faults), fault)
+    return PracticeSet(name, table.title, table.about, tuple(members), tuple(faults))
 
 
 def sound_sets(
@@ -95,40 +93,36 @@ def sound_sets(
 
 def set_names(extra: Sequence[Path] = ()) -> list[str]:
     """The names of all sets, easiest first; none of them is read."""
-    return list(_files(problem_roots(extra)))
+    return list(_files(extra))
 
 
 def unknown_sets(problem: Problem, names: Sequence[str]) -> Iterator[ProblemError]:
     """A fault for each set that the problem names and that is none of `names`."""
     for at, name in enumerate(problem.sets):
         if name not in names:
-            remedy = f"{meant(name, list(names))}; a new one needs a file sets/{name}.toml"
+            remedy = f"{meant(name, names)}; a new one needs a file sets/{name}.toml"
             what = f"no practice set is called {name!r}"
             yield ProblemError(what, where=key_place(problem, ("sets", at)), remedy=remedy)
 
 
-def _files(roots: Iterable[Path]) -> dict[str, Path]:
+def _files(extra: Sequence[Path]) -> dict[str, Path]:
+    """The sets' files by name: the usual ones in their order, then others by name."""
     found: dict[str, Path] = {}
-    for root in roots:
+    for root in problem_roots(extra):
         for path in sorted((root / "sets").glob("*.toml")):
             found.setdefault(path.stem, path)
-    return dict(sorted(found.items(), key=lambda item: _place(item[0])))
+    names = sorted(found, key=lambda name: (_ORDER.index(name) if name in _ORDER else len(_ORDER), name))
+    return {name: found[name] for name in names}
 
 
-def _place(name: str) -> tuple[int, str]:
-    return (_ORDER.index(name) if name in _ORDER else len(_ORDER), name)
-
-
-def _listed(file: TomlFile, names: Sequence[str], extra: Sequence[Path]) -> Iterator[Problem]:
+def _listed(file: TomlFile, names: Sequence[str], extra: Sequence[Path]) -> list[Problem]:
     """The problems that a set's file lists itself."""
-    if not names:
-        raise file.fault("the set holds no problem", "name at least one", "problems")
+    found: list[Problem] = []
     for place, name in enumerate(names):
         if name in names[:place]:
             raise file.fault(f"{name!r} is listed twice", "take one out", "problems", place)
         try:
-            yield find_problem(name, extra)
-        except UsageError:
-            known = [folder.name for folder in problem_folders(extra)]
-            what = f"no problem is called {name!r}"
-            raise file.fault(what, meant(name, known), "problems", place) from None
+            found.append(find_problem(name, extra))
+        except UsageError as fault:
+            raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
+    return found

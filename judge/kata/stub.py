@@ -1,8 +1,8 @@
-"""The file a kata begins with: signature and types, the statement's contract, its examples as doctests.
+"""The file a kata begins with: signature and types, the statement's contract, its examples.
 
-A stub is valid Python that a type checker, a linter and a formatter accept, and it fails its problem: its
-function only says that it is still to be written. The doctests pass once it is. They show numbers rounded,
-since the judge accepts more than one double for an irrational number, and an int for a float.
+A stub compiles, and fails its problem: its function only says that it is still to be written. In Python the
+examples are doctests, which pass once it is. They show numbers rounded, since the judge accepts more than one
+double for an irrational number, and an int for a float. In another language all of it is comments.
 """
 
 from __future__ import annotations
@@ -10,20 +10,23 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
-from judge.errors import ProblemError
-from judge.kata.contract import contract_lines
+from judge.errors import ProblemError, UsageError
 from judge.languages import file_name as program_name
 from judge.problem import Example, Problem
 from judge.values import parameters
 
+if TYPE_CHECKING:
+    from judge.languages.model import Language
+
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
 _QUOTES = '"""'
-_IMPORTS = {"array": "from array import array"}
-_LATE = "from __future__ import annotations"  # before Python 3.12 an array takes no parameters at run time
+_ITEM = re.compile(r"(?:[-*+]|\d+[.)])\s+")
+_HEADING = re.compile(r"(#+)\s")
+_FENCE = "```"
 
 
 def file_name(problem: Problem) -> str:
@@ -36,15 +39,50 @@ def usual_name(problem: str) -> str:
     return program_name(problem.replace("-", "_"))
 
 
-def make_stub(problem: Problem) -> str:
-    """The text of the stub.
+def make_stub(problem: Problem, language: Language | None = None) -> str:
+    """The text of the stub in that language, or in Python.
 
     Raises:
         ProblemError: what the setter wrote makes no Python.
+        UsageError: the language has no form of one of the problem's types.
     """
-    parts = [_head(problem), _function(problem)]
-    if problem.answer.rounded and problem.examples and _settled(problem):
-        parts.append(_rounding(problem))
+    about = [
+        *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
+        "",
+        f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
+        "`judge watch` judges this file on every save.",
+    ]
+    return _python(problem, about) if language is None else _native(problem, language, about)
+
+
+def _python(problem: Problem, about: Iterable[str]) -> str:
+    entry, answer, width = problem.entry, problem.answer, _WIDTH - len(_INDENT)
+    signature = _signature(problem)
+    named = [answer, *(parameter.type for parameter in problem.parameters)]
+    meanings = {name: meant for type_ in named for name, meant in type_.aliases().items()}
+    types = [f"{name} = {meant}" for name, meant in sorted(meanings.items()) if _names(signature, name)]
+    if _names(signature, "array"):  # which takes no parameters at run time before Python 3.12
+        types = ["from __future__ import annotations", "", "from array import array", "", *types]
+    lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _doctest)]
+    body = [_docstring(lines), f'raise NotImplementedError("{entry} is still to be written")']
+    parts = [
+        "\n".join([_docstring(about), "", *types]).rstrip(),
+        f"{signature}\n{textwrap.indent(chr(10).join(body), _INDENT)}",
+    ]
+    if answer.rounded and problem.examples and _settled(problem):
+        name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
+        rows = [f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:"]
+        rows.append(f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""')
+        expression = answer.rounded.format(name)
+        if expression.startswith("None if "):
+            test, _, expression = expression.removeprefix("None if ").partition(" else ")
+            rows += [f"{_INDENT}if {test}:", f"{_INDENT * 2}return None"]
+        if len(f"{_INDENT}return {expression}") <= _WIDTH:
+            rows.append(f"{_INDENT}return {expression}")
+        else:
+            wrapped = _wrapped(expression, width - len(_INDENT))
+            rows += [f"{_INDENT}return (", *(_INDENT * 2 + row for row in wrapped), f"{_INDENT})"]
+        parts.append("\n".join(rows))
     text = "\n\n\n".join(parts) + "\n"
     try:
         ast.parse(text)
@@ -55,130 +93,55 @@ def make_stub(problem: Problem) -> str:
     return text
 
 
-def _head(problem: Problem) -> str:
-    """What the file is, the commands to go on with, and the types that the signature names."""
-    about = [
-        f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
-        "`judge watch` judges this file on every save.",
-    ]
-    title = _wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES))
-    docstring = f"{_QUOTES}{_quoted([*title, '', *about])}\n{_QUOTES}"
-    signature = _signature(problem)
-    named = [problem.answer, *(parameter.type for parameter in problem.parameters)]
-    meanings = {name: meant for type_ in named for name, meant in type_.aliases().items()}
-    aliases = [
-        f"{name} = {meant}"
-        for name, meant in sorted(meanings.items())
-        if re.search(rf"\b{name}\b", signature)
-    ]
-    imports = [line for name, line in _IMPORTS.items() if re.search(rf"\b{name}\b", signature)]
-    if imports:
-        imports = [_LATE, "", *imports]
-    return "\n".join([docstring, *([""] if imports else []), *imports, *([""] if aliases else []), *aliases])
+def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
+    from judge.languages.draft import draft_of, driver_of
+    from judge.languages.shapes import Unsupported
+    from judge.languages.signature import signature_of
 
+    try:
+        maker = driver_of(language)
+        draft = draft_of(language, signature_of(problem))
+        head = maker.declared(draft)
+    except Unsupported as why:
+        what = f"{problem.id} has a type that functions in {language.name} are not called with: {why}"
+        remedy = f"write a program that reads standard input; see 'judge show {problem.id}'"
+        raise UsageError(what, remedy=remedy) from None
+    before, body = maker.frame(draft, f"{draft.entry} is still to be written")
+    indent = _INDENT if head.startswith("static") else ""
 
-def _rounding(problem: Problem) -> str:
-    """The function that the doctests round with."""
-    answer = problem.answer
-    name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
-    return "\n".join(
-        [
-            f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:",
-            f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""',
-            *_returned(answer.rounded.format(name)),
-        ]
-    )
+    def told(problem: Problem, example: Example) -> list[str]:
+        values = zip(problem.parameters, example.case, strict=True)
+        given = [f"{each.name} = {parameters.literal(each.type, value)}" for each, value in values]
+        return [f"{_INDENT}{draft.entry}: {', '.join(given)}  gives  {example.wanted!r}"]
 
+    def comments(lines: Iterable[str], indent: str = "") -> list[str]:
+        return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
 
-def _returned(expression: str) -> Iterator[str]:
-    """The lines that return it, broken as formatters break them where one is too long."""
-    line = f"{_INDENT}return {expression}"
-    whole = ast.parse(expression, mode="eval").body
-    if len(line) <= _WIDTH or not isinstance(whole, ast.IfExp | ast.ListComp | ast.Tuple):
-        yield line
-    elif isinstance(whole, ast.ListComp):
-        yield f"{_INDENT}return ["
-        yield f"{_INDENT * 2}{ast.unparse(whole.elt)}"
-        yield from (f"{_INDENT * 2}{ast.unparse(each).strip()}" for each in whole.generators)
-        yield f"{_INDENT}]"
-    elif isinstance(whole, ast.IfExp):
-        yield f"{_INDENT}if {ast.unparse(whole.test)}:"
-        yield f"{_INDENT * 2}return {ast.unparse(whole.body)}"
-        yield from _returned(ast.unparse(whole.orelse))
-    else:
-        yield f"{_INDENT}return ("
-        for part in whole.elts:
-            yield from _part(part, 2)
-        yield f"{_INDENT})"
-
-
-def _part(part: ast.expr, depth: int) -> Iterator[str]:
-    """A part of a tuple in lines of its own, so many levels deep, broken in the same way."""
-    line = f"{_INDENT * depth}{ast.unparse(part)},"
-    if len(line) <= _WIDTH or not isinstance(part, ast.Tuple):
-        yield line
-        return
-    yield f"{_INDENT * depth}("
-    for inner in part.elts:
-        yield from _part(inner, depth + 1)
-    yield f"{_INDENT * depth}),"
-
-
-def _wrapped(text: str, width: int) -> list[str]:
-    return textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)
-
-
-def _function(problem: Problem) -> str:
-    lines = contract_lines(problem, _WIDTH - len(_INDENT), lambda example: _doctest(problem, example))
-    summary = _wrapped(problem.summary, _WIDTH - len(_INDENT + _QUOTES))
-    docstring = _quoted([*summary, "", *lines], _INDENT)
-    return "\n".join(
-        [
-            _signature(problem),
-            f"{_INDENT}{_QUOTES}{docstring}",
-            f"{_INDENT}{_QUOTES}",
-            f'{_INDENT}raise NotImplementedError("{problem.entry} is still to be written")',
-        ]
-    )
+    lines = [problem.summary, *_contract(problem, _WIDTH - len(indent + language.comment) - 1, told)]
+    function = "\n".join([*comments(lines, indent), indent + head + body])
+    return "\n\n".join([*filter(None, ("\n".join(comments(about)), before)), function]) + "\n"
 
 
 def _signature(problem: Problem) -> str:
     """The `def` line, broken as formatters break it where it is too long."""
-    parameters = [f"{each.name}: {each.type.annotation}" for each in problem.parameters]
+    given = [f"{each.name}: {each.type.annotation}" for each in problem.parameters]
     head, tail = f"def {problem.entry}(", f") -> {problem.answer.annotation}:"
-    inner = ", ".join(parameters)
+    inner = ", ".join(given)
     if len(head + inner + tail) <= _WIDTH:
         return head + inner + tail
     if len(_INDENT + inner) <= _WIDTH:
         return f"{head}\n{_INDENT}{inner}\n{tail}"
-    return "\n".join([head, *(f"{_INDENT}{parameter}," for parameter in parameters), tail])
+    return "\n".join([head, *(f"{_INDENT}{parameter}," for parameter in given), tail])
 
 
-def _quoted(lines: list[str], indent: str = "") -> str:
-    """The lines as they stand between a docstring's quotes."""
-    escaped = (line.replace("\\", "\\\\").replace(_QUOTES, r"\"\"\"") for line in lines)
-    first, *rest = (line.rstrip() for line in escaped)
-    return "\n".join([first, *(indent + line if line else "" for line in rest)])
+def _names(signature: str, name: str) -> bool:
+    return re.search(rf"\b{name}\b", signature) is not None
 
 
-def _doctest(problem: Problem, example: Example) -> list[str]:
-    """An example as at Python's prompt; None, which the prompt does not show, is printed.
-
-    Where an answer of one's own looks different and is right as well, it is told instead.
-    """
-    opened, closed = "", ""
-    wanted: Any = example.wanted
-    if problem.answer.rounded and _settled(problem):
-        opened, closed = "rounded(", ")"
-        wanted = parameters.rounded(problem.answer, wanted)
-    if wanted is None:
-        opened, closed = f"print({opened}", f"{closed})"
-    values = zip(problem.parameters, example.case, strict=True)
-    arguments = [parameters.literal(parameter.type, value) for parameter, value in values]
-    if not _settled(problem):
-        return list(_filled(f"{problem.entry}(", arguments, f") may return {wanted!r}"))
-    call = list(_filled(f"{opened}{problem.entry}(", arguments, f"){closed}"))
-    return [*(f"{'...' if at else '>>>'} {row}" for at, row in enumerate(call)), repr(wanted)]
+def _docstring(lines: Iterable[str]) -> str:
+    text = "\n".join(line.rstrip() for line in lines)
+    escaped = text.replace("\\", "\\\\").replace(_QUOTES, r"\"\"\"")
+    return f"{_QUOTES}{escaped}\n{_QUOTES}"
 
 
 def _settled(problem: Problem) -> bool:
@@ -186,15 +149,92 @@ def _settled(problem: Problem) -> bool:
     return problem.answer.settled and bool(problem.parameters)
 
 
-def _filled(head: str, arguments: list[str], tail: str) -> Iterator[str]:
-    """A call in rows that fit into a docstring beside the prompt."""
-    room = _WIDTH - len(_INDENT) - len(">>> ")
-    row = head if arguments else head + tail
-    for at, argument in enumerate(arguments):
-        piece = argument + (tail if at == len(arguments) - 1 else ",")
-        gap = "" if row in (head, _INDENT) else " "
-        if len(row) + len(gap) + len(piece) > room and row.strip():
-            yield row
-            row, gap = _INDENT, ""
-        row += gap + piece
-    yield row
+def _doctest(problem: Problem, example: Example) -> list[str]:
+    """An example as at Python's prompt; None, which the prompt does not show, is printed.
+
+    Where an answer of one's own looks different and is right as well, it is told instead.
+    """
+    wanted: Any = example.wanted
+    values = zip(problem.parameters, example.case, strict=True)
+    literals = [parameters.literal(each.type, value) for each, value in values]
+    room = _WIDTH - len(_INDENT + ">>> " + _INDENT)
+    given = ", ".join(each.replace(" ", "\0") if len(each) < room else each for each in literals)
+    call = f"{problem.entry}({given})"
+    if not _settled(problem):
+        told = f"{call} may return {wanted!r}".replace("\0", " ")
+        return _wrapped(told, _WIDTH - len(_INDENT))
+    if problem.answer.rounded:
+        call, wanted = f"rounded({call})", parameters.rounded(problem.answer, wanted)
+    call = f"print({call})" if wanted is None else call
+    rows = [call] if len(call) <= room + len(_INDENT) else _wrapped(call, room + len(_INDENT), _INDENT)
+    lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]
+    return [*lines, repr(wanted)]
+
+
+# -- the statement without what the stub has or cannot use ---------------------------------------------------
+
+
+def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example], list[str]]) -> Iterator[str]:
+    """The statement in lines of at most `width` columns where it is prose, each part after a blank line.
+
+    Without the title, the task and figures, which the stub has or cannot show, and without what concerns
+    programs that read standard input. `prompt` writes an example.
+    """
+    examples = {example.line: example for example in problem.examples}
+    skipped = 0  # the level of the heading whose section is left out
+    for start, block in _blocks(problem.statement):
+        first = block[0]
+        rows: list[str] = []
+        if heading := _HEADING.match(first):
+            level = len(heading[1])
+            if level > 1 and (not skipped or level <= skipped):
+                skipped = level if "program" in first.lower() and problem.entry not in first else 0
+            rows = block if level > 1 else []
+        elif told := [examples[line] for line in range(start, start + len(block)) if line in examples]:
+            rows = [row for example in told for row in prompt(problem, example)]
+        elif first.startswith(_FENCE):
+            rows = textwrap.indent("\n".join(block[1:-1]), _INDENT).splitlines()
+        elif first.startswith(("|", _INDENT)):
+            rows = block
+        elif not first.startswith(("![", f"Write `{problem.entry}(")):
+            for item in _items(block):
+                marker = _ITEM.match(item)
+                if "is run as a program" not in item:
+                    rows += _wrapped(item, width, " " * (marker.end() if marker else 0))
+        if rows and not skipped:
+            yield from ("", *rows)
+
+
+def _blocks(text: str) -> Iterator[tuple[int, list[str]]]:
+    """What stands between blank lines, headings and fences, each with its first line's number, from 1."""
+    block: list[str] = []
+    fenced = False
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        begins = line.startswith(_FENCE) or _HEADING.match(line) is not None
+        if block and not fenced and (begins or not line.strip() or _HEADING.match(block[0])):
+            yield number - len(block), block
+            block = []
+        if fenced or line.strip():
+            block = [*block, line]
+        if line.startswith(_FENCE):
+            if fenced:
+                yield number + 1 - len(block), block
+                block = []
+            fenced = not fenced
+
+
+def _items(block: Iterable[str]) -> list[str]:
+    """The items of a list, or the one paragraph, each in one line."""
+    found: list[str] = []
+    for line in block:
+        if not found or _ITEM.match(line):
+            found.append(line.strip())
+        else:
+            found[-1] += f" {line.strip()}"
+    return found
+
+
+def _wrapped(text: str, width: int, hanging: str = "") -> list[str]:
+    return textwrap.wrap(
+        text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False
+    )

@@ -15,7 +15,7 @@ from judge.problem.load import load_problem
 ROOT = Path(__file__).parents[2]
 PROBLEMS = [problem for problem in all_problems() if problem.folder.parent == ROOT / "problems"]
 MIDDLE = load_problem(ROOT / "tests" / "fixtures" / "pack" / "problems" / "middle")
-every = pytest.mark.parametrize("problem", [*PROBLEMS[::6], MIDDLE], ids=lambda problem: problem.id)
+every = pytest.mark.parametrize("problem", [*PROBLEMS[::3], MIDDLE], ids=lambda problem: problem.id)
 
 
 def loaded(source):
