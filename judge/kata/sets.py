@@ -11,7 +11,7 @@ A file may list its `problems` itself, in an order of its own: then the set is m
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
