@@ -58,7 +58,7 @@ def schema_of(command: click.Command) -> dict[str, Any]:
 
 
 def _plain(value: object) -> str:
-    """Paths and exact fractions as text."""
+    """Paths as text."""
     if isinstance(value, Path):
         return str(value)
     raise NotImplementedError(type(value))

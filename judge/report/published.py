@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import astuple
 
 from judge.errors import ExitCode
-from judge.problem import Group, Parameter, Problem, Tolerance
-from judge.problem.model import GroupLimits
+from judge.problem import Group, GrowthRule, Problem
+from judge.problem.model import GroupLimits, Source
 
 
 class Published(Struct, frozen=True, kw_only=True):
@@ -82,17 +83,6 @@ class KataList(Struct, frozen=True):
         return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
 
 
-class ParameterRow(Struct, frozen=True):
-    """A parameter; the bounds are exact, `n` or `n/d` as text."""
-
-    name: str
-    type: str
-    low: str
-    high: str
-    smallest: str
-    about: str
-
-
 class Allowed(Struct, frozen=True):
     """The limits of a test group, in seconds and bytes."""
 
@@ -102,11 +92,15 @@ class Allowed(Struct, frozen=True):
     output_bytes: int
 
 
-class Growth(Struct, frozen=True):
-    """CPU time may grow by n to a power that exceeds the reference's by `slope`, over these groups."""
+class ParameterRow(Struct, frozen=True):
+    """A parameter; the bounds are exact, `n` or `n/d` as text."""
 
-    slope: float
-    groups: tuple[str, ...]
+    name: str
+    type: str
+    low: str
+    high: str
+    smallest: str
+    about: str
 
 
 class Accuracy(Struct, frozen=True):
@@ -141,14 +135,6 @@ class ExampleRow(Struct, frozen=True):
     answer: Any
 
 
-class Origin(Struct, frozen=True):
-    """Who wrote the kata, on which terms, after what."""
-
-    authors: tuple[str, ...]
-    license: str
-    origin: str | None
-
-
 class KataInFull(Published, frozen=True):
     """A kata, whole."""
 
@@ -160,11 +146,11 @@ class KataInFull(Published, frozen=True):
     answer: str
     parameters: tuple[ParameterRow, ...]
     limits: Allowed
-    growth: Growth | None
+    growth: GrowthRule | None
     groups: tuple[GroupRow, ...]
     examples: tuple[ExampleRow, ...]
     statement: str
-    source: Origin
+    source: Source
 
 
 class KataShown(Struct, frozen=True):
@@ -181,7 +167,6 @@ class KataShown(Struct, frozen=True):
 
 def kata_in_full(problem: Problem) -> KataInFull:
     """All that is published of a problem."""
-    source, growth = problem.source, problem.growth
     return KataInFull(
         problem.id,
         problem.title,
@@ -189,19 +174,16 @@ def kata_in_full(problem: Problem) -> KataInFull:
         problem.summary,
         problem.entry,
         str(problem.answer),
-        parameters=tuple(map(_parameter, problem.parameters)),
+        parameters=tuple(
+            ParameterRow(*map(str, (each.name, each.type, each.low, each.high, each.smallest, each.about)))
+            for each in problem.parameters
+        ),
         limits=_allowed(problem.limits),
-        growth=Growth(growth.slope, tuple(growth.groups)) if growth else None,
+        growth=problem.growth,
         groups=tuple(map(_group, problem.groups)),
         examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
         statement=problem.statement,
-        source=Origin(source.authors, source.license or "unknown", source.origin or None),
-    )
-
-
-def _parameter(each: Parameter) -> ParameterRow:
-    return ParameterRow(
-        each.name, str(each.type), str(each.low), str(each.high), str(each.smallest), each.about
+        source=problem.source,
     )
 
 
@@ -212,7 +194,7 @@ def _group(each: Group) -> GroupRow:
         each.count,
         each.points,
         each.seed,
-        tolerance=_accuracy(each.tolerance),
+        tolerance=Accuracy(*map(str, astuple(each.tolerance))),
         kills=each.kills,
         level=each.level.value if each.level else None,
         size=each.size,
@@ -223,11 +205,6 @@ def _group(each: Group) -> GroupRow:
 
 def _allowed(limits: GroupLimits) -> Allowed:
     return Allowed(limits.cpu_seconds, limits.wall_seconds, limits.memory_bytes, limits.output_bytes)
-
-
-def _accuracy(tolerance: Tolerance) -> Accuracy:
-    parts = (tolerance.extent, tolerance.relative, tolerance.zero, tolerance.ulps)
-    return Accuracy(*map(str, parts))
 
 
 class PageText(Published, frozen=True):

@@ -6,7 +6,8 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.mistakes.verified import ChoicesReport
-from judge.packs.export.job import Export
+from judge.packs.export.job import Export, Package
+from judge.packs.export.programs import LeftOut
 from judge.report.published import Published
 from judge.run.verify import Fault, VerifyReport
 
@@ -122,16 +123,6 @@ class FilesWritten(Published, frozen=True):
     files: tuple[str, ...]
 
 
-class PackageRow(Struct, frozen=True):
-    """A package that was written; `archive` is null where none was asked for."""
-
-    version: str
-    folder: str
-    archive: str | None
-    files: int
-    bytes: int
-
-
 class ProgramRow(Struct, frozen=True):
     """A program of the packages: its verdict there, and the test that decides it."""
 
@@ -140,24 +131,17 @@ class ProgramRow(Struct, frozen=True):
     test: str | None
 
 
-class LeftOutRow(Struct, frozen=True):
-    """A program that no package holds."""
-
-    file: str
-    why: str
-
-
 class Exported(Published, frozen=True):
     """The packages of a kata; `left_out` says why there are none."""
 
     problem: str
     package: str
     left_out: str | None
-    packages: tuple[PackageRow, ...]
+    packages: tuple[Package, ...]
     domjudge: str | None
     time_limit: int | None
     programs: tuple[ProgramRow, ...]
-    programs_left_out: tuple[LeftOutRow, ...]
+    programs_left_out: tuple[LeftOut, ...]
     notes: tuple[str, ...]
 
 
@@ -168,25 +152,14 @@ def exported(found: Export) -> Exported:
         found.problem.id,
         found.short,
         found.why or None,
-        packages=tuple(
-            PackageRow(
-                each.version.value,
-                str(each.folder),
-                str(each.archive) if each.archive else None,
-                each.files,
-                each.bytes,
-            )
-            for each in found.packages
-        ),
+        packages=found.packages,
         domjudge=str(found.domjudge) if found.domjudge else None,
         time_limit=programs.seconds if programs else None,
         programs=tuple(
             ProgramRow(each.path, each.trial.verdict.value, each.trial.file or None)
             for each in (programs.held if programs else ())
         ),
-        programs_left_out=tuple(
-            LeftOutRow(each.file, each.why) for each in (programs.left_out if programs else ())
-        ),
+        programs_left_out=programs.left_out if programs else (),
         notes=found.notes,
     )
 

@@ -101,8 +101,8 @@ def exported(found: Exported, _screen: Screen) -> RenderableType:
 
 def _packages(found: Exported) -> Iterator[tuple[str, str]]:
     for each in found.packages:
-        places = ", ".join(map(shown_name, filter(None, (each.folder, each.archive))))
-        yield each.version, f"{places}  {each.bytes / 1000:,.0f} kB"
+        places = ", ".join(shown_name(str(place)) for place in (each.folder, each.archive) if place)
+        yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"
     if found.domjudge:
         yield "DOMjudge", shown_name(found.domjudge)
     kinds = Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs)
