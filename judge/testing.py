@@ -29,8 +29,8 @@ from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
-from judge.report.layout import Column, Line, Span, Table, hanging, line
-from judge.report.results import failure_lines, pitfall_lines, smallest_lines
+from judge.report.layout import printable, wrap
+from judge.report.tell import tell
 from judge.report.values import counted
 from judge.run.result import GroupResult, Result
 
@@ -145,40 +145,34 @@ def _sameness(routine: Routine) -> Any:
 
 def _lines(
     problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult], found: Result | None
-) -> Iterator[Line]:
-    failure = failed.failure
-    assert failure is not None
+) -> Iterator[str]:
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
     cases = counted(sum(result.cases for result in results), "case")
     several = len(results) > 1
     groups = f"{len(wrong)} of {counted(len(results), 'group')}, " if several else ""
-    yield line(f"{problem.id}: {routine_name(routine)} fails {groups}{lost:,} of {cases}")
-    yield line()
-    yield from failure_lines(failure, _WIDTH)
+    name = routine_name(routine)
+    yield f"{problem.id}: {name} fails {groups}{lost:,} of {cases}"
     if several:
-        columns = (Column("group"), Column("fails", right=True), Column("of", right=True))
-        rows = [(each.name, f"{each.cases - each.passed:,}", f"{each.cases:,}") for each in wrong]
-        yield from (line(), *Table(columns, rows).lines(_WIDTH))
-    if found is not None and found.counterexample is not None:
-        yield from (line(), *smallest_lines(found, found.counterexample, _WIDTH))
-    if found is not None and found.pitfall is not None:
-        yield from (line(), *pitfall_lines(found.pitfall, _WIDTH))
-    else:
+        yield f"  fails  {', '.join(f'{each.name} {each.passed}/{each.cases}' for each in wrong)}"
+    first = Result(problem=problem.id, submission=name, verdict=failed.result.verdict, failure=failed.failure)
+    told = tell(problem, found or first)
+    yield from ("", *told.lines)
+    if not told.mistake:
         yield from _hints(problem, failed.group)
 
 
-def _hints(problem: Problem, group: Group) -> Iterator[Line]:
+def _hints(problem: Problem, group: Group) -> Iterator[str]:
     """The known mistakes that the failing group should catch."""
     mistakes = told_mistakes(problem)
     if not group.kills:
         return
-    yield line()
-    yield line(f"  {group.name} should catch")
+    yield f"{group.name} should catch"
     for name in group.kills:
-        text = f"{name}: {mistakes[name].sentence}" if name in mistakes else name
-        yield from hanging(Span(""), Span(text), _WIDTH, indent=4, column=4)
+        yield f"  {name}: {mistakes[name].sentence}" if name in mistakes else f"  {name}"
 
 
-def _text(lines: Iterable[Line]) -> str:
-    return "\n".join("".join(span.text for span in row) for row in lines)
+def _text(lines: Iterable[str]) -> str:
+    """The lines, wrapped, with nothing in them that a terminal obeys."""
+    shown = (row for text in lines for row in wrap(text, _WIDTH))
+    return "\n".join(map(printable, shown))

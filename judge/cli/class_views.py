@@ -90,7 +90,7 @@ class Views(Struct, frozen=True):
 
             targets["csv"].write(gradebook(cohort))
         if "junit" in targets:
-            from judge.report.junit import junit
+            from judge.report.formats import junit
 
             targets["junit"].write(junit([row.result for row in scene.outcome.rows]))
         if not (self.html or self.feedback):

@@ -1,8 +1,8 @@
 """What becomes of a command's value: JSON on standard output, or its view on the screen.
 
 A command returns a frozen Struct, or an iterator of them where the work is long; it never prints. A value
-may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line) and
-`paged` (whether the pager shows what is longer than the terminal).
+may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line), `raw`
+(lines that are written as they are) and `paged` (whether the pager shows what is longer than the terminal).
 """
 
 from __future__ import annotations
@@ -30,7 +30,12 @@ def emit(found: Struct | Iterable[Struct], common: Common) -> ExitCode:
     for value in (found,) if isinstance(found, Struct) else found:
         if common.json:
             for each in getattr(value, "published", (value,)):
-                sys.stdout.write(msgspec.json.encode(each, enc_hook=_plain).decode() + "\n")
+                sys.stdout.write(_json(each) + "\n")
+            sys.stdout.flush()
+        elif lines := getattr(value, "raw", ()):
+            encoding = sys.stdout.encoding or "utf-8"
+            for each in lines:
+                sys.stdout.write(each.encode(encoding, "backslashreplace").decode(encoding) + "\n")
             sys.stdout.flush()
         else:
             _show(value)
@@ -57,6 +62,16 @@ def schema_of(command: click.Command) -> dict[str, Any]:
     return {"$schema": dialect, **(kinds[0] if len(kinds) == 1 else {"anyOf": [*kinds]}), "$defs": parts}
 
 
+def _json(value: Struct) -> str:
+    """The value on one line."""
+    try:
+        return msgspec.json.encode(value, enc_hook=_plain).decode()
+    except UnicodeEncodeError:  # half of a surrogate pair, in a file's name for one
+        import json
+
+        return json.dumps(msgspec.to_builtins(value, enc_hook=_plain))
+
+
 def _plain(value: object) -> str:
     """Paths as text."""
     if isinstance(value, Path):
@@ -69,4 +84,6 @@ def _show(value: Struct) -> None:
     from judge.report.views import view
 
     screen = out()
-    (show_paged if getattr(value, "paged", False) else show)(view(value, screen), screen)
+    shown = view(value, screen)
+    if shown is not None:
+        (show_paged if getattr(value, "paged", False) else show)(shown, screen)

@@ -6,21 +6,18 @@ Containers are started as early as can be: most of what judging and showing need
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Sequence
-from contextlib import closing, nullcontext, suppress
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from judge.cli.submissions import Submission, Unjudged
+from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
-from judge.errors import JudgeError, UsageError
 from judge.judging.containment import Containment
 from judge.problem import Problem, Verdict
 from judge.problem.keys import own_files
 
 if TYPE_CHECKING:
-    from judge.cli.fitting import Task
-    from judge.cli.outputs import Outputs
     from judge.cli.picture import Drawing
 
 
@@ -92,33 +89,3 @@ class Sitting:
         containment, self._containment, self._judge = self._containment, None, None
         if containment is not None:
             containment.close()
-
-
-def all_judged(
-    tasks: Sequence[Task], wish: Wish, show: Outputs, *, silent: bool
-) -> Generator[Drawing, None, None]:
-    """Judge all tasks, one problem after another.
-
-    Of several tasks, one whose problem fails costs its own submissions only. A bar counts them where several
-    are judged at once and the results are `silent`: else these tell how far it is.
-    """
-    from judge.report.progress import progress
-
-    counted = silent and wish.jobs > 1 and wish.total > 1
-    with progress("judging") if counted else nullcontext() as advance:
-        done = 0
-        for task in tasks:
-            begun = done
-            try:
-                with closing(judged(task.problem, task.submissions, replace(wish, before=done))) as drawings:
-                    for drawing in drawings:
-                        yield drawing
-                        done += 1
-                        if advance:
-                            advance(done, wish.total)
-            except JudgeError as fault:
-                if isinstance(fault, UsageError) or len(tasks) == 1:
-                    raise
-                for submission in task.submissions[done - begun :]:
-                    show.unjudged(Unjudged(submission.name, str(fault), task.problem.id), submission.source)
-                    done += 1

@@ -19,6 +19,8 @@ from judge.report.screen import Screen, is_terminal, note
 from judge.run.result import Result
 
 if TYPE_CHECKING:
+    from rich.text import Text
+
     from judge.drawing import Picture
     from judge.drawing.chart import Chart
 
@@ -50,9 +52,24 @@ class Drawing(Struct, frozen=True):
         """What keeps the submission from running at all, if anything does."""
         if self.result.hurdle is None:
             return []
-        from judge.report.hurdle import hurdle_lines  # most submissions run
+        from judge.report.layout import Span, hanging
+        from judge.report.obstacle import obstacle_text  # most submissions run
 
-        return hurdle_lines(self.result, self.problem, width)
+        text = obstacle_text(self.result, self.result.hurdle, self.problem)
+        return hanging(Span(""), Span(text), width, indent=2, column=2)
+
+    def rows(self, screen: Screen) -> Callable[[int], Sequence[Text]] | None:
+        """What draws it in so many rows; None where there is nothing to draw, or no room."""
+        if not self._has_any or self.result.hurdle is not None:
+            return None
+        from judge.report.picture import has_room, picture_rows
+
+        try:
+            picture = self.picture() if has_room(screen) else None
+        except Exception as fault:  # the verdict is known, and worth more
+            note(f"the failing case is not drawn: {told(fault)}")
+            return None
+        return (lambda rows: picture_rows(picture, rows)) if picture else None
 
     def picture(self) -> Picture | Chart | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""

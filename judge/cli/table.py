@@ -31,13 +31,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "run": Entry(
-            "Judge submissions on a problem.",
+            "Judge files once.",
             "failures",
             "run",
             (
                 "judge run",
-                "judge run count.py",
-                "judge run count count.py --level interview",
+                "judge run count.py --level interview",
+                "judge run count.py --fresh 30s",
             ),
         ),
         "watch": Entry(
@@ -204,12 +204,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             "replay",
             ("judge replay count:grid:v0,0,2e-06,0,2e-06,8e-05,0:32a6be count.py",),
         ),
-        "stress": Entry(
-            "Judge a submission on fresh cases until the time is up or something breaks.",
-            "failures",
-            "stress",
-            ("judge stress count.py --for 30s",),
-        ),
         "explore": Entry(
             "Write a page on which a case can be moved about.",
             "failures",
@@ -225,6 +219,7 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
+    "stress": ("run", "--fresh", "30s"),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
     "schema": ("help", "--schema"),

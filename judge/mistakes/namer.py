@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
@@ -29,6 +30,7 @@ from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values import Outline
 
+_SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
@@ -195,10 +197,16 @@ def _pitfall(match: Match, makers: Sequence[Maker]) -> Pitfall:
     return Pitfall(
         tuple(maker.name for maker in found),
         round(match.score, 3),
-        tuple(maker.text for maker in found),
+        tuple(_what_is_wrong(maker) for maker in found),
         tuple(makers[place].name for place in match.perhaps),
-        tuple((line.wrong, line.right) for maker in found for line in maker.lines),
     )
+
+
+def _what_is_wrong(maker: Maker) -> str:
+    """What is said of the mistake, without what to do instead: that is for the hints."""
+    if maker.text == maker.words.told and maker.words.why:
+        return maker.words.why
+    return _SENTENCE.match(maker.text)[0] if maker.text else ""  # type: ignore[index]  # it always matches
 
 
 def _why_not(does: Behaviour, alike: Sequence[Maker]) -> str:

@@ -135,7 +135,7 @@ def _parts(result: Result, width: int | None, cut: Cut, drawn: list[Line]) -> li
     parts.append(list(case_lines(result, width, cut.rows, again=cut.again)))
     parts.append(drawn)
     if result.pitfall:
-        told = pitfall_lines(result.pitfall, width, spoilt=cut.spoilt, most=cut.advice)
+        told = pitfall_lines(result.pitfall, width, most=cut.advice)
         parts.append(list(told))
     return parts
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
 from judge.drawing.braille import COLUMNS, ROWS, to_braille
@@ -14,6 +15,10 @@ from judge.report.screen import Screen, is_terminal
 from judge.report.values import seconds
 from judge.run.result import Growth
 
+if TYPE_CHECKING:
+    from rich.text import Text
+
+_RICH = {Style.GOOD: "green", Style.BAD: "red", Style.STRONG: "bold", Style.FAINT: "dim"}
 _STYLES = {
     Role.WANTED: Style.GOOD,
     Role.GOT: Style.BAD,
@@ -66,3 +71,13 @@ def picture_lines(
 
 def _style(role: Role | None) -> Style:
     return _STYLES.get(role, Style.PLAIN) if role else Style.PLAIN
+
+
+def picture_rows(picture: Picture | Chart, rows: int) -> list[Text]:
+    """The same for a view."""
+    from rich.text import Text
+
+    return [
+        Text.assemble(*((span.text, _RICH.get(span.style, "")) for span in row))
+        for row in picture_lines(picture, rows)
+    ]

@@ -157,9 +157,7 @@ def again_line(submission: str, replay: str) -> Line:
     return line("    ", Span(label, Style.FAINT), shown_command("judge", "replay", replay, file=submission))
 
 
-def pitfall_lines(
-    pitfall: Pitfall, width: int | None, *, spoilt: bool = True, most: int | None = None
-) -> Iterator[Line]:
+def pitfall_lines(pitfall: Pitfall, width: int | None, *, most: int | None = None) -> Iterator[Line]:
     """The mistake behind the wrong answers: its name and score, what is wrong and what to do instead.
 
     The lines that it spoils are left out unless asked for; each advice has at most so many rows.
@@ -170,11 +168,6 @@ def pitfall_lines(
     yield from beside(
         Span(f"  {what}{pitfall.name}{perhaps}", Style.STRONG), f"likely, score {pitfall.score:.2f}", width
     )
-    if pitfall.lines and spoilt:
-        fit = "programs with it fail on just these cases; such a program has"
-        yield from hanging(Span(""), Span(fit, Style.FAINT), width, indent=4, column=4)
-        for wrong, right in pitfall.lines:
-            yield from _spoilt(wrong, right, width)
     for name, advice in zip(pitfall.names, pitfall.advice, strict=True):
         text = f"{name}: {advice}" if several else advice
         yield from clipped(hanging(Span(""), Span(text), width, indent=4, column=4), most)

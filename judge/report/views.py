@@ -24,6 +24,8 @@ VIEWS: Mapping[str, tuple[str, str]] = {
     "FilesWritten": ("setter", "files_written"),
     "Exported": ("setter", "exported"),
     "Doctor": ("setter", "doctor"),
+    "Judged": ("judged", "judged"),
+    "Several": ("judged", "several"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),
@@ -31,9 +33,9 @@ VIEWS: Mapping[str, tuple[str, str]] = {
 }
 
 
-def view(value: object, screen: Screen) -> RenderableType:
-    """What the screen shows of `value`. Raises KeyError where nobody has written a view of its class."""
+def view(value: object, screen: Screen) -> RenderableType | None:
+    """What the screen shows of `value`, if anything. Raises KeyError for a class that has no view."""
     module, function = VIEWS[type(value).__name__]
     drawn: Any = getattr(import_module(f"judge.report.{module}"), function)
-    shown: RenderableType = drawn(value, screen)
+    shown: RenderableType | None = drawn(value, screen)
     return shown

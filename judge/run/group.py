@@ -159,6 +159,7 @@ class GroupRun:
             level=self.group.level,
             worst_ulps=self._worst,
             cpu_seconds=self.usage.cpu_seconds,
+            run=not self.given_up,
         )
 
     @property

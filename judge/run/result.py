@@ -43,7 +43,8 @@ NOTHING: Behaviour = MappingProxyType({})
 class GroupResult(Struct, frozen=True, kw_only=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
-    `worst_ulps` is the largest error of an accepted number, None where none was measured.
+    A group was not `run` where the program had been given up before. `worst_ulps` is the largest error of an
+    accepted number, None where none was measured.
     """
 
     name: str
@@ -54,6 +55,7 @@ class GroupResult(Struct, frozen=True, kw_only=True):
     level: KataLevel | None = None
     worst_ulps: float | None = None
     cpu_seconds: float = 0.0
+    run: bool = True
 
     @property
     def score(self) -> int:
@@ -181,16 +183,14 @@ class Timing(Struct, frozen=True, kw_only=True):
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
-    `advice` says of each what is wrong and what to do instead. `perhaps` is another mistake that explains
-    them nearly as well, if there is one. `lines` are those that programs with the mistake have, each
-    with what a right program has there; either may be empty.
+    `advice` says of each what is wrong. `perhaps` is another mistake that explains them nearly as well, if
+    there is one.
     """
 
     names: tuple[str, ...]
     score: float
     advice: tuple[str, ...]
     perhaps: tuple[str, ...] = ()
-    lines: tuple[tuple[str, str], ...] = ()
 
     @property
     def name(self) -> str:
@@ -325,8 +325,7 @@ def _from_schema_1(plain: Mapping[str, Any]) -> dict[str, Any]:
     reference = time.get("reference") or {}
     if pitfall:
         names = pitfall["name"].split(" + ")
-        lines = [(each["wrong"], each["right"]) for each in pitfall.get("lines", ())]
-        pitfall = pitfall | {"names": names, "advice": [""] * len(names), "lines": lines}
+        pitfall = pitfall | {"names": names, "advice": [""] * len(names)}
     if small and small["replay"]:
         small = small | {"group": small["replay"].split(":")[1]}
     return {

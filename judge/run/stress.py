@@ -10,7 +10,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
-from typing import Any
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -23,7 +22,7 @@ from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.result import SCHEMA, Failure, GroupResult, Result, Timing
+from judge.run.result import Failure, GroupResult, Result, Timing
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Usage
 
@@ -54,23 +53,6 @@ class Stressed(Struct, frozen=True):
     interrupted: bool = False
     broken: Broken | None = None
     runner: Runner | None = None
-
-    @property
-    def rate(self) -> float:
-        """Cases a second, from building them to deciding on the answers."""
-        return self.cases / self.seconds if self.seconds else 0.0
-
-    def as_json(self) -> dict[str, Any]:
-        """The object that `judge stress --json` writes: the result and what was asked of the machine."""
-        return {
-            "schema": SCHEMA,
-            "cases": self.cases,
-            "seconds": round(self.seconds, 3),
-            "cases_per_second": round(self.rate),
-            "seed": self.seed,
-            "interrupted": self.interrupted,
-            "result": self.result.as_json(),
-        }
 
 
 def stress(

@@ -16,7 +16,8 @@ from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.problem.find import find_problem
 from judge.report.glance import glance_lines, screen_rows
-from judge.report.hurdle import hurdle_lines
+from judge.report.layout import Span, hanging
+from judge.report.obstacle import obstacle_text
 from judge.report.results import verdict_lines
 from judge.report.screen import Notes, out
 
@@ -60,7 +61,8 @@ def command(
         write_json(result.as_json())
     else:
         screen = out()
-        hurdle = hurdle_lines(result, session.problem, screen.width)
+        text = obstacle_text(result, result.hurdle, session.problem) if result.hurdle else ""
+        hurdle = hanging(Span(""), Span(text), screen.width, indent=2, column=2) if text else []
         last = verdict_lines(result, screen.width)
         alone = replace(result, groups=())  # a table of one row
         screen.show(glance_lines(alone, screen.width, screen_rows(screen), hurdle=hurdle, verdict=last))

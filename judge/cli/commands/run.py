@@ -1,166 +1,301 @@
-"""`judge run`: judge submissions on a problem."""
+"""`judge run`: judge files once, or on fresh cases until the time is up."""
 
 from __future__ import annotations
 
+import math
+import os
+import random
 import sys
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import closing, nullcontext
 from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import click
+from msgspec import Struct
+from msgspec.structs import replace
 
-from judge.cli.fitting import assigned, split
-from judge.cli.judging_options import (
-    PROGRAM,
-    TEXT,
-    all_option,
-    chosen_format,
-    follow_links_option,
-    format_option,
-    isolation_option,
-    jobs_option,
-    junit_option,
-    mode_option,
-    no_history_option,
-    no_name_option,
-    no_shrink_option,
-    picture_option,
-    save_regression_option,
-    svg_option,
-)
+from judge.cli.duration import seconds_of
+from judge.cli.fitting import Task, assigned, split
 from judge.cli.kata import file_in_hand, problem_of
-from judge.cli.options import (
-    db_option,
-    group_option,
-    json_option,
-    level_option,
-    problems_option,
-    seed_option,
-)
-from judge.cli.outputs import OnScreen, Outputs
-from judge.cli.submissions import gathered
-from judge.cli.target import check_svg
+from judge.cli.options import Common, command, opt, takes
+from judge.cli.submissions import Unjudged, gathered
+from judge.cli.target import OutFile, check_svg
 from judge.cli.wish import Wish, named_problem
-from judge.errors import ExitCode
+from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.job import RunOptions
-from judge.problem.model import chosen_groups
+from judge.problem.model import LEVELS, chosen_groups
+from judge.report.judged import AtLines, Judged, Several
+from judge.run.result import Result, judge_fault
+
+if TYPE_CHECKING:
+    from judge.cli.picture import Drawing
+
+_SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
+TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
 
 
-@click.command("run")
-@click.argument("first", metavar="[[PROBLEM]", required=False)
-@click.argument("rest", metavar="FILE...]", nargs=-1)
-@json_option
-@format_option
-@junit_option
-@click.option("-q", "--quiet", is_flag=True, help="Only the verdicts, one line a submission.")
-@all_option
-@picture_option
-@group_option
-@level_option
-@seed_option
-@no_name_option
-@jobs_option
-@isolation_option
-@follow_links_option
-@mode_option
-@no_shrink_option
-@save_regression_option
-@svg_option
-@no_history_option
-@db_option
-@problems_option
-def command(
-    first: str | None,
-    rest: tuple[str, ...],
-    as_json: bool,
-    form: str | None,
-    junit: Path | None,
-    quiet: bool,
-    whole: bool,
-    pictured: bool,
-    groups: tuple[str, ...],
-    kata_level: str | None,
-    seed: int | None,
-    no_name: bool,
-    jobs: int,
-    level: str | None,
-    follow_links: bool,
-    mode: str | None,
-    unshrunk: bool,
-    regression: Path | None,
-    svg: Path | None,
-    unrecorded: bool,
-    db: Path | None,
-    folders: tuple[Path, ...],
-) -> ExitCode:
-    """Judge submissions on a problem.
+class RunAsk(Struct, frozen=True):
+    """What to run, and what to show of it; the hidden ones are for scripts."""
 
-    Without arguments: the file of your current kata. A PROBLEM alone means its file in this folder, such as
-    count.py. A FILE alone says its problem by the function that it defines, by the first line of its stub,
-    or by its name. A first word that is a problem's name is the problem: write ./count for a file of that
-    name. A folder stands for every *.py in it and below. Files of several problems are judged one by one.
+    quiet: Annotated[bool, opt("-q", "--quiet", help="Only the verdicts, one line a file.")] = False
+    whole: Annotated[bool, opt("--all", help="Show every test group.")] = False
+    level: Annotated[
+        str | None,
+        opt("--level", type=click.Choice(LEVELS), metavar="|".join(LEVELS), help="Only this level."),
+    ] = None
+    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Only this group; repeatable.")] = ()
+    jobs: Annotated[
+        int,
+        opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once."),
+    ] = 1
+    fresh: Annotated[
+        str | None,
+        opt("--fresh", "--for", metavar="TIME", help="Judge on new cases for so long, such as 30s or 2m."),
+    ] = None
+    form: Annotated[
+        str,
+        opt(
+            "--format",
+            metavar="|".join(FORMATS),
+            type=click.Choice(FORMATS),
+            help="github: annotations; editor: lines as compilers write them.",
+        ),
+    ] = TEXT
+    junit: Annotated[
+        Path | None, opt("--junit", metavar="FILE", help="Also write the results as JUnit XML.")
+    ] = None
+    seed: Annotated[int | None, opt("--seed", metavar="N", help="Cases of this seed.", hidden=True)] = None
+    mode: Annotated[
+        str,
+        opt("--mode", type=click.Choice(("program", "auto")), help="program: run it as one.", hidden=True),
+    ] = "auto"
+    svg: Annotated[
+        Path | None, opt("--svg", metavar="FILE", help="Draw the failing case into this file.", hidden=True)
+    ] = None
+    regression: Annotated[
+        Path | None, opt("--save-regression", metavar="FILE", help="Add the case as a test.", hidden=True)
+    ] = None
+    unnamed: Annotated[bool, opt("--no-name", help="Do not name the mistake.", hidden=True)] = False
+    unshrunk: Annotated[bool, opt("--no-shrink", help="Seek no smaller case.", hidden=True)] = False
+    unrecorded: Annotated[bool, opt("--no-history", help="Keep nothing of it.", hidden=True)] = False
 
-    If a FILE defines the problem's function, that is called. Any other file is run as a program that reads
-    standard input.
-
-    Of several files, one that cannot be read or fits no problem is a row of the table (JE). Ctrl-C shows the
-    table so far.
-
-    Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 a fault of the judge or of a problem.
-    """
-    from judge.cli.judging import all_judged
-
-    current = None
-    if first is not None:
-        name, files = split((first, *rest), "run", folders, db)
-    else:
-        current, file = file_in_hand(db)
-        name, files = current.problem, (file,)
-    form = chosen_format(form, as_json=as_json)
-    show = Outputs(form, OnScreen(quiet, not unrecorded, whole, pictured), junit)
-    try:
-        problem = None
-        if name is not None:
-            problem = problem_of(current, folders) if current else named_problem(name, folders)
-        submissions, unread = gathered(files, problem.id if problem else "", follow=follow_links)
-        tasks, unfit = assigned(submissions, problem, folders, db)
-        total = show.expect(tasks, [*unread, *unfit])
-        if regression is not None:
-            from judge.cli.regression import agree_on  # only who asks for it waits for it
-
-            agree_on(regression)
-        if svg is not None:
-            check_svg(svg, total)
-        for task in tasks:
-            chosen_groups(
-                task.problem, groups, kata_level
-            )  # a name that is none is told before anything is built
-        options = RunOptions(
-            groups,
-            seed,
-            level,
-            diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
-            named=not (no_name or (quiet and show.on_screen)),
-            level=kata_level,
-            program=mode == PROGRAM,
+    def options(self, isolation: str | None, *, brief: bool) -> RunOptions:
+        """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
+        wanted = self.svg is not None or self.regression is not None
+        return RunOptions(
+            self.groups,
+            self.seed,
+            isolation,
+            diagnosed=wanted or not (self.unshrunk or brief),
+            named=not (self.unnamed or brief),
+            level=self.level,
+            program=self.mode == "program",
         )
-        wish = Wish(options, jobs, regression=regression, kept=not unrecorded, db=db, total=total)
-        for drawing in all_judged(tasks, wish, show, silent=quiet and show.on_screen):
-            show.result(drawing.result, several=total > 1, drawing=drawing)
-            drawing.save(svg)
-            if drawing.result.isolation == "strong" and not (level or quiet) and form == TEXT:
-                _say_that_full_is_missing()
+
+
+@command("run", Result)
+@click.argument("words", metavar="[KATA] [FILE]...", nargs=-1)
+@takes(RunAsk, "ask")
+def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]:
+    """Judge files once.
+
+    Without words: the file of your current kata. A FILE says its kata by its function, the first line of its
+    stub, or its name; a folder stands for every *.py in it. A file that does not define the kata's function
+    is run as a program that reads standard input.
+
+    With --fresh, new cases are drawn until the time is up or one fails. Ctrl-C keeps what was found.
+
+    Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 a fault of the judge or of a kata.
+    """
+    if words:
+        name, files = split(words, "run", common.problems, common.db)
+        current = None
+    else:
+        current, file = file_in_hand(common.db)
+        name, files = current.problem, (file,)
+    if common.json and ask.form != TEXT:
+        raise UsageError(f"--json and --format {ask.form} contradict each other", remedy="leave one out")
+    junit = (
+        OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
+        if ask.junit
+        else None
+    )
+    if junit is not None:
+        junit.check()
+    problem = None
+    if name is not None:
+        problem = problem_of(current, common.problems) if current else named_problem(name, common.problems)
+    submissions, unread = gathered(files, problem.id if problem else "")
+    tasks, unfit = assigned(submissions, problem, common.problems, common.db)
+    unjudged = [*unread, *unfit]
+    total = len(unjudged) + sum(len(task.submissions) for task in tasks)
+    if ask.svg is not None:
+        check_svg(ask.svg, total)
+    for task in tasks:
+        chosen_groups(task.problem, ask.groups, ask.level)  # a name that is none is told before all else
+    if ask.fresh is not None:
+        if total > 1 or unjudged:
+            raise UsageError("--fresh takes one file", remedy="name one FILE")
+        yield _fresh(tasks[0], ask, common)
+        return
+    found: list[Result] = []
+    results = _judged(tasks, unjudged, total, ask, common)
+    done: list[Judged] = []
+    try:
+        with closing(results):
+            for each in results:
+                done.append(each)
+                found.append(each.result)
+                yield _as(each, ask.form)
     except KeyboardInterrupt:
-        show.close(interrupted=True)
+        yield from _several(done, total, ask)
         raise
+    finally:
+        if junit is not None and found:
+            from judge.report.formats import junit as written
+
+            junit.write(written(found))
+    yield from _several(done, total, ask)
+
+
+def _is_junit(start: bytes) -> bool:
+    return b"<testsuite" in start
+
+
+def _several(done: Sequence[Judged], total: int, ask: RunAsk) -> Iterator[Several]:
+    """The table of several submissions, those of one folder together."""
+    if total > 1 and done and ask.form == TEXT:
+        mixed = len({each.result.problem for each in done}) > 1
+        rows = sorted(done, key=lambda each: Path(each.result.submission).parts) if mixed else done
+        yield Several(tuple(rows), total - len(done))
+
+
+def _as(judged: Judged, form: str) -> Struct:
+    """The result as it is to be shown."""
+    if form == TEXT:
+        return judged
+    from judge.report.formats import annotation, editor_lines
+
+    entry = judged.problem.entry if judged.problem else ""
+    if form == EDITOR:
+        return AtLines(tuple(editor_lines(judged.result, judged.source, entry)), judged.result.exit_code)
+    return AtLines((annotation(judged.result, judged.source, entry, os.environ),), judged.result.exit_code)
+
+
+def _judged(
+    tasks: Sequence[Task], unjudged: Sequence[Unjudged], total: int, ask: RunAsk, common: Common
+) -> Generator[Judged, None, None]:
+    """Every result in order, one kata after another; last what could not be read or has no kata.
+
+    Of several katas, one that is broken costs its own submissions only. A fault of the judge's own is the
+    result of each submission that is left, for whoever reads the results as data.
+    """
+    from judge.cli.judging import judged
+    from judge.report.progress import progress
+
+    plain = ask.form == TEXT and ask.junit is None and not common.json
+    brief = ask.quiet and plain
+    options = ask.options(common.isolation, brief=brief and ask.svg is None)
+    wish = Wish(options, ask.jobs, None, ask.regression, not ask.unrecorded, common.db, total)
+    waiting = [(task, each) for task in tasks for each in task.submissions]
+    done = 0
+    try:
+        with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
+            for task in tasks:
+                begun = done
+                drawings = judged(task.problem, task.submissions, replace(wish, before=done))
+                try:
+                    with closing(drawings):
+                        for drawing, each in zip(drawings, task.submissions, strict=True):
+                            done += 1
+                            if advance:
+                                advance(done, total)
+                            yield _shown(drawing, each.source, total, ask)
+                            drawing.save(ask.svg)
+                            if not (common.isolation or brief) and plain:
+                                _say_that_full_is_missing(drawing.result)
+                except JudgeError as fault:
+                    if isinstance(fault, UsageError) or len(tasks) == 1:
+                        raise
+                    for each in task.submissions[done - begun :]:
+                        done += 1
+                        yield _not_judged(each.name, str(fault), task.problem.id, ask, each.source)
     except Exception as fault:
-        show.fail(name or "", files, fault)
+        if not (plain or isinstance(fault, UsageError | OSError)):
+            for task, each in waiting[done:]:
+                yield _not_judged(each.name, told(fault), task.problem.id, ask, each.source)
         raise
-    return show.close()
+    for entry in unjudged:
+        yield _not_judged(entry.name, entry.why, entry.problem, ask)
 
 
-def _say_that_full_is_missing() -> None:
+def _shown(drawing: Drawing, source: bytes, total: int, ask: RunAsk) -> Judged:
+    """One result, with all that its screen shows."""
+    after: tuple[tuple[str, str], ...] = ()
+    if drawing.result.solved and total == 1:
+        name = drawing.problem.id
+        after = ((f"judge solution {name}", "the model solution"), ("judge next", "goes on to the next kata"))
+    return Judged(
+        drawing.result,
+        source,
+        drawing.problem,
+        drawing,
+        quiet=ask.quiet and total == 1,
+        silent=total > 1 and not ask.whole,
+        whole=ask.whole,
+        after=after,
+    )
+
+
+def _not_judged(name: str, why: str, problem: str, ask: RunAsk, source: bytes = b"") -> Judged:
+    return Judged(judge_fault(problem, name, why), source, silent=True, quiet=ask.quiet)
+
+
+def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
+    """One submission on new cases for so long."""
+    from judge.cli.picture import Drawing
+    from judge.data.model import ProblemData
+    from judge.judging.session import Session
+    from judge.judging.stressing import Stressing
+    from judge.report.progress import progress, stages
+    from judge.report.screen import Notes
+
+    (submission,), problem = task.submissions, task.problem
+    lasting = seconds_of(ask.fresh or "", "--fresh")
+    seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
+    groups = chosen_groups(problem, ask.groups, ask.level)
+    stressing = Stressing(submission.source, submission.name, groups, seed, lasting)
+    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None)
+    with Session(problem, options, bars=progress) as session, stages(Path(submission.name).name) as stage:
+
+        def tell(cases: int, spent: float) -> None:
+            if stage:
+                whole = math.ceil(lasting)
+                stage(f"{cases:,} cases, {cases / spent:,.0f} a second", min(int(spent), whole), whole)
+
+        stressed = stressing.run(session, tell)
+    again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
+    Notes().say(stressed.result.notes)
+    drawing = Drawing(problem, ProblemData(problem, ()), stressed.result)
+    drawing.save(ask.svg)
+    stopped = stressed.interrupted and stressed.result.failure is None
+    return Judged(
+        stressed.result.noting(again),
+        submission.source,
+        problem,
+        drawing,
+        quiet=ask.quiet,
+        whole=ask.whole,
+        fresh=again,
+        status=ExitCode.INTERRUPTED if stopped else stressed.result.exit_code,
+    )
+
+
+def _say_that_full_is_missing(result: Result) -> None:
     """Once a day, to a person who has not been told so by `judge doctor`."""
     from judge.judging.isolation import first_today, kept_level
     from judge.report.screen import is_terminal, note
 
-    if is_terminal(sys.stderr) and kept_level() is None and first_today():
-        note("isolation is 'strong', not 'full'; 'judge doctor' says why and what to do")
+    if result.isolation == "strong" and is_terminal(sys.stderr) and kept_level() is None and first_today():
+        note("Sandbox: strong, not full. Why: judge doctor")

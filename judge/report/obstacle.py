@@ -1,4 +1,4 @@
-"""A file that cannot be run at all: what is in the way, and what to do, in three lines at most."""
+"""What keeps a file from running at all, and what to do, in a sentence or two."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from pathlib import Path
 from judge.errors import nearest
 from judge.languages import file_name
 from judge.problem import Problem
-from judge.report.layout import Line, Link, Span, Style, hanging
 from judge.run.result import Hurdle, Obstacle, Result
 from judge.sandbox.boundary import IMPORTING
 
@@ -18,25 +17,14 @@ _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
 
 
-def hurdle_lines(result: Result, problem: Problem, width: int | None) -> list[Line]:
-    """The obstacle, with its line in the file, and the remedy; nothing where there is none."""
-    hurdle = result.hurdle
-    if hurdle is None:
-        return []
-    label = f"line {hurdle.line}" if hurdle.line else "cause"
-    column = 2 + len(label) + 2
-    place = Span(label, Style.FAINT, Link(result.submission, hurdle.line))
-    return hanging(place, Span(hurdle_text(result, hurdle, problem)), width, indent=2, column=column)
-
-
-def hurdle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
+def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
     """The obstacle and the remedy in a sentence or two."""
     entry = problem.entry
     call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
     match hurdle.kind:
         case Obstacle.STUB:
-            hint = f"; 'judge hint {problem.id}' gives a hint" if problem.has_hints else ""
-            return f"{entry} is still to be written: fill in its body{hint}"
+            line = f" (line {hurdle.line})" if hurdle.line else ""
+            return f"Write the body of {entry}{line}, then save."
         case Obstacle.ARITY:
             count = len(problem.parameters)
             return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"

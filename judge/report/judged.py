@@ -1,0 +1,109 @@
+"""What `judge run` returns, a result or the table of several, and how a screen shows it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from msgspec import Struct
+
+from judge.errors import ExitCode
+from judge.problem import Problem
+from judge.run.result import Result, exit_code
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from judge.report.result import Drawing
+    from judge.report.screen import Screen
+
+_ROWS = 23  # of a screen of 24, whose last one the prompt takes
+
+
+class Drawn(Protocol):
+    """Draws the failing case of a result."""
+
+    def rows(self, screen: Screen) -> Drawing | None:
+        """What draws it there; None where there is nothing to draw, or no room."""
+        ...
+
+
+class Judged(Struct, frozen=True):
+    """One result with all that its screen shows.
+
+    `quiet` shows the verdict alone and `silent` nothing, since a table follows; `whole` shows every group.
+    `after` are commands that go on from an accepted submission, `fresh` says what a run on fresh cases did.
+    """
+
+    result: Result
+    source: bytes = b""
+    problem: Problem | None = None
+    drawing: Drawn | None = None
+    quiet: bool = False
+    silent: bool = False
+    whole: bool = False
+    after: tuple[tuple[str, str], ...] = ()
+    fresh: str = ""
+    status: ExitCode | None = None
+
+    @property
+    def published(self) -> tuple[Result]:
+        """What goes out as JSON."""
+        return (self.result,)
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """What it tells the shell."""
+        return self.result.exit_code if self.status is None else self.status
+
+
+class Several(Struct, frozen=True):
+    """The table of several submissions, of which so many are left."""
+
+    judged: tuple[Judged, ...]
+    left: int = 0
+
+    @property
+    def published(self) -> tuple[()]:
+        """Nothing: each result went out by itself."""
+        return ()
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """What they tell the shell together."""
+        return exit_code(each.result for each in self.judged)
+
+
+class AtLines(Struct, frozen=True):
+    """A result as lines for another program, which are written as they are."""
+
+    raw: tuple[str, ...]
+    exit_code: ExitCode
+
+
+def judged(found: Judged, screen: Screen) -> RenderableType | None:
+    """The screen of one result; None where nothing is to be shown of it."""
+    from judge.report.result import Shown, accepted, result, verdict_line
+    from judge.report.tell import tell
+
+    if found.silent:
+        return None
+    told = tell(found.problem, found.result, found.source)
+    name = found.result.submission
+    if found.quiet:
+        return verdict_line(told, name)
+    facts = [("fresh", found.fresh)] if found.fresh else []
+    after = accepted(facts, found.after) if facts or found.after else None
+    groups = found.result.groups if found.whole else ()
+    drawing = found.drawing.rows(screen) if found.drawing else None
+    rows = None if found.whole else min(screen.rows - 1 if screen.rows else _ROWS, 60)
+    return result(Shown(told, name, groups, drawing, after), screen, rows)
+
+
+def several(found: Several, _screen: Screen) -> RenderableType:
+    """The table of several results."""
+    from judge.report.result import results
+    from judge.report.tell import tell
+
+    return results(
+        [(each.result, tell(each.problem, each.result, each.source)) for each in found.judged], found.left
+    )

@@ -1,0 +1,246 @@
+"""A result laid out for the screen: one on a screen of its own, or several as the rows of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+from msgspec import Struct
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from judge.problem import Verdict
+from judge.report.names import shown_name
+from judge.report.parts import (
+    BAD,
+    FAINT,
+    GOOD,
+    STRONG,
+    WARNING,
+    Cell,
+    commands,
+    facts,
+    indented,
+    joined,
+    table,
+    text,
+)
+from judge.report.screen import Screen, drawn
+from judge.report.tell import Told
+from judge.report.values import times
+from judge.run.result import GroupResult, Result
+
+Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
+_STYLES = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
+_LABELS = {"got": BAD, "expected": GOOD}
+_LEAST, _MOST = 9, 14  # rows of a picture
+_GAP = 3  # columns between the case and its picture
+
+
+class Shown(Struct, frozen=True):
+    """What there is to show of one result.
+
+    `told` is in words, `name` the file's. `groups` are shown in full where there are any. `drawing` draws the
+    failing case; `after` is what follows: where to go from an accepted one, the keys that a loop takes.
+    """
+
+    told: Told
+    name: str
+    groups: tuple[GroupResult, ...] = ()
+    drawing: Drawing | None = None
+    after: RenderableType | None = None
+
+
+class _Cut(Struct, frozen=True):
+    """How much is left out: a picture of so many rows (0: none), so many rows of each value and advice."""
+
+    picture: int = 0
+    values: int | None = None
+    advice: int | None = None
+    fails: bool = True
+
+
+_CUTS = (
+    *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
+    _Cut(values=6),
+    _Cut(values=3, advice=4),
+    _Cut(values=2, advice=2, fails=False),
+    _Cut(values=1, advice=1, fails=False),
+    _Cut(values=1, advice=0, fails=False),
+)
+
+
+def result(shown: Shown, screen: Screen, rows: int | None) -> RenderableType:
+    """One result in at most so many rows, if that can be; all there is where they are None."""
+    width = screen.width
+    if rows is None:
+        return _laid(shown, _Cut(picture=_MOST), width)
+    laid: RenderableType = Text()
+    for cut in _CUTS:
+        if cut.picture and shown.drawing is None:
+            continue
+        laid = _laid(shown, cut, width)
+        if drawn(laid, screen).count("\n") <= rows:
+            break
+    return laid
+
+
+def verdict_line(told: Told, name: str = "") -> Text:
+    """The verdict, and what all of it comes to; with the `name` of the file where nothing else is shown."""
+    label = text(told.verdict.value, f"{STRONG} {_STYLES.get(told.verdict, BAD)}")
+    parts: list[Cell] = [label, "  "]
+    if name:
+        parts += [text(shown_name(name), STRONG), "  "]
+        parts += [f"{told.meaning}: "] if told.verdict is not Verdict.AC else []
+    parts += [told.happened if name and told.last == "nothing was run" else told.last]
+    return joined(*parts)
+
+
+def _laid(shown: Shown, cut: _Cut, width: int | None) -> RenderableType:
+    told = shown.told
+    return Group(
+        joined(
+            text(told.verdict.value, f"{STRONG} {_STYLES.get(told.verdict, BAD)}"),
+            f"  {told.meaning}  ",
+            text(shown_name(shown.name), STRONG),
+            f"  {told.stars}" if told.stars else "",
+            text(f"  {told.how}" if told.how else "", FAINT),
+        ),
+        Text(),
+        *_spaced(_parts(shown, cut, width)),
+        verdict_line(told),
+    )
+
+
+def _spaced(parts: Iterator[RenderableType]) -> Iterator[RenderableType]:
+    for part in parts:
+        yield part
+        yield Text()
+
+
+def _parts(shown: Shown, cut: _Cut, width: int | None) -> Iterator[RenderableType]:
+    told = shown.told
+    if told.happened:
+        rows = [text(each) for each in told.source]
+        yield Group(
+            indented(text(_cut(told.happened, cut.values, width))), *(indented(row, 4) for row in rows)
+        )
+    if told.case:
+        yield indented(_with_picture(_case(told, cut, width), shown.drawing, cut, width))
+    elif cut.picture and shown.drawing is not None:
+        yield indented(Group(*shown.drawing(cut.picture)))
+    if told.mistake:
+        advice = [text(_cut(each, cut.advice, width)) for each in told.advice if cut.advice != 0]
+        yield Group(indented(text(told.mistake, STRONG)), *(indented(each, 4) for each in advice))
+    if told.time:
+        yield indented(text(told.time))
+    if shown.groups:
+        yield indented(group_table(shown.groups))
+    elif told.fails and cut.fails:
+        more = f", {told.more} more" if told.more else ""
+        yield indented(facts([("fails", ", ".join(told.fails) + more)]))
+    if shown.after is not None:
+        yield shown.after
+    elif told.commands:
+        yield indented(commands(told.commands))
+
+
+def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:
+    rows: list[tuple[Cell, Cell]] = []
+    if told.input:
+        rows.append(("", text(_cut("   ".join(told.input), cut.values, width))))
+    rows += [
+        (text(label, FAINT), text(_cut(said, cut.values, width), _LABELS.get(label, "")))
+        for label, said in told.facts
+    ]
+    body = indented(table(("", ""), rows)) if rows else Text()
+    return Group(text(told.case, STRONG), body) if rows else text(told.case, STRONG)
+
+
+def _with_picture(
+    case: RenderableType, drawing: Drawing | None, cut: _Cut, width: int | None
+) -> RenderableType:
+    """The picture beside the case where both have room, or else below it."""
+    if drawing is None or not cut.picture:
+        return case
+    rows = drawing(cut.picture)
+    wide = max((row.cell_len for row in rows), default=0)
+    if width is not None and width - 4 - _GAP - wide >= width // 2:
+        both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
+        both.add_column(ratio=1)
+        both.add_column(width=wide, no_wrap=True)
+        both.add_row(case, Group(*rows))
+        return both
+    return Group(case, Text(), *rows)
+
+
+def _cut(said: str, rows: int | None, width: int | None) -> str:
+    """At most about so many rows of it."""
+    room = None if rows is None else rows * max(20, (width or 80) - 16)
+    return said if room is None or len(said) <= room else f"{said[: room - 2].rstrip(' ,')} …"
+
+
+def group_table(groups: Sequence[GroupResult]) -> RenderableType:
+    """One row a group: its verdict, the cases it passed, the points it earned."""
+    return table(("group", "verdict", "passed", "points"), [_row(group) for group in groups], right=[2, 3])
+
+
+def _row(group: GroupResult) -> tuple[Cell, ...]:
+    accepted = group.verdict is Verdict.AC
+    points = str(group.points) if accepted else f"0 of {group.points}"
+    return (
+        text(group.name, "" if accepted else STRONG),
+        text(group.verdict.value, _STYLES.get(group.verdict, BAD)),
+        text(f"{group.passed}/{group.cases}", FAINT if accepted else ""),
+        text(points if group.points else "extra", FAINT if accepted else ""),
+    )
+
+
+def results(found: Sequence[tuple[Result, Told]], left: int = 0) -> RenderableType:
+    """Several submissions: a row each, then how many were accepted, and how many are left."""
+    accepted = sum(each.verdict is Verdict.AC for each, _ in found)
+    several = len({each.problem for each, _ in found if each.problem}) > 1
+    titles = ("submission", "kata", "verdict", "points", "× reference", "first failure")
+    rows = [
+        (
+            shown_name(each.submission),
+            each.problem if several else "",
+            text(each.verdict.value, _STYLES.get(each.verdict, BAD)),
+            str(each.score) if each.groups else "",
+            times(each.time.ratio.median) if each.time.ratio else "",
+            _first(each, told),
+        )
+        for each, told in found
+    ]
+    unjudged = left + sum(each.verdict is Verdict.JE for each, _ in found)
+    said = f"{accepted} of {len(found) + left} accepted" + (f", {unjudged} not judged" if unjudged else "")
+    partial = list(dict.fromkeys(each.partial for each, _ in found if each.partial))
+    said += f", on {', '.join(partial)} only" if partial else ""
+    kept = [at for at, title in enumerate(titles) if title != "kata" or several]
+    cells = [tuple(row[at] for at in kept) for row in rows]
+    right = [kept.index(at) for at in (3, 4)]
+    good = accepted == len(found) and not left
+    return Group(
+        table([titles[at] for at in kept], cells, right=right),
+        Text(),
+        text(said, GOOD if good else BAD),
+    )
+
+
+def _first(found: Result, told: Told) -> str:
+    """Where it failed first, or why nothing could be run."""
+    if found.verdict is Verdict.AC:
+        return ""
+    failure = found.failure
+    if failure is None or failure.group is None or found.hurdle is not None:
+        return told.happened or told.last
+    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
+
+
+def accepted(shown: Sequence[tuple[str, str]], further: Sequence[tuple[str, str]]) -> RenderableType:
+    """What follows an accepted result: facts about it, then commands that go on."""
+    parts: list[RenderableType] = [indented(facts(shown))] if shown else []
+    if further:
+        parts += [Text()] if parts else []
+        parts.append(indented(commands(further)))
+    return Group(*parts)

@@ -1,0 +1,275 @@
+"""What a result says to a person, in words and in their order; screens, pages and tests lay it out.
+
+Nothing here writes, knows a terminal or reads the history.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from msgspec import Struct
+
+from judge.problem import Problem, Verdict
+from judge.problem.model import KataLevel
+from judge.report.obstacle import obstacle_text
+from judge.report.places import fault_place
+from judge.report.values import argument, counted, seconds, times
+from judge.run.result import Failure, GroupResult, LevelResult, Mode, Obstacle, Pitfall, Result
+
+_PLACE = re.compile(r" \(line (\d{1,9})\)")
+_SPENT = re.compile(r"used more than (\S+ s) of CPU time")
+_COMPILED = re.compile(r" \(line \d{1,9}(?:, column \d{1,9})?\)(?:: .*)?$")
+_LIKELY = 0.9  # the score from which on a mistake is very likely
+_MOST_FAILS = 3  # groups that are named
+STARS = {1: "★", 2: "★★"}
+
+
+class Told(Struct, frozen=True, kw_only=True):
+    """A result in words.
+
+    `meaning` is the verdict's, `how` says that it was run as a program, `stars` are the levels passed.
+    `happened` says what ended the program or keeps it from running, `source` is its line there, with a caret
+    below where the column is known. `case` titles the failing case: `input` has its arguments, `facts` what
+    was expected and got, by their labels. `mistake` names what is probably wrong, `advice` says it. `time` is
+    a sentence where the time matters, `fails` are the first groups that fail, `more` how many others do.
+    `last` is what all of it comes to.
+    """
+
+    verdict: Verdict
+    meaning: str
+    how: str = ""
+    stars: str = ""
+    happened: str = ""
+    source: tuple[str, ...] = ()
+    case: str = ""
+    input: tuple[str, ...] = ()
+    facts: tuple[tuple[str, str], ...] = ()
+    mistake: str = ""
+    advice: tuple[str, ...] = ()
+    time: str = ""
+    fails: tuple[str, ...] = ()
+    more: int = 0
+    commands: tuple[tuple[str, str], ...] = ()
+    last: str = ""
+
+    @property
+    def lines(self) -> list[str]:
+        """All of it but the verdict as plain lines, for files and annotations."""
+        found = [self.happened, *self.source, self.case]
+        found += [f"  {', '.join(self.input)}"] if self.input else []
+        found += [f"  {label:8}  {text}" for label, text in self.facts]
+        found += [self.mistake, *(f"  {text}" for text in self.advice), self.time]
+        return [each for each in found if each]
+
+
+def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
+    """What the result says, as far as that can be said without the problem where there is none."""
+    shown = shown_failure(result)
+    stub = result.hurdle is not None and result.hurdle.kind is Obstacle.STUB
+    hurdle = result.hurdle is not None
+    failing = _failing(result)[:_MOST_FAILS]
+    return Told(
+        verdict=result.verdict,
+        meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
+        how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",
+        stars=STARS.get(sum(level.passed for level in result.levels), "") if result.levels else "",
+        happened=_happened(problem, result),
+        source=() if hurdle else _source(result, source),
+        case="" if hurdle else _case(result, shown),
+        input=() if hurdle or shown is None else _input(shown),
+        facts=() if hurdle or shown is None else tuple(_facts(result, shown)),
+        mistake=mistake_text(result.pitfall) if result.pitfall else "",
+        advice=_advice(result.pitfall) if result.pitfall else (),
+        time=_time(result),
+        fails=() if hurdle else tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing),
+        more=max(0, len(_failing(result)) - _MOST_FAILS),
+        commands=tuple(_commands(problem, result, shown)),
+        last=_last(result),
+    )
+
+
+def shown_failure(result: Result) -> Failure | None:
+    """The failing case that is shown: the smallest one, if it fails by itself, or else the first one."""
+    small = result.counterexample
+    return small if small is not None and small.replay is not None else result.failure
+
+
+def mistake_text(pitfall: Pitfall) -> str:
+    """`Very likely mistake: above-for-left (or slope-intercept)`."""
+    likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
+    several = "mistakes" if len(pitfall.names) > 1 else "mistake"
+    perhaps = f" (or {' or '.join(pitfall.perhaps)})" if pitfall.perhaps else ""
+    return f"{likely} {several}: {' and '.join(pitfall.names)}{perhaps}"
+
+
+def _advice(pitfall: Pitfall) -> tuple[str, ...]:
+    several = len(pitfall.names) > 1
+    pairs = zip(pitfall.names, pitfall.advice, strict=True)
+    return tuple(f"{name}: {text}" if several else text for name, text in pairs if text)
+
+
+def _happened(problem: Problem | None, result: Result) -> str:
+    """What ended the program, or keeps it from running; nothing for a wrong answer."""
+    failure = result.failure
+    if failure is None or result.verdict is Verdict.AC:
+        return ""
+    if result.hurdle is not None and problem is not None:
+        return obstacle_text(result, result.hurdle, problem)
+    message = failure.message
+    if result.verdict is Verdict.CE:
+        line = fault_place(result)
+        return f"line {line.line}: {_COMPILED.sub('', message)}" if line else message
+    if result.verdict is Verdict.WA and failure.input is not None:
+        return ""
+    placed = _PLACE.sub(r", at line \1", message)
+    if result.verdict is Verdict.TLE and (spent := _SPENT.search(message)):
+        where = f", at line {place[1]}" if (place := _PLACE.search(message)) else ""
+        return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
+    if result.verdict is Verdict.TLE and failure.input is None and failure.case is None and _slow(result):
+        return ""
+    return placed[:1].upper() + placed[1:]
+
+
+def _slow(result: Result) -> bool:
+    """Whether it is too slow beside the reference, and not stopped."""
+    return result.time.ratio is not None or result.time.growth is not None
+
+
+def _time(result: Result) -> str:
+    """How long it took beside the reference, where that was measured."""
+    time, ratio = result.time, result.time.ratio
+    said = []
+    if ratio is not None:
+        whose = f"the {time.reference} reference's" if time.reference else "the reference's"
+        doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
+        doubts += [ratio.busy] if ratio.busy else []
+        doubts += ["near the limit"] if time.borderline else []
+        limit = f" (limit {ratio.limit:g} ×)" if result.verdict is Verdict.TLE and ratio.limit else ""
+        said.append(f"{times(ratio.median)} × {whose} time{limit}")
+        if doubts:
+            said[-1] += f" ({'; '.join(doubts)})"
+    if time.growth is not None:
+        mine, theirs = time.growth.exponent, time.growth.reference
+        said.append(f"Your time grows like n^{mine:.1f}, the reference's like n^{theirs:.1f}")
+    if time.import_tells and result.verdict in (Verdict.AC, Verdict.TLE):
+        said.append(f"Its import alone takes {seconds(time.import_seconds)}")
+    if result.verdict is Verdict.TLE and said and result.failure and result.failure.group:
+        said[0] = f"Too slow in {result.failure.group}: {said[0]}"
+    return ". ".join(said) + ("." if said and result.verdict is not Verdict.AC else "")
+
+
+def _source(result: Result, source: bytes) -> tuple[str, ...]:
+    """The line of the submission where it was stopped or does not compile."""
+    place = fault_place(result)
+    rows = source.decode("utf-8", "replace").splitlines() if place else []
+    if place is None or not 0 < place.line <= len(rows):
+        return ()
+    row = rows[place.line - 1].expandtabs(4)[:200].rstrip()
+    shown = [f"{place.line} | {row}"]
+    if place.column:
+        shown.append(" " * (len(f"{place.line} | ") + min(place.column - 1, len(row))) + "^")
+    return tuple(shown)
+
+
+def _case(result: Result, shown: Failure | None) -> str:
+    first, small = result.failure, result.counterexample
+    if shown is None or first is None or (shown.input is None and shown.group is None):
+        return ""
+    place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
+    if shown.input is None:
+        return f"First failing case{place}" if place else ""
+    if small is None or small.replay is None:
+        return f"First failing case{place}"
+    later = "; a smaller case may exist" if small.cut_short else ""
+    return f"Smallest failing case{place if small.input == first.input else ''}{later}"
+
+
+def _input(shown: Failure) -> tuple[str, ...]:
+    return tuple(f"{name} = {argument(value)}" for name, value in (shown.input or {}).items())
+
+
+def _facts(result: Result, shown: Failure) -> Iterator[tuple[str, str]]:
+    if shown.expected is not None:
+        yield "expected", shown.expected
+    if shown.got is not None and shown.expected is not None and result.verdict is Verdict.WA:
+        yield "got", shown.got
+    if shown.printed:
+        yield "printed", shown.printed
+    if result.verdict is Verdict.WA:
+        plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
+        if shown.input is not None and shown.message not in plain:
+            yield "why", shown.message
+        small = result.counterexample
+        if small is not None and small.replay is None:
+            yield "alone", small.message
+
+
+def _failing(result: Result) -> list[GroupResult]:
+    return [group for group in result.groups if group.verdict is not Verdict.AC and group.run]
+
+
+def _commands(problem: Problem | None, result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
+    if problem is None or result.verdict in (Verdict.AC, Verdict.CE, Verdict.JE):
+        return
+    if problem.has_hints:
+        yield f"judge hint {problem.id}", "one hint"
+    if shown is not None and shown.replay and result.hurdle is None:
+        yield f"judge try {problem.id}", "runs this case alone"
+
+
+def _last(result: Result) -> str:
+    """What it comes to: the cases, the points, the level that was passed, what was not run."""
+    if result.verdict is Verdict.JE:
+        return result.failure.message if result.failure else ""
+    if not result.groups:
+        return "nothing was run"
+    passed, cases = (
+        sum(group.passed for group in result.groups),
+        sum(group.cases for group in result.groups),
+    )
+    every = "the only case passes" if cases == 1 else f"all {cases:,} cases pass"
+    share = every if passed == cases else f"{passed:,} of {counted(cases, 'case')} pass"
+    only = f", on {result.partial} only" if result.partial else ""
+    if result.verdict is Verdict.AC:
+        return share + only
+    skipped = sum(not group.run for group in result.groups)
+    if skipped and skipped == len(result.groups) - 1 and result.failure and result.failure.group:
+        others = "the other group was" if skipped == 1 else f"the other {skipped} groups were"
+        return f"group {result.failure.group}; {others} not run{only}"
+    parts = [level_text(result.levels) or share, _points(result)]
+    parts += [f"{counted(skipped, 'group')} not run"] if skipped else []
+    return ", ".join(filter(None, parts)) + only
+
+
+def _points(result: Result) -> str:
+    if result.score < result.points:
+        return f"{result.score} of {counted(result.points, 'point')}"
+    failed = len(_failing(result))
+    extra = f"{counted(failed, 'extra group')} {'fails' if failed == 1 else 'fail'}"
+    return f"all {counted(result.points, 'point')}, but {extra}" if result.points else ""
+
+
+def level_text(levels: Sequence[LevelResult]) -> str:
+    """`Interview level passed; production: 9 of 23 groups`; nothing where no level was passed, or all are."""
+    passed = [each for each in levels if each.passed]
+    if not passed or len(passed) == len(levels):
+        return ""
+    rest = [each for each in levels if not each.passed]
+    said = [f"{_level(each.level)} level passed" for each in passed]
+    said += [f"{each.level.value}: {level_share(each)}" for each in rest]
+    return "; ".join(said)
+
+
+def level_share(result: LevelResult) -> str:
+    """`passed`, `22 of 36 groups`, or that it was not judged."""
+    if result.passed:
+        return "passed"
+    if not result.run:
+        return "not judged"
+    judged = f", {result.run} judged" if result.run < result.groups else ""
+    return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
+
+
+def _level(level: KataLevel) -> str:
+    return level.value.capitalize()
