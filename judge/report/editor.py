@@ -31,7 +31,7 @@ def editor_lines(result: Result, source: bytes, entry: str) -> Iterator[str]:
     found = result.counterexample
     if found is not None and found.replay is not None:
         case = f"{arguments(found.input or {})}: {found.expected} wanted, {found.got} given"
-        yield printable(f"{where}: note: smallest case found: {case}; judge replay {found.replay}")
+        yield printable(f"{where}: note: smallest case found: {case}; judge try {found.replay}")
     if result.pitfall:
         for name, advice in zip(result.pitfall.names, result.pitfall.advice, strict=True):
             yield printable(f"{where}: note: likely {name}: {advice}")

@@ -48,7 +48,7 @@ def _reasons(result: Result) -> Iterator[str]:
     if found and found.replay is not None:
         yield "smallest case found:"
         yield from _case(found)
-        yield f"again: judge replay {found.replay}"
+        yield f"again: judge try {found.replay}"
     if result.pitfall:
         for name, advice in zip(result.pitfall.names, result.pitfall.advice, strict=True):
             yield f"likely {name}: {advice}"

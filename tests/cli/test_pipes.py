@@ -41,7 +41,7 @@ def refused(ended, name, *words):
 
 
 def test_a_named_pipe_is_refused_before_it_is_opened(judge, named_pipe):
-    for words in ("run middle pipe.py", "stress middle pipe.py", "replay middle:half:v1,2:000000 pipe.py"):
+    for words in ("run middle pipe.py", "stress middle pipe.py", "try middle 1 2 pipe.py"):
         refused(judge(*words.split()), "pipe.py", "named pipe", "<(command)")
     refused(judge("watch", "middle", "pipe.py"), "pipe.py", "no ordinary file", "name the file to watch")
     refused(judge("init", "middle", "pipe.py", "--force"), "pipe.py", "it is no ordinary file")

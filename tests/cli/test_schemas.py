@@ -35,6 +35,7 @@ pytestmark = pytest.mark.slow
 
 SAMPLES = [
     "list others",
+    "hack middle --list",
     "help quiz",
     "help tolerance zero",
     "new pack two-points",

@@ -81,7 +81,7 @@ def test_what_is_shown_to_be_copied_runs_as_it_stands(name, judge, submit):
     script = f'judge() {{ "{sys.executable}" -m judge "$@"; }}; {command} --json'
     replayed = subprocess.run(["bash", "-c", script], capture_output=True, timeout=60, check=False)
     assert replayed.returncode == 1, replayed.stderr
-    assert json.loads(replayed.stdout)["submission"] in (name, f"./{name}")
+    assert json.loads(replayed.stdout)["said"]["submission"] in (name, f"./{name}")
 
 
 @pytest.mark.parametrize(
@@ -104,15 +104,15 @@ def test_names(name, shown):
 @pytest.mark.parametrize(
     ("name", "command"),
     [
-        ("mine.py", "judge replay x:y mine.py"),
-        ("my file.py", "judge replay x:y 'my file.py'"),
-        ("-x.py", "judge replay x:y ./-x.py"),
-        ("a\nb'\\.py", r"judge replay x:y $'a\x0ab\x27\x5c.py'"),
-        ("é\n.py", r"judge replay x:y $'\xc3\xa9\x0a.py'"),
+        ("mine.py", "judge try x:y mine.py"),
+        ("my file.py", "judge try x:y 'my file.py'"),
+        ("-x.py", "judge try x:y ./-x.py"),
+        ("a\nb'\\.py", r"judge try x:y $'a\x0ab\x27\x5c.py'"),
+        ("é\n.py", r"judge try x:y $'\xc3\xa9\x0a.py'"),
     ],
 )
 def test_commands(name, command):
-    assert shown_command("judge", "replay", "x:y", file=name) == command
+    assert shown_command("judge", "try", "x:y", file=name) == command
 
 
 @pytest.mark.parametrize(

@@ -34,9 +34,9 @@ def test_a_wrong_one_is_broken_shrunk_and_its_case_can_be_replayed(judge, submit
     assert ended.status == 1
     assert "WA  wrong answer in half: " in ended.out
     assert "smallest case found" in ended.out
-    (again,) = [line for line in ended.lines if "judge replay" in line]
-    assert judge("replay", again.split()[-2], name).status == 1
-    assert judge("replay", again.split()[-2], submit(MEAN, "right.py")).status == 0
+    (again,) = [line for line in ended.lines if "judge try" in line]
+    assert judge("try", again.split()[-2], name).status == 1
+    assert judge("try", again.split()[-2], submit(MEAN, "right.py")).status == 0
 
 
 def test_json_has_one_object_and_the_seed_repeats_it(judge, submit):

@@ -23,7 +23,6 @@ from judge.cli.judging_options import (
     no_name_option,
     no_shrink_option,
     picture_option,
-    save_regression_option,
     svg_option,
 )
 from judge.cli.kata import file_in_hand, problem_of
@@ -62,7 +61,6 @@ from judge.problem.model import chosen_groups
 @follow_links_option
 @mode_option
 @no_shrink_option
-@save_regression_option
 @svg_option
 @no_history_option
 @db_option
@@ -85,7 +83,6 @@ def command(
     follow_links: bool,
     mode: str | None,
     unshrunk: bool,
-    regression: Path | None,
     svg: Path | None,
     unrecorded: bool,
     db: Path | None,
@@ -123,10 +120,6 @@ def command(
         submissions, unread = gathered(files, problem.id if problem else "", follow=follow_links)
         tasks, unfit = assigned(submissions, problem, folders, db)
         total = show.expect(tasks, [*unread, *unfit])
-        if regression is not None:
-            from judge.cli.regression import agree_on  # only who asks for it waits for it
-
-            agree_on(regression)
         if svg is not None:
             check_svg(svg, total)
         for task in tasks:
@@ -137,12 +130,12 @@ def command(
             groups,
             seed,
             level,
-            diagnosed=regression is not None or not (unshrunk or (quiet and svg is None)),
+            diagnosed=not (unshrunk or (quiet and svg is None)),
             named=not (no_name or (quiet and show.on_screen)),
             level=kata_level,
             program=mode == PROGRAM,
         )
-        wish = Wish(options, jobs, regression=regression, kept=not unrecorded, db=db, total=total)
+        wish = Wish(options, jobs, kept=not unrecorded, db=db, total=total)
         for drawing in all_judged(tasks, wish, show, silent=quiet and show.on_screen):
             show.result(drawing.result, several=total > 1, drawing=drawing)
             drawing.save(svg)

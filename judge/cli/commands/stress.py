@@ -16,12 +16,10 @@ from judge.cli.judging_options import (
     no_name_option,
     no_shrink_option,
     picture_option,
-    save_regression_option,
     svg_option,
 )
 from judge.cli.options import group_option, json_option, level_option, problems_option, write_json
 from judge.cli.picture import Drawing
-from judge.cli.regression import agree_on, save_regression
 from judge.cli.submissions import Submission, read_submissions
 from judge.cli.target import check_svg
 from judge.cli.wish import named_problem
@@ -63,7 +61,6 @@ _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 @no_name_option
 @isolation_option
 @no_shrink_option
-@save_regression_option
 @svg_option
 @problems_option
 def command(
@@ -78,7 +75,6 @@ def command(
     no_name: bool,
     level: str | None,
     unshrunk: bool,
-    regression: Path | None,
     svg: Path | None,
     folders: tuple[Path, ...],
 ) -> ExitCode:
@@ -104,15 +100,13 @@ def command(
         problem = named_problem(name, folders) if name is not None else None
         submission = _submission(file)
         problem = problem or problem_of_file(submission, "stress", folders, None)
-        if regression is not None:
-            agree_on(regression)
         if svg is not None:
             check_svg(svg, 1)
         chosen = chosen_groups(problem, groups, kata_level)
         options = RunOptions(
             groups,
             isolation=level,
-            diagnosed=not unshrunk or regression is not None,
+            diagnosed=not unshrunk,
             named=not no_name,
             level=kata_level,
         )
@@ -122,8 +116,6 @@ def command(
         data = ProblemData(problem, ())
         said = Notes()
         said.say(stressed.result.notes)
-        if regression is not None:
-            said.say(save_regression(regression, data, stressed.result))
     except JudgeError as fault:
         if as_json and not isinstance(fault, UsageError):  # a script misses none
             judged = submission or _submission(file)
