@@ -7,7 +7,7 @@
     commands/       the commands
     submissions.py  reading the files to judge; target.py: the files that options write
     judging.py      what `judge run` and `judge watch` ask of `judge.judging`
-    regression.py, picture.py, outputs.py
+    picture.py, outputs.py
                     what becomes of a result; kept.py: the history
     kata.py         the kata in hand
     asking.py, interview.py, drilling.py

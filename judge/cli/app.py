@@ -14,7 +14,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.cli.table import COMMANDS, HEADINGS, LIKE, OLD
+from judge.cli.table import COMMANDS, GONE, HEADINGS, LIKE, OLD
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
@@ -166,6 +166,8 @@ def explain(fault: Exception) -> tuple[str, int]:
 def _usage(fault: click.UsageError) -> str:
     """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
     if isinstance(fault, click.NoSuchOption):
+        if fault.option_name in GONE:
+            return f"no such option '{fault.option_name}'; {GONE[fault.option_name]}"
         meant = nearest(fault.option_name, _option_names(fault.ctx))
         return f"no such option '{fault.option_name}'" + (f"; did you mean '{meant}'?" if meant else "")
     message = " ".join(fault.format_message().split()).rstrip(".")

@@ -43,13 +43,13 @@ class _Named(_ParamType):
         self._katas = katas
         self._files = files
 
-    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:  # noqa: ARG002
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         from judge.problem.find import problem_folders
 
         try:
             folders = (
                 problem_folders(ctx.params.get("folders") or ctx.params.get("problems") or ())
-                if self._katas
+                if self._katas and not (param.nargs == -1 and ctx.params.get(param.name or ""))
                 else ()
             )
             names = sorted({folder.name for folder in folders if folder.name.startswith(incomplete)})

@@ -7,7 +7,6 @@ from contextlib import AbstractContextManager
 
 from judge.cli.kept import Recording
 from judge.cli.picture import Drawing
-from judge.cli.regression import save_regression
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.judging.containment import Containment
@@ -53,8 +52,6 @@ def drawings(
         for submission, result in zip(submissions, judged, strict=True):
             recording.add(submission, result)
             said.say(result.notes)
-            if wish.regression is not None:
-                said.say(save_regression(wish.regression, session.data, result))
             done += 1
             yield Drawing(session.problem, session.data, result)
 

@@ -34,13 +34,6 @@ no_name_option: Callable[[F], F] = click.option("--no-name", is_flag=True, help=
 no_shrink_option: Callable[[F], F] = click.option(
     "--no-shrink", "unshrunk", is_flag=True, help="Do not search for the smallest failing case."
 )
-save_regression_option: Callable[[F], F] = click.option(
-    "--save-regression",
-    "regression",
-    metavar="FILE",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="Write the smallest failing case as a pytest case; FILE may hold others.",
-)
 svg_option: Callable[[F], F] = click.option(
     "--svg",
     metavar="FILE",

@@ -106,15 +106,22 @@ class Common(Struct, frozen=True):
     ] = None
 
 
-def command(name: str, *writes: Any) -> Callable[[Callable[..., Struct | Iterable[Struct]]], click.Command]:
-    """A command of the table, its value written by `emit`; a line of its JSON is one of `writes`."""
+def command(
+    name: str, *writes: Any, numbers: bool = False
+) -> Callable[[Callable[..., Struct | Iterable[Struct]]], click.Command]:
+    """A command of the table, its value written by `emit`; a line of its JSON is one of `writes`.
+
+    With `numbers` an argument may be a number below 0, which is no option then.
+    """
 
     def decorate(function: Callable[..., Struct | Iterable[Struct]]) -> click.Command:
         @functools.wraps(function)
         def ended(common: Common, **given: Any) -> int:
             return emit(function(common=common, **given), common)
 
-        made = click.command(name)(takes(Common, "common")(ended))
+        made = click.command(name, context_settings={"ignore_unknown_options": numbers})(
+            takes(Common, "common")(ended)
+        )
         made.writes = writes  # type: ignore[attr-defined]  # for judge help --schema
         return made
 

@@ -107,12 +107,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "try": Entry(
-            "Answer a case of your own, exactly.",
+            "See the exact answer to one case, and what your file answers.",
             "failures",
-            "try",
+            "cases",
             (
-                'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
-                'judge try count "0 0 1 -1 1 1 1" count.py',
+                "judge try",
+                'judge try count "0, 0, 1, (-1, 1), (1, 1)" count.py',
+                "judge try chord --open",
             ),
         ),
         "help": Entry(
@@ -134,9 +135,9 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "hack": Entry(
-            "Break a wrong program with one case.",
+            "Find a case on which a wrong program fails.",
             "interview",
-            "hack",
+            "cases",
             (
                 "judge hack count",
                 'judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"',
@@ -198,21 +199,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             "report",
             ("judge report --out me.html --name Ada",),
         ),
-        "replay": Entry(
-            "Judge a submission on one case, by its replay id.",
-            "failures",
-            "replay",
-            ("judge replay count:grid:v0,0,2e-06,0,2e-06,8e-05,0:32a6be count.py",),
-        ),
-        "explore": Entry(
-            "Write a page on which a case can be moved about.",
-            "failures",
-            "explore",
-            (
-                "judge explore chord --open",
-                'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
-            ),
-        ),
     },
 }
 COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
@@ -222,8 +208,15 @@ OLD: Mapping[str, tuple[str, ...]] = {
     "stress": ("run", "--fresh", "30s"),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
+    "replay": ("try",),
+    "explore": ("try", "--out", "judge-try.html"),
     "schema": ("help", "--schema"),
     "completion": ("help", "--completion"),
+}
+
+# an option that is gone -> what does its work now
+GONE: Mapping[str, str] = {
+    "--save-regression": "judge try --pytest FILE adds the last failing case as a test"
 }
 
 # words that people try -> the command that they mean, where no name is near

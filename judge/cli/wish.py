@@ -15,12 +15,11 @@ from judge.problem.find import find_problem
 
 
 class Wish(Struct, frozen=True):
-    """How submissions are to be judged, and what is to be done about those that fail."""
+    """How submissions are to be judged, and what is kept of them."""
 
     options: RunOptions
     jobs: int = 1
     had: str | None = None  # the level of isolation that the command has had before
-    regression: Path | None = None
     kept: bool = True  # in the history
     db: Path | None = None
     total: int = 1  # submissions, to all problems

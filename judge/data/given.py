@@ -23,6 +23,7 @@ from judge.problem.model import tupled
 from judge.values import parameters
 
 _LONGEST = 20_000  # characters of a case
+_SHORT = 80  # characters of an example
 _MOST_BITS = 4_000  # of an int that a power makes
 _DEEPEST = 20  # of brackets in brackets
 _OPERATORS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
@@ -46,9 +47,9 @@ def read_case(problem: Problem, text: str) -> Case:
         raise UsageError(what, remedy=remedy)
     text = text.strip()
     if not text:
-        raise _unreadable(problem, "it is empty")
+        raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if len(text) > _LONGEST:
-        raise _unreadable(problem, f"it has {len(text):,} characters")
+        raise _unreadable(problem, f"a case of {len(text):,} characters is too long")
     return _python(problem, text) if any(sign in text for sign in ",=([") else _line(problem, text)
 
 
@@ -61,6 +62,13 @@ def line_of(problem: Problem, case: Case) -> str:
 def call_of(problem: Problem) -> str:
     """How a case is written: `cx, cy, r, A, B`."""
     return ", ".join(parameter.name for parameter in problem.parameters)
+
+
+def example_of(problem: Problem) -> str:
+    """The statement's first example as arguments, `0, 0, 1, (-1, 1), (1, 1)`; their names if it is long."""
+    values = problem.named(problem.examples[0].case).values() if problem.examples else ()
+    text = ", ".join(map(repr, values))
+    return text if 0 < len(text) <= _SHORT else call_of(problem)
 
 
 # -- the line of a program ----------------------------------------------------------------------------------
@@ -87,10 +95,10 @@ def _from_words(problem: Problem, parameter: Parameter, words: Iterator[str]) ->
     try:
         return parameters.from_tokens(parameter.type, watched())
     except (StopIteration, RuntimeError):  # the latter where a generator of ours has met the end
-        raise _unreadable(problem, f"the line ends before {parameter.name} is whole") from None
+        raise _unreadable(problem, f"the numbers end before {parameter.name} is complete") from None
     except (ValueError, OverflowError):
-        what = f"{_quoted(seen[-1] if seen else '')} is no value of {parameter.name}, {parameter.type}"
-        raise _unreadable(problem, what) from None
+        kind = "point. Write (3, 4)" if "point" in str(parameter.type) else f"value of {parameter.name}"
+        raise UsageError(f"{_quoted(seen[-1] if seen else '')} is not a {kind}") from None
 
 
 # -- Python -------------------------------------------------------------------------------------------------
@@ -99,8 +107,10 @@ def _from_words(problem: Problem, parameter: Parameter, words: Iterator[str]) ->
 def _python(problem: Problem, text: str) -> Case:
     call = _call(problem, text)
     names = [parameter.name for parameter in problem.parameters]
-    if len(call.args) > len(names):
-        raise _unreadable(problem, f"it has {len(call.args)} arguments, not {len(names)}")
+    given = len(call.args)
+    if given > len(names) or (given < len(names) and not call.keywords):
+        what = f"{len(names)} argument{'s' * (len(names) > 1)} expected ({call_of(problem)}), {given} given"
+        raise _unreadable(problem, what)
     found: dict[str, Any] = {}
     for name, node in zip(names, call.args, strict=False):
         found[name] = _argument(problem, name, node)
@@ -108,7 +118,7 @@ def _python(problem: Problem, text: str) -> Case:
         if keyword.arg is None or keyword.arg not in names:
             meant = nearest(keyword.arg or "", names)
             hint = f"; did you mean {meant}?" if meant else ""
-            raise _unreadable(problem, f"it has no parameter {keyword.arg or '**'}{hint}")
+            raise _unreadable(problem, f"there is no parameter {keyword.arg or '**'}{hint}")
         if keyword.arg in found:
             raise _unreadable(problem, f"{keyword.arg} is given twice")
         found[keyword.arg] = _argument(problem, keyword.arg, keyword.value)
@@ -120,20 +130,20 @@ def _python(problem: Problem, text: str) -> Case:
 
 def _call(problem: Problem, text: str) -> ast.Call:
     """The call that the text is, or the one with these arguments."""
-    why = "these are no arguments"
+    why = "not arguments"
     for source in (text, f"_({text})"):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # of what is odd in a person's text; it is judged below
                 node = ast.parse(source, mode="eval").body
         except (SyntaxError, ValueError, RecursionError, MemoryError) as fault:
-            why = str(getattr(fault, "msg", fault)).split("; ")[0].lower() or "it is nested too deeply"
+            why = str(getattr(fault, "msg", fault)).split("; ")[0].lower() or "nested too deeply"
             continue
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             if node.func.id in ("_", problem.entry):
                 return node
             raise _unreadable(problem, f"{node.func.id} is not {problem.entry}")
-    raise _unreadable(problem, f"it is no Python ({why})")
+    raise _unreadable(problem, f"this is not Python ({why})")
 
 
 def _argument(problem: Problem, name: str, node: ast.expr) -> Any:
@@ -148,7 +158,7 @@ def _argument(problem: Problem, name: str, node: ast.expr) -> Any:
 def _value(node: ast.expr, depth: int) -> Any:
     """What an expression of plain values comes to. Raises ValueError, TypeError or ArithmeticError."""
     if depth > _DEEPEST:
-        raise ValueError("it is nested too deeply")
+        raise ValueError("nested too deeply")
     if isinstance(node, ast.Constant) and (node.value is None or type(node.value) in (int, float, str)):
         return node.value
     if isinstance(node, ast.Tuple | ast.List):
@@ -164,13 +174,13 @@ def _value(node: ast.expr, depth: int) -> Any:
         if not isinstance(found, int | float) or (isinstance(found, float) and not math.isfinite(found)):
             raise ValueError("a number is not finite or not real")
         return found
-    raise ValueError(f"{_quoted(ast.unparse(node))} is no plain value")
+    raise ValueError(f"{_quoted(ast.unparse(node))} is not a plain value")
 
 
 def _number(node: ast.expr, depth: int) -> int | float:
     found = _value(node, depth + 1)
     if not isinstance(found, int | float):
-        raise TypeError(f"{_quoted(ast.unparse(node))} is no number")
+        raise TypeError(f"{_quoted(ast.unparse(node))} is not a number")
     return found
 
 
@@ -184,5 +194,4 @@ def _quoted(text: str) -> str:
 
 
 def _unreadable(problem: Problem, what: str) -> UsageError:
-    remedy = f"write {call_of(problem)} as Python arguments, or a line as a program reads it"
-    return UsageError(f"this is no case of {problem.id}: {what}", remedy=remedy)
+    return UsageError(what, remedy=f'write a case of {problem.id} as "{example_of(problem)}"')

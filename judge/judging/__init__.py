@@ -9,6 +9,6 @@ containment.py, isolation.py
                 the boxes; the level of isolation that this machine is known to have
 diagnosis.py, naming.py
                 the smallest case that breaks a submission; the mistake's name
-stressing.py, replaying.py, trying.py, routine.py
-                fresh cases; one case by its id; a person's own; a routine of this very process
+stressing.py, trying.py, hacking.py, routine.py
+                fresh cases; one case; breaking a wrong program; a routine of this very process
 """

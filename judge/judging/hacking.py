@@ -1,4 +1,4 @@
-"""Breaking a known wrong program with a case of one's own: what it says of the case, and a smallest one."""
+"""Breaking a known wrong program with a case of one's own: what it answers, and a smallest case."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NAME = file_name("program")  # what the wrong program is called in a message
 
 
 def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = None) -> Hacked:
-    """What the puzzle's program says of the case, contained, and whether that is rejected.
+    """Run the puzzle's program on the case, contained; the case breaks it if the answer is rejected.
 
     Raises:
         UsageError: the isolation that is asked for cannot be had.
@@ -33,10 +33,10 @@ def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = N
         said = _asked(session, tried, puzzle.source)
         notes = tuple(session.containment.notes(said.isolation))
         if said.verdict is Verdict.AC:
-            return Hacked("the program answers this case rightly", tried, said, notes)
+            return Hacked("the program answers this case correctly", tried, said, notes)
         model = accepted_source(problem, problem.time.function) if puzzle.special and problem.time else None
         if model is not None and _asked(session, tried, model).verdict is not Verdict.AC:
-            why = f"the tolerance of {puzzle.group.name} holds here, and a right program misses it too"
+            why = f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
             return Hacked(why, tried, said, notes)
         return Hacked("", tried, said, notes)
 
@@ -44,7 +44,7 @@ def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = N
 def smallest(
     problem: Problem, puzzle: Puzzle, isolation: str | None = None, bars: Bars = silent
 ) -> tuple[Tried, Said] | None:
-    """A smallest case that breaks the program, and what it says of it; None where none of its group does.
+    """A smallest case that breaks the program, and what it answers; None where none of its group does.
 
     Raises as `hack`.
     """

@@ -1,4 +1,4 @@
-"""What `judge run` returns, a result or the table of several, and how a screen shows it."""
+"""What `judge run` returns, a result or what several came to, and how a screen shows it."""
 
 from __future__ import annotations
 
@@ -30,8 +30,9 @@ class Drawn(Protocol):
 class Judged(Struct, frozen=True):
     """One result with all that its screen shows.
 
-    `quiet` shows the verdict alone and `silent` nothing, since a table follows; `whole` shows every group.
-    `after` are commands that go on from an accepted submission, `fresh` says what a run on fresh cases did.
+    `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than
+    one. `whole` shows every group. `after` are commands that go on from an accepted submission, `fresh` says
+    what a run on fresh cases did.
     """
 
     result: Result
@@ -39,7 +40,7 @@ class Judged(Struct, frozen=True):
     problem: Problem | None = None
     drawing: Drawn | None = None
     quiet: bool = False
-    silent: bool = False
+    several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
     after: tuple[tuple[str, str], ...] = ()
     fresh: str = ""
@@ -57,9 +58,9 @@ class Judged(Struct, frozen=True):
 
 
 class Several(Struct, frozen=True):
-    """The table of several submissions, of which so many are left."""
+    """What several submissions came to, of which so many are left."""
 
-    judged: tuple[Judged, ...]
+    results: tuple[Result, ...]
     left: int = 0
 
     @property
@@ -70,7 +71,7 @@ class Several(Struct, frozen=True):
     @property
     def exit_code(self) -> ExitCode:
         """What they tell the shell together."""
-        return exit_code(each.result for each in self.judged)
+        return exit_code(self.results)
 
 
 class AtLines(Struct, frozen=True):
@@ -80,14 +81,14 @@ class AtLines(Struct, frozen=True):
     exit_code: ExitCode
 
 
-def judged(found: Judged, screen: Screen) -> RenderableType | None:
-    """The screen of one result; None where nothing is to be shown of it."""
-    from judge.report.result import Shown, accepted, result, verdict_line
+def judged(found: Judged, screen: Screen) -> RenderableType:
+    """The screen of one result, or its line."""
+    from judge.report.result import Shown, accepted, result, row, verdict_line
     from judge.report.tell import tell
 
-    if found.silent:
-        return None
     told = tell(found.problem, found.result, found.source)
+    if found.several and not found.whole:
+        return row(found.result, told, kata=found.several > 1)
     name = found.result.submission
     if found.quiet:
         return verdict_line(told, name)
@@ -100,10 +101,7 @@ def judged(found: Judged, screen: Screen) -> RenderableType | None:
 
 
 def several(found: Several, _screen: Screen) -> RenderableType:
-    """The table of several results."""
-    from judge.report.result import results
-    from judge.report.tell import tell
+    """The last line of several."""
+    from judge.report.result import several as last
 
-    return results(
-        [(each.result, tell(each.problem, each.result, each.source)) for each in found.judged], found.left
-    )
+    return last(found.results, found.left)

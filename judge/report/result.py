@@ -196,35 +196,27 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
     )
 
 
-def results(found: Sequence[tuple[Result, Told]], left: int = 0) -> RenderableType:
-    """Several submissions: a row each, then how many were accepted, and how many are left."""
-    accepted = sum(each.verdict is Verdict.AC for each, _ in found)
-    several = len({each.problem for each, _ in found if each.problem}) > 1
-    titles = ("submission", "kata", "verdict", "points", "× reference", "first failure")
-    rows = [
-        (
-            shown_name(each.submission),
-            each.problem if several else "",
-            text(each.verdict.value, _STYLES.get(each.verdict, BAD)),
-            str(each.score) if each.groups else "",
-            times(each.time.ratio.median) if each.time.ratio else "",
-            _first(each, told),
-        )
-        for each, told in found
-    ]
-    unjudged = left + sum(each.verdict is Verdict.JE for each, _ in found)
-    said = f"{accepted} of {len(found) + left} accepted" + (f", {unjudged} not judged" if unjudged else "")
-    partial = list(dict.fromkeys(each.partial for each, _ in found if each.partial))
-    said += f", on {', '.join(partial)} only" if partial else ""
-    kept = [at for at, title in enumerate(titles) if title != "kata" or several]
-    cells = [tuple(row[at] for at in kept) for row in rows]
-    right = [kept.index(at) for at in (3, 4)]
-    good = accepted == len(found) and not left
-    return Group(
-        table([titles[at] for at in kept], cells, right=right),
-        Text(),
-        text(said, GOOD if good else BAD),
+def row(found: Result, told: Told, *, kata: bool = False) -> Text:
+    """One of several submissions on a line, which is written as soon as it is judged."""
+    ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
+    first = _first(found, told)
+    return joined(
+        text(f"{found.verdict.value:<3}", f"{STRONG} {_STYLES.get(found.verdict, BAD)}"),
+        text(f" {found.score if found.groups else '':>3}  {ratio:>7}  ", FAINT),
+        shown_name(found.submission),
+        text(f"  {found.problem}" if kata and found.problem else "", FAINT),
+        f"  {first}" if first else "",
     )
+
+
+def several(found: Sequence[Result], left: int) -> Text:
+    """How many of several submissions were accepted, and how many could not be, or are not yet, judged."""
+    accepted = sum(each.verdict is Verdict.AC for each in found)
+    unjudged = left + sum(each.verdict is Verdict.JE for each in found)
+    said = f"{accepted} of {len(found) + left} accepted" + (f", {unjudged} not judged" if unjudged else "")
+    partial = list(dict.fromkeys(each.partial for each in found if each.partial))
+    said += f", on {', '.join(partial)} only" if partial else ""
+    return text(said, GOOD if accepted == len(found) and not left else BAD)
 
 
 def _first(found: Result, told: Told) -> str:

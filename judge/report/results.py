@@ -154,7 +154,7 @@ def cut_short(found: Failure) -> str:
 def again_line(submission: str, replay: str) -> Line:
     """The command that judges that case alone, which is never broken into lines."""
     label = pad("again", _LABELS - 4)
-    return line("    ", Span(label, Style.FAINT), shown_command("judge", "replay", replay, file=submission))
+    return line("    ", Span(label, Style.FAINT), shown_command("judge", "try", replay, file=submission))
 
 
 def pitfall_lines(pitfall: Pitfall, width: int | None, *, most: int | None = None) -> Iterator[Line]:

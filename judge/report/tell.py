@@ -117,6 +117,8 @@ def _happened(problem: Problem | None, result: Result) -> str:
     if result.hurdle is not None and problem is not None:
         return obstacle_text(result, result.hurdle, problem)
     message = failure.message
+    if result.verdict is Verdict.JE:
+        return ""
     if result.verdict is Verdict.CE:
         line = fault_place(result)
         return f"line {line.line}: {_COMPILED.sub('', message)}" if line else message

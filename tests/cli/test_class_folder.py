@@ -14,7 +14,8 @@ import pytest
 from cli_support import FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 
-from judge.schema import schema_of
+from judge.cli.app import app
+from judge.cli.emit import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -44,9 +45,9 @@ def class_(submit):
 def test_each_is_judged_on_its_problem_and_what_cannot_be_is_a_row(class_, judge):
     ended = judge("run", "-q", class_, "--no-history")
     assert (ended.status, ended.err) == (3, "")
-    assert ended.lines[-1] == "2 of 9 accepted  middle, segment"
-    rows = {line.split()[0]: line for line in ended.lines[1:-2]}
-    assert list(rows) == [
+    assert ended.lines[-1] == "2 of 9 accepted, 6 not judged"
+    rows = {name: line for line in ended.lines for name in line.split() if name.startswith("class/")}
+    assert sorted(rows) == [
         "class/ann/middle.py",
         "class/ann/segment.py",
         "class/bob/folder.py",
@@ -58,9 +59,9 @@ def test_each_is_judged_on_its_problem_and_what_cannot_be_is_a_row(class_, judge
         "class/bob/try.py",
     ]
     for name, words in {
-        "ann/middle.py": "middle   AC          100",
-        "ann/segment.py": "segment  AC          100",
-        "bob/folder.py": " JE ",
+        "ann/middle.py": "AC  100",
+        "ann/segment.py": "AC  100",
+        "bob/folder.py": "JE ",
         "bob/friend": "a link to a folder is not followed",
         "bob/gone.py": "it is a link to a file that is not there",
         "bob/huge.py": "this file is larger than 4 MB",
@@ -75,7 +76,7 @@ def test_scripts_miss_none(class_, judge):
     ended = judge("run", class_, "--json", "--no-shrink", "--no-name", "--junit", "out.xml")
     results = [json.loads(line) for line in ended.lines]
     assert len(results) == 9, ended
-    validator = Draft202012Validator(schema_of("run"))
+    validator = Draft202012Validator(schema_of(app.get_command(None, "run")))
     for result in results:
         validator.validate(result)
     assert sum(result["verdict"] == "JE" for result in results) == 6
@@ -91,13 +92,11 @@ def test_ctrl_c_shows_the_table_so_far(submit):
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
         assert running.stdout is not None
         first = running.stdout.readline()
-        while not running.stdout.readline().startswith("AC  accepted"):
-            pass
         running.send_signal(signal.SIGINT)
         out, err = running.communicate(timeout=60)
-    assert (first.split()[:2], running.returncode, err.strip()) == (["AC", "class/a.py"], 130, "")
-    assert out.splitlines()[-1] == "1 of 1 accepted, 2 not judged  middle"
-    assert "class/a.py" in out
+    assert (first.split()[0], running.returncode, err.strip()) == ("AC", 130, "")
+    assert "class/a.py" in first
+    assert out.splitlines()[-1] == "1 of 3 accepted, 2 not judged"
     assert len(ElementTree.parse("out.xml").getroot()) == 1
 
 
@@ -106,7 +105,7 @@ def test_a_folder_that_is_no_class_ends_soon(judge, submit):
     submit(MEAN, "a/" * 25 + "deep.py")
     submit(MEAN, "a/near.py")
     ended = judge("run", "-q", "middle", "a")
-    assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted  middle")
+    assert (ended.status, ended.lines[-1]) == (3, "1 of 2 accepted, 1 not judged")
     assert "lies more than 20 levels down" in ended.out
 
 
@@ -128,12 +127,10 @@ def test_a_folder_is_left_by_no_link(judge, submit):
     Path("folder/out.py").symlink_to("../outside.py")
     Path("folder/in.py").symlink_to("inside.py")
     ended = judge("run", "-q", "middle", "folder", "--no-history")
-    rows = {line.split()[0]: line for line in ended.lines if "folder/" in line}
+    rows = {name: line for line in ended.lines for name in line.split() if "folder/" in name}
     assert "JE" in rows["folder/out.py"]
     assert "it is a link out of the folder, which is not followed" in rows["folder/out.py"]
     assert "AC" in rows["folder/in.py"]
-    ended = judge("run", "-q", "middle", "folder", "--no-history", "--follow-links")
-    assert (ended.status, ended.out.count(" AC ")) == (0, 3)
     ended = judge("run", "-q", "middle", "folder/out.py", "--no-history")  # named by the person
     assert ended.status == 0
 

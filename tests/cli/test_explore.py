@@ -1,4 +1,4 @@
-"""`judge explore`: the page as a file and as a browser shows it."""
+"""`judge try --out`: the page on which a case is dragged, as a file and as a browser shows it."""
 
 from __future__ import annotations
 
@@ -33,16 +33,16 @@ def start_of(page):
 
 
 def test_it_writes_one_file_that_loads_nothing(judge):
-    ended = judge("explore", "count")
-    assert (ended.status, ended.out, ended.err) == (0, "judge-explore.html\n", "")
-    page = Path("judge-explore.html").read_text(encoding="utf-8")
+    ended = judge("try", "count", "--out", "page.html")
+    assert (ended.status, ended.out, ended.err) == (0, "Wrote page.html: count\n", "")
+    page = Path("page.html").read_text(encoding="utf-8")
     assert not re.search(
         r"""(src|href)=|@import|url\(|fetch\(|XMLHttp|WebSocket|https?://(?!www\.w3\.org/2000/svg)""", page
     )
     assert "default-src 'none'" in page
     assert start_of(page)["kind"] == "line"
     assert start_of(page)["cases"][0][0] == "Example 1"
-    assert judge("explore", "count").status == 0  # over its own page
+    assert judge("try", "count", "--out", "page.html").status == 0  # over its own page
 
 
 @pytest.mark.parametrize(
@@ -58,10 +58,9 @@ def test_it_writes_one_file_that_loads_nothing(judge):
     ],
 )
 def test_a_case_of_ones_own(judge, words, kind, numbers):
-    (line,) = judge("explore", *words, "--out", "page.html", "--json").lines
-    written = Path("page.html").read_bytes()
-    assert json.loads(line) == {"schema": 1, "problem": words[0], "out": "page.html", "bytes": len(written)}
-    start = start_of(written.decode())
+    _, line = judge("try", *words, "--out", "page.html", "--json").lines
+    assert json.loads(line) == {"schema": 1, "problem": words[0], "file": "page.html"}
+    start = start_of(Path("page.html").read_text(encoding="utf-8"))
     assert (start["kind"], start["problem"], start["cases"][0][0]) == (
         kind,
         words[0],
@@ -76,20 +75,21 @@ def test_the_case_that_broke_a_file(judge, submit):
     found = json.loads(judge("run", "count", name, "--no-name", "--group", "grid", "--json").out)[
         "counterexample"
     ]
-    assert judge("explore", found["replay"]).status == 0
-    start = start_of(Path("judge-explore.html").read_text(encoding="utf-8"))
+    assert judge("try", "--out", "page.html").status == 1
+    start = start_of(Path("page.html").read_text(encoding="utf-8"))
     case = found["input"]
     numbers = explore._flat([each["value"] for each in start["args"]])
     assert list(map(float, numbers)) == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
 
 
 def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):
-    ended = judge("explore", "sphere")
+    ended = judge("try", "sphere", "--out", "page.html")
     assert (ended.status, ended.out) == (2, "")
-    assert ended.err == "judge: sphere has no page to explore; 'judge explore count' shows one that has\n"
+    assert ended.err == "judge: No page for sphere yet; leave out --open and --out\n"
     rays = ", ".join(f"(({x}, 0), (1, 0))" for x in range(200))
-    ended = judge("explore", "nearest", f"[(0, 0, 1)], [{rays}]")
-    assert (ended.status, ended.out) == (2, "")
+    ended = judge("try", "nearest", f"[(0, 0, 1)], [{rays}]", "--out", "page.html")
+    assert ended.status == 2
+    assert not Path("page.html").exists()
     assert "the case has 803 numbers, and a page has 600 at most" in ended.err
 
 

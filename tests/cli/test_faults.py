@@ -39,7 +39,7 @@ def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
     results = [json.loads(line) for line in ended.lines]
     assert [result["verdict"] for result in results] == ["JE", "AC"]
     assert results[0]["failure"]["message"] == "middle/problem.py:9: the reference fails"
-    assert judge("run", "middle", "team").lines[-1] == "1 of 2 accepted  middle"
+    assert judge("run", "middle", "team").lines[-1] == "1 of 2 accepted, 1 not judged"
 
 
 ENDING = [
@@ -55,7 +55,7 @@ ENDING = [
     [
         *(("run middle mine.py", ending) for ending in ENDING),
         ("export middle --format files --out data", ENDING[0]),
-        ("stress middle mine.py", ENDING[-1]),
+        ("run middle mine.py --fresh 30s", ENDING[-1]),
     ],
 )
 def test_a_problem_that_ends_the_process_is_a_fault_and_not_accepted(words, ending, judge, submit, tmp_path):
@@ -133,7 +133,7 @@ def test_a_fault_in_explaining_leaves_the_verdict_alone(place, judge, submit, mo
 
     monkeypatch.setattr("judge.report.picture.has_room", lambda _screen: True)
     monkeypatch.setattr(f"judge.{place}", faulty)
-    ended = judge("run", "middle", submit(FLOOR), *(["--picture"] if "picture" in place else []))
+    ended = judge("run", "middle", submit(FLOOR), *(["--all"] if "picture" in place else []))
     assert ended.status == 1
     assert ended.lines[-1].startswith("WA  ")
     assert ended.err.startswith("judge: ")

@@ -25,7 +25,7 @@ QUIET = (  # need no file of one's own, no history, and no time
     "judge progress --question Q7",
     "judge help interview",
     "judge help tolerance zero",
-    'judge try count "0, 0, 1, (-1, 1), (1, 1)"',
+    'judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"',
     "judge hack count --list",
 )
 

@@ -161,13 +161,22 @@ FORMATS = {  # and what a line of each says of a submission
     "github": lambda line: (
         "team" + line.partition("file=team")[2].partition(",")[0] if "file=" in line else None
     ),
-    "text": lambda line: line.split()[1] if line[4:].startswith("team/") else None,
+    "text": lambda line: next((word for word in line.split() if word.startswith("team/")), None),
 }
 
 
 def killed(form: str, db: Path, after: int) -> list[str]:
     """Judge the team and kill the judge as soon as so many are shown; all that were shown."""
-    words = ["run", "middle", "team", "-j", "3", "--format", form, "--db", str(db)]
+    words = [
+        "run",
+        "middle",
+        "team",
+        "-j",
+        "3",
+        *(["--json"] if form == "json" else ["--format", form]),
+        "--db",
+        str(db),
+    ]
     quick = ["--no-shrink", "--no-name", "--isolation", "limits"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     shown = []

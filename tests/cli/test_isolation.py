@@ -60,7 +60,7 @@ def test_bubblewrap_is_removed_and_nothing_drops_in_silence(process, submit, tmp
 def test_that_full_is_missing_is_said_once_a_day_on_a_terminal(submit, tmp_path, bare):
     from terminals import on_a_terminal
 
-    file, note = str(tmp_path / submit(MEAN)), "isolation is 'strong', not 'full'"
+    file, note = str(tmp_path / submit(MEAN)), "Sandbox: strong, not full"
     for words, said in ((["-q"], 0), ([], 1), ([], 0)):
         status, shown = on_a_terminal("run", "middle", file, *words, PATH=bare)
         assert (status, shown.count(note)) == (0, said)

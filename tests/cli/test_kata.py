@@ -33,7 +33,7 @@ def test_the_kata_in_hand_is_judged_from_any_folder(judge, submit, tmp_path, mon
     submit(MEAN, "middle.py")
     (tmp_path / "deeper").mkdir()
     monkeypatch.chdir(tmp_path / "deeper")
-    assert f"{tmp_path / 'middle.py'}  middle" in judge("run").out
+    assert str(tmp_path / "middle.py") in judge("run").out
     (tmp_path / "middle.py").unlink()
     refused(judge("run"), "middle.py", "'judge init middle")
 

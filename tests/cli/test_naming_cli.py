@@ -47,7 +47,7 @@ def test_a_cache_that_cannot_be_written_costs_a_note(judge, submit, tmp_path, mo
     (tmp_path / "file").write_text("in the way")
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "file"))
     ended = judge("run", "middle", submit(FLOOR))
-    assert "  floor-division" in ended.out
+    assert "mistake: floor-division" in ended.out
     assert "the known mistakes' answers are not kept" in ended.err
 
 

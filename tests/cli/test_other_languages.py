@@ -11,9 +11,10 @@ from cli_support import PACK
 from jsonschema import Draft202012Validator
 from sampling import daily
 
+from judge.cli.app import app
+from judge.cli.emit import schema_of
 from judge.languages import find
 from judge.languages.model import language_called
-from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -51,8 +52,8 @@ def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     assert judge("init", "middle", "--language", name).status == 0
     ended = judge("run")
     assert ended.status == 1, ended
-    assert ended.lines[0].startswith(f"RTE  middle{language.suffixes[0]}")
-    assert "middle is still to be written" in ended.out
+    assert ended.lines[0].startswith(f"RTE  Run-time error  middle{language.suffixes[0]}")
+    assert "iddle is still to be written" in ended.out
 
 
 def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp_path):
@@ -100,7 +101,7 @@ def raced(judge, submit, tmp_path, monkeypatch):
     def run(source, name):
         path = submit(source, name)
         result = json.loads(judge("run", "--json", "middle", path).out)
-        Draft202012Validator(schema_of("run")).validate(result)
+        Draft202012Validator(schema_of(app.get_command(None, "run"))).validate(result)
         return result, judge("run", "middle", path)
 
     return run
@@ -111,7 +112,7 @@ def test_it_is_raced_against_its_own_language(raced):
     assert result["verdict"] == "AC"
     assert result["time"]["reference"] == "C++"
     assert result["time"]["ratio"]["median"] > 0
-    assert "× the reference in C++" in ended.out
+    assert "× the C++ reference's time" in ended.out
     assert "held to" not in ended.err
 
 
@@ -147,7 +148,7 @@ def test_the_solution_in_another_language_is_shown(judge, raced):
     assert "double middle(double a, double b)" in ended.out
     assert any(row.split()[:1] == ["mean"] for row in ended.lines)
     told = json.loads(judge("solution", "middle", "reference.cpp", "--no-time", "--json").out)
-    Draft202012Validator(schema_of("solution")).validate(told)
+    Draft202012Validator(schema_of(app.get_command(None, "solution"))).validate(told)
     assert (told["file"], told["language"]) == ("reference.cpp", "C++")
     assert [each["language"] for each in told["approaches"]] == ["Python", "C++"]
     refused = judge("solution", "middle", "--language", "go")

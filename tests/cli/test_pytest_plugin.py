@@ -47,14 +47,12 @@ def test_a_failure_is_that_of_its_group(library):
         [
             "*test_it[[]half[]]*",
             "E * middle: middle fails 30 of 30 cases",
-            "E *half, case 1",
-            "E * input *a=*, b=*",
-            "E * wanted *.5",
+            "E *Smallest failing case*",
+            "E * a = 0, b = 1",
+            "E * expected *.5",
             "E * got *",
             "E * why * the answer is off by 0.5,*ulps)",
-            "E * smallest case found",
-            "E * input *a=0, b=1",
-            "E * floor-division *likely, score *",
+            "E *Very likely mistake: floor-division",
             "test_lib.py:5: AssertionError",
         ]
     )
@@ -129,24 +127,15 @@ def test_a_wrong_one_counts_the_failures_of_each_group():
         judge_problem("middle").check(floor)
     first, *rest = str(failed.value).splitlines()
     assert first == "middle: floor fails 2 of 3 groups, 31 of 52 cases"
-    assert [line.split() for line in rest if line.endswith((" 2", " 30"))] == [
-        ["examples", "1", "2"],
-        ["half", "30", "30"],
-    ]
-    assert "  examples, case 1" in rest
-    assert [line.split()[0] for line in rest if line.startswith("    ")][:4] == [
-        "input",
-        "wanted",
-        "got",
-        "why",
-    ]
+    assert rest[0] == "  fails  examples 1/2, half 0/30"
+    assert [line.split()[0] for line in rest if line.startswith("  ")][2:5] == ["expected", "got", "why"]
 
 
 def test_an_exception_is_a_failure_that_leads_to_its_line():
     def stumbles(a, b):
         return a / (b - b)
 
-    with pytest.raises(AssertionError, match="fails 3 of 3 groups, 52 of 52 cases") as failed:
+    with pytest.raises(AssertionError, match=r"fails 3 of 3 groups,\s52 of 52 cases") as failed:
         judge_problem("middle").check(stumbles)
     assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
     assert isinstance(failed.value.__cause__, ZeroDivisionError)

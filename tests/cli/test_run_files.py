@@ -22,7 +22,7 @@ def team(submit):
     return "team"
 
 
-@pytest.mark.parametrize("form", ["json", "text"])
+@pytest.mark.parametrize("form", ["editor", "text"])
 def test_a_file_is_written_with_every_format(form, judge, team):
     ended = judge("run", "middle", team, "--format", form, "--junit", "out.xml")
     assert ended.status == 1
@@ -79,8 +79,8 @@ def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
         (FLOOR, "a/x².py"),  # each has a name of its own
         (FLOOR, "b/x_.py"),
     ):
-        ended = judge("run", "-q", "middle", "--save-regression", "test_kept.py", "--", submit(source, name))
-        assert "test_kept.py now holds middle:" in ended.err
+        assert judge("run", "-q", "middle", submit(source, name)).status == 1
+        assert "Wrote test_kept.py: middle" in judge("try", name, "--pytest", "test_kept.py").out
     assert "3 failed" in run_pytest("test_kept.py").stdout
     for name in ("work/mine.py", "a/x².py", "b/x_.py"):
         submit(MEAN, name)
@@ -89,7 +89,7 @@ def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
 
 def test_a_file_that_is_no_text_is_left_alone(judge, submit):
     Path("binary.py").write_bytes(b"\xff\xfe\x00")
-    assert judge("run", "middle", submit(FLOOR), "--save-regression", "binary.py").status == 2
+    assert judge("try", "middle", "1, 2", submit(FLOOR), "--pytest", "binary.py").status == 2
     assert Path("binary.py").read_bytes() == b"\xff\xfe\x00"
 
 

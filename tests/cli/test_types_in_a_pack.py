@@ -140,11 +140,11 @@ def test_a_mistake_is_told_shrunk_and_named(folder, judge):
     result = json.loads(ended.out)
     assert (result["verdict"], result["pitfall"]["names"]) == ("WA", ["mistaken"])
     found = result["counterexample"]
-    again = judge("replay", "--json", found["replay"], wrong)
-    assert json.loads(again.out)["failure"]["input"] == found["input"]
-    assert judge("stress", "oddness", wrong, "--for", "20s", "--seed", 1, "--no-name").status == 1
+    again = judge("try", "--json", found["replay"], wrong)
+    assert json.loads(again.out)["case"]["input"] == found["input"]
+    assert judge("run", "oddness", wrong, "--fresh", "20s", "--seed", 1, "--no-name").status == 1
     right = folder / "solutions" / "oddness" / "accepted" / "right.py"
-    assert judge("stress", "oddness", right, "--for", "0.1s", "--seed", 1).status == 0
+    assert judge("run", "oddness", right, "--fresh", "0.1s", "--seed", 1).status == 0
 
 
 def test_the_stub_and_the_statement_tell_the_types(judge, tmp_path):

@@ -25,8 +25,9 @@ from msgspec.structs import replace
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
 from judge.data.given import read_case
-from judge.diagnose import regression
+from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
+from judge.judging.trying import try_case
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
@@ -40,6 +41,7 @@ from judge.problem.toml import toml_of
 from judge.report import editor, github, junit, layout, places
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
+from judge.run.tried import Tried
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources
@@ -223,14 +225,12 @@ def _students(text: str) -> None:
 
 
 def _regression(text: str) -> None:
-    path = _place() / "test_kept.py"
-    path.write_text(f"{regression._MARK}\n{text}", encoding="utf-8")
-    regression.is_ours(path)
+    with_case(text, Path("test_kept.py"), Path("a.py"), _tried())
 
-    class Found:
-        replay = "count:all:v0:000000"
 
-    regression._free_name("a.py", Found(), path.read_text())  # type: ignore[arg-type]
+@cache
+def _tried() -> Tried:
+    return try_case(find_problem("count"), (0, 0, 1, (-1, 1), (1, 1)))
 
 
 def _readers() -> dict[str, Callable[[str], None]]:
@@ -271,12 +271,12 @@ _OWN_TOKENS = {
     ),
     "toml lines": _TOML,
     "toml": _TOML,
-    "regression": ("\ndef test_a():", "def test_a_count_all_000000()\n"),
+    "regression": ("\ndef test_a():", "def test_a_count_examples_25c408()\n"),
 }  # fmt: skip
 _FILLING = (" ", "a", "1", "\n", ",", ") ", "'a", "{")  # what goes on and on after something is opened
 _DIFFERENT = (
     "def nN(a): pass\n", "nN = 1\n", "int nN(int a) { return 1; }\n", "nN(", "line_countN ", "nN,", "nN: N\n",
-    "def test_a_count_all_000000_N():\n", "[nN]\n", "struct nN { nN a; };\n",
+    "def test_a_count_examples_25c408_N():\n", "[nN]\n", "struct nN { nN a; };\n",
 )  # fmt: skip
 
 

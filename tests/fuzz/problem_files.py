@@ -169,8 +169,8 @@ _CHEAP = (
 _DEAR = (
     *("data {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
     *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "report"),
-    *("stress {problem} {program} --for 0.05s --seed 7", "try {problem} '1 2' {program}"),
-    "replay {problem}:{group}:v1,2:000000 {program}",
+    *("run {problem} {program} --fresh 0.05s --seed 7", "try {problem} '1 2' {program}"),
+    "try {problem}:{group}:v1,2:000000 {program}",
 )
 
 

@@ -143,7 +143,7 @@ def _runs(chance: random.Random, problem: str, groups: list[str]) -> list[Run]:
     level = ("--isolation", "strong") if chance.random() < 0.1 else ()
     if chance.random() < 0.1:
         name = f"batch/odd{chance.randrange(_BATCH)}.py"
-        stressing = ("stress", "--json", problem, name, "--for", "0.2s", "--seed", "7", *few, *level)
+        stressing = ("run", problem, name, "--json", "--fresh", "0.2s", "--seed", "7", *few, *level)
         return [_one(stressing), _one(("watch", "--json", problem, name, *few, *level), interrupt=2.0)]
     words = ["run", problem, "batch", *few, *level]
     words += ["--no-shrink"] if chance.random() < 0.7 else []
@@ -162,7 +162,7 @@ def _one(words: tuple[str, ...], interrupt: float | None = None) -> Run:
 def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
     """What is wrong with the results: one is missing, is the judge's fault, or is not what it must be."""
     if run.words[:2] != ("run", "--json"):
-        return ["the judge is at fault"] if ended.status == 3 and run.words[0] != "stress" else []
+        return ["the judge is at fault"] if ended.status == 3 and "--fresh" not in run.words else []
     results = [json.loads(line) for line in ended.out.split("\n")[:-1]]
     batch = (folder / "work" / "batch").iterdir()
     given = sum(not path.name.startswith(".") for path in batch)  # what is hidden is not part of a folder

@@ -39,7 +39,7 @@ _BLOCK = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 _MASKS = (
-    (r"judge replay \S+", "judge replay …"),
+    (r"judge try \S+", "judge try …"),
     (r"(?s)[\d.]+ m?s CPU, \d+ MB.*?(?=\n\n|\Z)", "…"),  # time, memory, the ratio
     (r"\d{4}-\d\d-\d\d( \d\d:\d\d)?", "…"),
 )

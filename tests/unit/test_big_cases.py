@@ -12,6 +12,8 @@ import jsonschema
 import pytest
 from sandboxed import call, limits
 
+from judge.cli.app import app
+from judge.cli.emit import schema_of
 from judge.data import load_data
 from judge.data.load import _from_plain
 from judge.errors import ProblemError
@@ -20,7 +22,6 @@ from judge.problem.load import load_problem
 from judge.problem.model import MOST_INPUT_MB
 from judge.run import run_submission
 from judge.sandbox.inside import wire
-from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 
@@ -150,7 +151,7 @@ def test_a_good_solution_passes_and_its_growth_is_published(inversions):
     assert (result.verdict, result.score) == (Verdict.AC, 100), result.failure
     if result.time.growth is not None:  # on a machine ten times as quick the groups are too short
         assert result.as_json()["time"]["growth"]["groups"] == ["n-2000", "n-6000"]
-    jsonschema.validate(result.as_json(), schema_of("run"))
+    jsonschema.validate(result.as_json(), schema_of(app.get_command(None, "run")))
 
 
 @pytest.mark.nightly
@@ -159,4 +160,4 @@ def test_a_quadratic_solution_is_too_slow_for_how_it_grows(inversions):
     assert (result.verdict, result.failure.group) == (Verdict.TLE, "n-6000")
     assert GROWS.match(result.failure.message)
     assert result.time.growth.exponent > result.time.growth.reference + 0.4
-    jsonschema.validate(result.as_json(), schema_of("run"))
+    jsonschema.validate(result.as_json(), schema_of(app.get_command(None, "run")))

@@ -25,12 +25,12 @@ def test_the_line_of_a_case_is_that_case_with_its_types(count, case):
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("(" * 5000, "it is no Python ("),
-        ("0," * 10_001, "it has 20,002 characters"),
-        ("[" * 60 + "1" + "]" * 60 + ",2", "cx: it is nested too deeply"),
-        ("1" * 5000 + ", 0, 1, (0, 0), (1, 1)", "it is no Python"),
-        ("1" * 5000 + " 0 1 0 0 1 1", "is no value of cx"),
-        ("0if 1else 2, '\\d'", "is no plain value"),  # of which Python would warn
+        ("(" * 5000, "this is not Python ("),
+        ("0," * 10_001, "a case of 20,002 characters is too long"),
+        ("[" * 60 + "1" + "]" * 60 + ",2,3,4,5", "cx: nested too deeply"),
+        ("1" * 5000 + ", 0, 1, (0, 0), (1, 1)", "this is not Python"),
+        ("1" * 5000 + " 0 1 0 0 1 1", "is not a value of cx"),
+        ("0if 1else 2, 2, 3, 4, '\\d'", "is not a plain value"),  # of which Python would warn
     ],
 )
 def test_a_text_made_to_be_odd_is_told_in_a_line(count, text, told):

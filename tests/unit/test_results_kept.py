@@ -8,12 +8,12 @@ from xml.etree import ElementTree as Xml
 import msgspec
 import pytest
 from classes import ROWS
+from judge.report.junit import junit
 from msgspec.structs import replace
 from past_runs import past_result
 
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
-from judge.report.junit import junit
 from judge.run.result import (
     Failure,
     GroupResult,
@@ -94,7 +94,7 @@ def test_what_does_not_compile_is_a_failed_case_and_the_judges_own_fault_an_erro
 FULL = replace(
     past_result(failed=("band",), ratio=2.0),
     levels=(LevelResult(KataLevel.INTERVIEW, False, 3, 3, 2),),
-    pitfall=Pitfall(("a", "b"), 0.5, ("", ""), ("c",), (("x", "y"),)),
+    pitfall=Pitfall(("a", "b"), 0.5, ("", ""), ("c",)),
     time=Timing(cpu_seconds=0.1, borderline=True, import_seconds=0.5, reference="C++", why="no C"),
     counterexample=Failure(
         "off", group="grid", input={"r": 10**30}, expected="1", got="2", replay="p:grid:v:0"
@@ -133,7 +133,7 @@ def test_what_older_judges_wrote_is_read():
     )
     assert (read.failure.case, read.failure.input) == (3, {"cx": 10**30})
     assert (read.counterexample.group, read.counterexample.cut_short) == ("grid", True)
-    assert (read.pitfall.names, read.pitfall.lines) == (("a", "b"), (("x", "y"),))
+    assert read.pitfall.names == ("a", "b")
     assert (read.time.reference, read.time.why, read.time.ratio.median) == (
         "Python",
         "no reference in Go",

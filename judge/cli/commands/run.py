@@ -73,21 +73,17 @@ class RunAsk(Struct, frozen=True):
     svg: Annotated[
         Path | None, opt("--svg", metavar="FILE", help="Draw the failing case into this file.", hidden=True)
     ] = None
-    regression: Annotated[
-        Path | None, opt("--save-regression", metavar="FILE", help="Add the case as a test.", hidden=True)
-    ] = None
     unnamed: Annotated[bool, opt("--no-name", help="Do not name the mistake.", hidden=True)] = False
     unshrunk: Annotated[bool, opt("--no-shrink", help="Seek no smaller case.", hidden=True)] = False
     unrecorded: Annotated[bool, opt("--no-history", help="Keep nothing of it.", hidden=True)] = False
 
     def options(self, isolation: str | None, *, brief: bool) -> RunOptions:
         """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
-        wanted = self.svg is not None or self.regression is not None
         return RunOptions(
             self.groups,
             self.seed,
             isolation,
-            diagnosed=wanted or not (self.unshrunk or brief),
+            diagnosed=not (self.unshrunk or (brief and self.svg is None)),
             named=not (self.unnamed or brief),
             level=self.level,
             program=self.mode == "program",
@@ -141,34 +137,30 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
         return
     found: list[Result] = []
     results = _judged(tasks, unjudged, total, ask, common)
-    done: list[Judged] = []
     try:
         with closing(results):
             for each in results:
-                done.append(each)
                 found.append(each.result)
                 yield _as(each, ask.form)
     except KeyboardInterrupt:
-        yield from _several(done, total, ask)
+        yield from _several(found, total, ask)
         raise
     finally:
         if junit is not None and found:
             from judge.report.formats import junit as written
 
             junit.write(written(found))
-    yield from _several(done, total, ask)
+    yield from _several(found, total, ask)
 
 
 def _is_junit(start: bytes) -> bool:
     return b"<testsuite" in start
 
 
-def _several(done: Sequence[Judged], total: int, ask: RunAsk) -> Iterator[Several]:
-    """The table of several submissions, those of one folder together."""
-    if total > 1 and done and ask.form == TEXT:
-        mixed = len({each.result.problem for each in done}) > 1
-        rows = sorted(done, key=lambda each: Path(each.result.submission).parts) if mixed else done
-        yield Several(tuple(rows), total - len(done))
+def _several(found: Sequence[Result], total: int, ask: RunAsk) -> Iterator[Several]:
+    """What several submissions came to."""
+    if total > 1 and found and ask.form == TEXT:
+        yield Several(tuple(found), total - len(found))
 
 
 def _as(judged: Judged, form: str) -> Struct:
@@ -197,7 +189,8 @@ def _judged(
     plain = ask.form == TEXT and ask.junit is None and not common.json
     brief = ask.quiet and plain
     options = ask.options(common.isolation, brief=brief and ask.svg is None)
-    wish = Wish(options, ask.jobs, None, ask.regression, not ask.unrecorded, common.db, total)
+    wish = Wish(options, ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
+    several = len(tasks) if total > 1 else 0
     waiting = [(task, each) for task in tasks for each in task.submissions]
     done = 0
     try:
@@ -211,7 +204,7 @@ def _judged(
                             done += 1
                             if advance:
                                 advance(done, total)
-                            yield _shown(drawing, each.source, total, ask)
+                            yield _shown(drawing, each.source, total, several, ask)
                             drawing.save(ask.svg)
                             if not (common.isolation or brief) and plain:
                                 _say_that_full_is_missing(drawing.result)
@@ -220,17 +213,17 @@ def _judged(
                         raise
                     for each in task.submissions[done - begun :]:
                         done += 1
-                        yield _not_judged(each.name, str(fault), task.problem.id, ask, each.source)
+                        yield _not_judged(each.name, str(fault), task.problem.id, several, ask, each.source)
     except Exception as fault:
         if not (plain or isinstance(fault, UsageError | OSError)):
             for task, each in waiting[done:]:
-                yield _not_judged(each.name, told(fault), task.problem.id, ask, each.source)
+                yield _not_judged(each.name, told(fault), task.problem.id, several, ask, each.source)
         raise
     for entry in unjudged:
-        yield _not_judged(entry.name, entry.why, entry.problem, ask)
+        yield _not_judged(entry.name, entry.why, entry.problem, several, ask)
 
 
-def _shown(drawing: Drawing, source: bytes, total: int, ask: RunAsk) -> Judged:
+def _shown(drawing: Drawing, source: bytes, total: int, several: int, ask: RunAsk) -> Judged:
     """One result, with all that its screen shows."""
     after: tuple[tuple[str, str], ...] = ()
     if drawing.result.solved and total == 1:
@@ -242,14 +235,14 @@ def _shown(drawing: Drawing, source: bytes, total: int, ask: RunAsk) -> Judged:
         drawing.problem,
         drawing,
         quiet=ask.quiet and total == 1,
-        silent=total > 1 and not ask.whole,
+        several=several,
         whole=ask.whole,
         after=after,
     )
 
 
-def _not_judged(name: str, why: str, problem: str, ask: RunAsk, source: bytes = b"") -> Judged:
-    return Judged(judge_fault(problem, name, why), source, silent=True, quiet=ask.quiet)
+def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, source: bytes = b"") -> Judged:
+    return Judged(judge_fault(problem, name, why), source, quiet=ask.quiet, several=several)
 
 
 def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:

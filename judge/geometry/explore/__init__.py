@@ -1,4 +1,4 @@
-"""The page of `judge explore`: a kata's case to drag, decided exactly in the browser.
+"""The page of `judge try --open`: a kata's case to drag, decided exactly in the browser.
 
 page.html, page.css, drawing.js and page.js are the page; figures.js and plane.js say what each kind of case
 decides and comes to, in the exact arithmetic of exact.js. A test holds them against each kata's `solve`. The

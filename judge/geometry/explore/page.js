@@ -1,5 +1,5 @@
 "use strict";
-/* The page of `judge explore`: the case, what is said of it, and how it is moved. What is decided comes from `figure`. */
+/* The page of `judge try --open`: the case, what is said of it, and how it is moved. What is decided comes from `figure`. */
 (() => {
   const start = JSON.parse(by("start").textContent);
   const flat = value => (Array.isArray(value) ? value.flatMap(flat) : [value]);

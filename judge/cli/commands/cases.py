@@ -1,0 +1,368 @@
+"""`judge try` and `judge hack`: one case answered exactly, and wrong programs to break with one case."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import click
+from msgspec import Struct
+from msgspec.structs import replace
+
+from judge.cli.fitting import problem_of_file, usual_file
+from judge.cli.kata import problem_in_hand, shown
+from judge.cli.kept import history_at
+from judge.cli.options import Common, command, opt, takes
+from judge.cli.submissions import read_submissions
+from judge.cli.target import OutFile, svg_target
+from judge.data.given import example_of, line_of, read_case
+from judge.diagnose.replay import decode, problem_name
+from judge.errors import HistoryError, UsageError
+from judge.judging.job import RunOptions
+from judge.judging.session import Session
+from judge.judging.trying import ask as ask_file
+from judge.judging.trying import try_case
+from judge.kata.events import Hack, Outcome
+from judge.kata.hacks import HackState, hack_states, was_shown
+from judge.languages import is_program
+from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
+from judge.problem import Case, Problem, Verdict
+from judge.problem.find import find_problem
+from judge.problem.model import case_of
+from judge.problem.module import load_module
+from judge.reading import read_ordinary_text
+from judge.report.published_cases import (
+    CaseLine,
+    CaseTried,
+    HackLine,
+    HackList,
+    HackProgram,
+    HackTurn,
+    PageWritten,
+)
+from judge.report.screen import Notes, is_terminal, note
+from judge.run.result import Mode
+
+if TYPE_CHECKING:
+    from judge.run.tried import Said, Tried
+
+_PAGE = Path("judge-try.html")
+_PAGE_MARK = b'name="generator" content="judge try"'
+
+
+class TryAsk(Struct, frozen=True):
+    """What to make of the case."""
+
+    opened: Annotated[bool, opt("--open", help="Drag the figure in the browser.")] = False
+    page: Annotated[
+        Path | None, opt("--out", metavar="FILE", help=f"Write that page; {_PAGE} with --open alone.")
+    ] = None
+    svg: Annotated[Path | None, opt("--svg", metavar="FILE", help="Draw the case into an SVG file.")] = None
+    test: Annotated[
+        Path | None,
+        opt("--pytest", metavar="FILE", help="Add the case as a pytest test of your file."),
+    ] = None
+
+
+class _Meant(Struct, frozen=True):
+    """What the words mean; `case` is None where none is named and none has failed."""
+
+    problem: Problem
+    case: Case | None
+    group: str = ""
+    file: str | None = None
+
+
+@command("try", CaseLine, PageWritten, numbers=True)
+@click.argument("words", metavar="[KATA] [CASE|ID] [FILE]", nargs=-1, type=click.UNPROCESSED)
+@takes(TryAsk, "ask")
+def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct]:
+    """See the exact answer to one case, and what your file answers.
+
+    Write CASE as Python arguments, "0, 0, 1, (-1, 1), (1, 1)", with or without names, as a whole call, or as
+    the line that a program reads, 0 0 1 -1 1 1 1. An ID is what judge run shows with a failing case. Without
+    a case you get the last one that failed; without a KATA, that of this folder.
+
+    Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage or an invalid case, 3 a fault of the judge.
+    """
+    meant = _meant(_arguments(words), common)
+    problem, page = meant.problem, ask.page or (_PAGE if ask.opened else None)
+    targets = {
+        "page": page and OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start),
+        "svg": ask.svg and svg_target(ask.svg),
+        "test": ask.test and _test_target(ask.test),
+    }
+    wanted = {name: target for name, target in targets.items() if target}
+    for target in wanted.values():
+        target.check()
+    tried = try_case(problem, meant.case, meant.group) if meant.case is not None else None
+    if tried is None and [*wanted] != ["page"]:
+        raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
+    found = CaseTried(tried, _said(tried, meant.file, common)) if tried else None
+    content = {name: _content(name, problem, found, ask) for name in wanted}
+    if found:
+        yield found
+    for name, target in wanted.items():
+        target.write(content[name].encode())
+        yield PageWritten(problem=problem.id, file=str(target.path))
+    if ask.opened and click.launch(str(page)):
+        note(f"No browser was found. Open {page} yourself")
+
+
+def _arguments(words: Sequence[str]) -> list[str]:
+    """The words, none of which is an option that there is not."""
+    for word in words:
+        if word.startswith("--"):  # which a negative number never does
+            raise click.NoSuchOption(word, ctx=click.get_current_context())
+    return list(words)
+
+
+def _meant(words: list[str], common: Common) -> _Meant:
+    file = words.pop() if words and is_program(words[-1]) else None
+    named = words and words[0][:1].isalpha() and not any(sign in words[0] for sign in ",=([:")
+    name = words.pop(0) if named else None
+    if words and ":" in words[0]:
+        if len(words) > 1:
+            raise UsageError("an ID is a case already", where=words[1], remedy="leave one of them out")
+        problem = find_problem(problem_name(words[0]), common.problems)
+        if name not in (None, problem.id):
+            raise UsageError(f"this ID is a case of {problem.id}, not of {name}")
+        found = decode(words[0], problem, load_module(problem))
+        return _Meant(problem, found.case, found.group.name, file or _own_file(problem, common))
+    if not words:
+        return _last_failed(name, file, common)
+    if name is None and file is not None:
+        problem = problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
+    else:
+        problem = problem_in_hand(name, common.problems, common.db)
+    return _Meant(problem, read_case(problem, " ".join(words)), "", file or _own_file(problem, common))
+
+
+def _own_file(problem: Problem, common: Common) -> str | None:
+    """The usual file of the kata in this folder, if it is there."""
+    with suppress(UsageError):
+        return usual_file(problem.id, "try", common.db)
+    return None
+
+
+def _last_failed(name: str | None, file: str | None, common: Common) -> _Meant:
+    """The case on which that kata, that file or a file of this folder failed last."""
+    problem = find_problem(name, common.problems) if name else None
+    path = str(Path(file).absolute()) if file else ""
+    with history_at(common.db, reading=True) as history:
+        for run in reversed(history.runs(name)):
+            here = run.path == path if file else name or Path(run.path).parent == Path.cwd()
+            if not here or run.verdict in (Verdict.AC, Verdict.JE):
+                continue
+            smallest, first = run.result.counterexample, run.result.failure
+            failure = smallest if smallest is not None and smallest.input is not None else first
+            problem = problem or find_problem(run.problem, common.problems)
+            if failure is None or failure.input is None:
+                break
+            own = file or (shown(run.path) if run.path and Path(run.path).is_file() else None)
+            return _Meant(problem, case_of(failure.input), failure.group or "", own)
+    return _Meant(problem or problem_in_hand(None, common.problems, common.db), None)
+
+
+def _said(tried: Tried, file: str | None, common: Common) -> Said | None:
+    if file is None:
+        return None
+    submissions = read_submissions([file])
+    if len(submissions) > 1:
+        raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
+    with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
+        said = ask_file(session, tried, submissions[0].source, submissions[0].name)
+        Notes().say(session.containment.notes(said.isolation))
+    return said
+
+
+def _content(name: str, problem: Problem, found: CaseTried | None, ask: TryAsk) -> str:
+    """What goes into the page, the SVG file or the file of tests. Raises UsageError."""
+    if name == "test" and found and ask.test:
+        return _test(found, ask.test)
+    if name == "svg" and found:
+        from judge.drawing.svg import to_svg
+        from judge.report.trying import picture_of
+
+        picture = picture_of(found.tried, found.said, "your case")
+        if picture is None:
+            raise UsageError(f"{problem.id} has no picture of this case", remedy="leave out --svg")
+        return to_svg(picture)
+    explore = load_module(problem).hooks.explore
+    values = problem.named(found.tried.case) if found else None
+    page = explore(problem, values) if explore else None
+    if page is None:
+        raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open and --out")
+    return page
+
+
+def _test_target(path: Path) -> OutFile:
+    from judge.diagnose.regression import MARK
+
+    return OutFile(path, "--pytest", "file of such tests", lambda start: start.startswith(MARK))
+
+
+def _test(found: CaseTried, path: Path) -> str:
+    from judge.diagnose.regression import with_case
+
+    said = found.said
+    if said is None or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
+        raise UsageError("--pytest tests a function", remedy="name a file that defines it")
+    return with_case(read_ordinary_text(path) if path.exists() else "", path, Path(said.name), found.tried)
+
+
+class HackAsk(Struct, frozen=True):
+    """What to do about the wrong programs, other than break one."""
+
+    listed: Annotated[bool, opt("--list", help="List the programs, and which ones you broke.")] = False
+    give_up: Annotated[bool, opt("--give-up", help="Name the mistake, and show a smallest case.")] = False
+
+
+@command("hack", HackLine, HackList, numbers=True)
+@click.argument("name", metavar="KATA")
+@click.argument("words", metavar="[N] [CASE]", nargs=-1, type=click.UNPROCESSED)
+@takes(HackAsk, "ask")
+def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Iterator[Struct]:
+    """Find a case on which a wrong program fails.
+
+    N is the program's number, or the name of its mistake. Without it you get the first one that you have not
+    broken; the easiest come first. Write CASE as for judge try; - reads it from standard input, and a
+    terminal asks for it. You learn the name of the mistake when you win or give up.
+
+    Exit status: 0 won, or no case given, 1 not won, 2 usage, or a case that cannot be read, 3 a fault of
+    the judge.
+    """
+    problem = find_problem(name, common.problems)
+    puzzles = read_puzzles(problem) if problem.parameters else ()
+    if not puzzles:
+        raise UsageError(f"{problem.id} has no wrong programs to break", remedy="judge list shows all katas")
+    number, text = _number_and_case(problem, _arguments(words))
+    puzzle = puzzle_called(puzzles, number, problem.id) if number else None
+    hacking = _Hacking(problem, puzzles, common)
+    puzzle = puzzle or hacking.following() or puzzles[0]
+    if ask.listed:
+        yield hacking.listed()
+    elif ask.give_up:
+        yield hacking.given_up(puzzle)
+    elif text is not None:
+        case = read_case(problem, sys.stdin.read(1 << 16) if text == "-" else text)
+        yield hacking.attempted(puzzle, case)
+    else:
+        yield hacking.turn(puzzle, "shown")
+        asked = not common.json and is_terminal(sys.stdin) and is_terminal(sys.stdout)
+        while asked and (typed := _typed()):
+            try:
+                turn = hacking.attempted(puzzle, read_case(problem, typed), goes_on=True)
+            except UsageError as fault:
+                note(str(fault))
+                continue
+            yield turn
+            asked = turn.outcome == "lost"
+
+
+def _typed() -> str:
+    """What is typed at the prompt; nothing at the end of the input."""
+    try:
+        return input("\ncase> ").strip()
+    except EOFError:
+        sys.stdout.write("\n")
+        return ""
+
+
+def _number_and_case(problem: Problem, words: list[str]) -> tuple[str | None, str | None]:
+    """The program that is meant, and the case; None for what was not given."""
+    if not words:
+        return None, None
+    first, text = words[0], " ".join(words)
+    if first == "-" or any(sign in first for sign in ",=([ "):
+        return None, text
+    if len(words) == 1:
+        return first, None
+    with suppress(UsageError):
+        read_case(problem, text)
+        return None, text
+    return first, " ".join(words[1:])
+
+
+class _Hacking:
+    """A person and the wrong programs of a kata; what is tried is kept in the history."""
+
+    def __init__(self, problem: Problem, puzzles: Sequence[Puzzle], common: Common) -> None:
+        self._problem = problem
+        self._puzzles = puzzles
+        self._common = common
+
+    def following(self) -> Puzzle | None:
+        """The first that is open, or else that was given up; None where all are broken."""
+        states = self._states()
+        wanted = (HackState.OPEN, HackState.GIVEN_UP)
+        return next(
+            (each for state in wanted for each in self._puzzles if states[each.mistake] is state), None
+        )
+
+    def listed(self) -> HackList:
+        """How all of them stand."""
+        states = self._states()
+        rows = (
+            HackProgram(each.number, state.value, None if state is HackState.OPEN else each.mistake)
+            for each in self._puzzles
+            for state in (states[each.mistake],)
+        )
+        return HackList(problem=self._problem.id, programs=tuple(rows))
+
+    def attempted(self, puzzle: Puzzle, case: Case, *, goes_on: bool = False) -> HackTurn:
+        """What the program answers to the case, and whether that breaks it."""
+        from judge.judging.hacking import hack as attack
+
+        found = attack(self._problem, puzzle, case, self._common.isolation)
+        text, why = line_of(self._problem, case), found.why
+        if not why and was_shown(puzzle.mistake, text, self._hacks()):
+            why = "this is the case that you saw when you gave up"
+        if found.tried is not None:  # an invalid case says nothing of the person
+            self._keep(puzzle, text, Outcome.LOST if why else Outcome.WON)
+        Notes().say(found.notes)
+        turn = self.turn(puzzle, "lost" if why else "won", found.tried, found.said)
+        return replace(turn, why=why, goes_on=goes_on)
+
+    def given_up(self, puzzle: Puzzle) -> HackTurn:
+        """The mistake, and a smallest case."""
+        from judge.judging.hacking import smallest
+        from judge.report.progress import progress
+
+        tried, said = smallest(self._problem, puzzle, self._common.isolation, progress) or (None, None)
+        self._keep(puzzle, line_of(self._problem, tried.case) if tried else "", Outcome.GIVEN_UP)
+        return self.turn(puzzle, "given-up", tried, said)
+
+    def turn(
+        self, puzzle: Puzzle, outcome: str, tried: Tried | None = None, said: Said | None = None
+    ) -> HackTurn:
+        """What is shown of the program now."""
+        states, following = self._states(), self.following()
+        return HackTurn(
+            problem=self._problem,
+            puzzle=puzzle,
+            outcome=outcome,
+            state=states[puzzle.mistake],
+            done=sum(state is HackState.BROKEN for state in states.values()),
+            programs=len(self._puzzles),
+            following=following.number if following else None,
+            tried=tried,
+            said=said,
+        )
+
+    def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
+        try:
+            with history_at(self._common.db) as history:
+                history.keep(Hack(self._problem.id, puzzle.mistake, case, outcome))
+        except HistoryError as fault:  # what came of it is worth more
+            note(f"this is not kept: {fault}")
+
+    def _hacks(self) -> list[Hack]:
+        with history_at(self._common.db, reading=True) as history:
+            return history.events(Hack, self._problem.id)
+
+    def _states(self) -> dict[str, HackState]:
+        return hack_states([puzzle.mistake for puzzle in self._puzzles], self._hacks())

@@ -1,0 +1,180 @@
+"""What `judge try` and `judge hack` return: the values that are shown, and the lines of their JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from msgspec import Struct
+
+from judge.data.given import line_of
+from judge.diagnose.replay import encode
+from judge.errors import ExitCode
+from judge.kata.hacks import HackState
+from judge.mistakes.puzzles import Puzzle
+from judge.problem import Problem, Verdict
+from judge.report.published import Published
+from judge.run.tried import Said, Tried
+from judge.values import show
+
+
+class CaseRow(Struct, frozen=True):
+    """A case as arguments and as program input, its exact answer, and which answers are accepted.
+
+    `group` is the test group whose tolerance holds, `expected` the answer in the nearest doubles.
+    """
+
+    replay: str
+    group: str
+    input: dict[str, Any]
+    line: str
+    exact: Any
+    expected: str
+    accepted: Any
+
+
+class SaidRow(Struct, frozen=True):
+    """What a submission answered to it; `mode` is null where nothing could be run."""
+
+    submission: str
+    mode: str | None
+    verdict: str
+    got: str
+    message: str
+    printed: str
+    isolation: str | None
+
+
+class CaseLine(Published, frozen=True, kw_only=True):
+    """A case that was tried; `said` is null where no file was."""
+
+    schema: int = 2
+    problem: str
+    case: CaseRow
+    said: SaidRow | None
+
+
+class PageWritten(Published, frozen=True):
+    """A file that was written: a page, a picture or a test."""
+
+    problem: str
+    file: str
+
+
+class HackLine(Published, frozen=True, kw_only=True):
+    """A wrong program; `outcome` is shown, won, lost or given-up. What names its mistake is null before."""
+
+    schema: int = 2
+    problem: str
+    number: int
+    outcome: str
+    state: str
+    why: str
+    mistake: str | None
+    advice: str | None
+    source: str
+    case: CaseRow | None
+    said: SaidRow | None
+
+
+class HackProgram(Struct, frozen=True):
+    """How a wrong program stands: open, broken or given-up; `mistake` is null while it is open."""
+
+    number: int
+    state: str
+    mistake: str | None
+
+
+class HackList(Published, frozen=True):
+    """All wrong programs of a kata."""
+
+    problem: str
+    programs: tuple[HackProgram, ...]
+
+
+class CaseTried(Struct, frozen=True):
+    """A case, its answer, and what a file answered."""
+
+    tried: Tried
+    said: Said | None
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """NOT_ACCEPTED where the file's answer is rejected."""
+        accepted = self.said is None or self.said.verdict is Verdict.AC
+        return ExitCode.ACCEPTED if accepted else ExitCode.NOT_ACCEPTED
+
+    @property
+    def published(self) -> tuple[CaseLine]:
+        """The line of JSON."""
+        line = CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said))
+        return (line,)
+
+
+class HackTurn(Struct, frozen=True, kw_only=True):
+    """A wrong program that is shown, attacked or given up; `following` is the next one to break.
+
+    `done` of `programs` are broken. With `goes_on` a terminal asks for the next case.
+    """
+
+    problem: Problem
+    puzzle: Puzzle
+    outcome: str
+    state: HackState
+    done: int
+    programs: int
+    following: int | None = None
+    why: str = ""
+    tried: Tried | None = None
+    said: Said | None = None
+    goes_on: bool = False
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """NOT_ACCEPTED where it is not broken, and nothing more is asked."""
+        ended = self.outcome in ("lost", "given-up") and not self.goes_on
+        return ExitCode.NOT_ACCEPTED if ended else ExitCode.ACCEPTED
+
+    @property
+    def published(self) -> tuple[HackLine]:
+        """The line of JSON."""
+        told = self.state is not HackState.OPEN
+        line = HackLine(
+            problem=self.problem.id,
+            number=self.puzzle.number,
+            outcome=self.outcome,
+            state=self.state.value,
+            why=self.why,
+            mistake=self.puzzle.mistake if told else None,
+            advice=self.puzzle.advice if told else None,
+            source=self.puzzle.source.decode(),
+            case=_case(self.tried) if self.tried else None,
+            said=_said(self.said),
+        )
+        return (line,)
+
+
+def _case(tried: Tried) -> CaseRow:
+    problem = tried.problem
+    return CaseRow(
+        encode(problem, tried.group, tried.case),
+        tried.group.name,
+        problem.named(tried.case),
+        line_of(problem, tried.case),
+        show.exact_text(problem.answer, tried.exact),
+        tried.expected,
+        show.accepted(problem.answer, tried.target),
+    )
+
+
+def _said(said: Said | None) -> SaidRow | None:
+    if said is None:
+        return None
+    return SaidRow(
+        said.name,
+        said.mode.value if said.mode else None,
+        said.verdict.value,
+        said.got,
+        said.message,
+        said.printed,
+        said.isolation or None,
+    )
