@@ -2,7 +2,8 @@
 
 A command returns a frozen Struct, or an iterator of them where the work is long; it never prints. A value
 may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line) and
-`paged` (whether the pager shows what is longer than the terminal).
+`paged` (whether the pager shows what is longer than the terminal), `plain` (text for another program, such as
+CSV, which is written as it is).
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ def emit(found: Struct | Iterable[Struct], common: Common) -> ExitCode:
         if common.json:
             for each in getattr(value, "published", (value,)):
                 sys.stdout.write(msgspec.json.encode(each, enc_hook=_plain).decode() + "\n")
+            sys.stdout.flush()
+        elif plain := getattr(value, "plain", ""):
+            sys.stdout.write(plain)
             sys.stdout.flush()
         else:
             _show(value)

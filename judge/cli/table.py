@@ -98,12 +98,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "history": Entry(
-            "Show the runs so far.",
+            "Show your runs, one run, or what changed between two.",
             "privacy",
             "history",
             (
                 "judge history count --limit 5",
-                "judge history --restore 3",
+                "judge history 3 5",
+                "judge history 3 --restore",
             ),
         ),
         "try": Entry(
