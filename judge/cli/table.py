@@ -50,21 +50,22 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "hint": Entry(
-            "Give the next hint.",
+            "Give one more hint.",
             "start",
-            "hint",
+            "solution",
             (
                 "judge hint",
                 "judge hint count --step 2",
             ),
         ),
         "solution": Entry(
-            "Explain a model solution.",
+            "Show the model solution, and why it works.",
             "start",
             "solution",
             (
                 "judge solution",
                 "judge solution count --give-up",
+                "judge solution count --times",
             ),
         ),
         "progress": Entry(

@@ -142,13 +142,20 @@ class HintShown(Published, frozen=True, kw_only=True):
 
 
 class ApproachRow(Struct, frozen=True, kw_only=True):
-    """An approach, and what it takes as a multiple of the first one's CPU time; null where not measured."""
+    """An approach, by its name and by what `judge solution` calls it.
+
+    `seconds` are CPU seconds of one case, `ratio` the same as a multiple of the first approach's. Both are
+    null where nothing was measured, and `why_not` says why it could not be.
+    """
 
     name: str
+    call: str
     file: str
     language: str
     about: str
-    times: float | None
+    seconds: float | None
+    ratio: float | None
+    why_not: str
 
 
 class Yours(Struct, frozen=True, kw_only=True):
@@ -156,11 +163,12 @@ class Yours(Struct, frozen=True, kw_only=True):
 
     run: int
     file: str
-    times: float | None
+    seconds: float | None
+    ratio: float | None
 
 
 class SolutionShown(Published, frozen=True, kw_only=True):
-    """A model solution and the approaches beside it; `code` is the id of its language."""
+    """A model solution and all approaches; `code` is the id of its language."""
 
     problem: str
     file: str
@@ -171,3 +179,8 @@ class SolutionShown(Published, frozen=True, kw_only=True):
     program: str
     approaches: tuple[ApproachRow, ...]
     yours: Yours | None
+
+    @property
+    def paged(self) -> bool:
+        """It is longer than most terminals."""
+        return True

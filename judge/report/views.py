@@ -28,6 +28,8 @@ VIEWS: Mapping[str, tuple[str, str]] = {
     "RunShown": ("history", "run_shown"),
     "RunsCompared": ("history", "runs_compared"),
     "Restored": ("history", "restored"),
+    "HintShown": ("solution", "hint"),
+    "SolutionShown": ("solution", "solution"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),

@@ -39,7 +39,7 @@ RUN_IT = {
     "explore": "explore",
     "class": "class homework",
     "replay": "replay {id} mine.py",
-    "solution": "solution middle --give-up",
+    "solution": "solution middle --give-up --times --rounds 1",
     "export": "export middle --out made --format files",
     "verify": "verify middle",
     "report": "report",
@@ -96,7 +96,7 @@ def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path
 
 def test_these_commands_only_read_it(judge, practised, mark):
     assert {*READ, *RUN_IT, "watch"} == set(COMMANDS)
-    more = ["solution middle --give-up --no-time", "hack middle", "hack middle --list"]
+    more = ["solution middle --give-up", "hack middle", "hack middle --list"]
     for words in (*(each for ways in READ.values() for each in ways), *more):
         assert judge(*words.split()).status == 0, words
         assert not mark.exists(), words
