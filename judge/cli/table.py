@@ -69,13 +69,14 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "progress": Entry(
-            "Show what you can do so far.",
+            "Show what you can do, what is due, and what comes next.",
             "start",
             "progress",
             (
                 "judge progress",
                 "judge progress junior",
-                "judge progress --question Q7",
+                "judge progress --due",
+                "judge progress --html --name Ada",
             ),
         ),
     },
@@ -193,13 +194,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 "judge next --init",
             ),
         ),
-        "due": Entry("Say what to do again today.", "start", "due", ("judge due",)),
-        "report": Entry(
-            "Write the history as one HTML page.",
-            "privacy",
-            "report",
-            ("judge report --out me.html --name Ada",),
-        ),
         "replay": Entry(
             "Judge a submission on one case, by its replay id.",
             "failures",
@@ -227,6 +221,8 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
+    "due": ("progress", "--due"),
+    "report": ("progress", "--html"),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
     "schema": ("help", "--schema"),
