@@ -9,7 +9,9 @@ from itertools import groupby
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.kata.events import Rating
 from judge.kata.progress import Covered, Evidence, Kind, Question, SkillProgress, State
+from judge.kata.review import Review
 from judge.languages import file_name
 from judge.problem.model import FULL_SCORE, KataLevel
 from judge.report.history import day
@@ -36,7 +38,6 @@ from judge.report.published_progress import (
     ProgressPage,
     ProgressShown,
     QuestionShown,
-    ReviewRow,
     SetShare,
     Unfinished,
 )
@@ -232,7 +233,7 @@ def due(found: DueShown, _screen: Screen) -> RenderableType:
     return Group(*parts[:-1])
 
 
-def _reviews(rows: Sequence[ReviewRow], now: datetime) -> RenderableType:
+def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
     return indented(
         table(
             ("kata", "due", "last time"),
@@ -242,7 +243,7 @@ def _reviews(rows: Sequence[ReviewRow], now: datetime) -> RenderableType:
                     due_words(each.due, now),
                     text(
                         f"{day(each.last)}: {_why(each)}",
-                        {"again": BAD, "hard": WARNING}.get(each.rating, ""),
+                        {Rating.AGAIN: BAD, Rating.HARD: WARNING}.get(each.rating, ""),
                     ),
                 )
                 for each in rows
@@ -259,11 +260,11 @@ def due_words(due: datetime, now: datetime) -> str:
     return "today" if days == 0 else f"in {counted(days, 'day')}"
 
 
-def _why(each: ReviewRow) -> str:
+def _why(each: Review) -> str:
     """What happened, and after how many days it therefore comes again."""
-    if each.rating == "again":
+    if each.rating is Rating.AGAIN:
         how = "not solved"
-    elif each.rating == "hard":
+    elif each.rating is Rating.HARD:
         how = "solved, but not at once"
     else:
         row = {1: "", 2: " twice in a row"}.get(each.in_a_row, f" {each.in_a_row} times in a row")

@@ -9,14 +9,19 @@ from msgspec import Struct
 from judge.kata.events import Run
 from judge.problem import Verdict
 from judge.report.published import Published
-from judge.run.result import Mode, Result
+from judge.run.result import Mode, Result, Taken
 
 
-class RunRow(Published, frozen=True, kw_only=True):
+class RunRow(
+    Published,
+    frozen=True,
+    kw_only=True,
+    rename={"id": "run", "when": "time", "source_hash": "source"},
+):
     """A run with its result; `source` is the sha256 of what was judged, `passed` and `failed` name groups."""
 
-    run: int
-    time: datetime
+    id: int
+    when: datetime
     problem: str
     submission: str
     path: str
@@ -28,29 +33,16 @@ class RunRow(Published, frozen=True, kw_only=True):
     passed: tuple[str, ...]
     failed: tuple[str, ...]
     levels: tuple[str, ...]
-    source: str
+    source_hash: str
     result: Result
+
+
+_COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
 
 
 def run_row(run: Run) -> RunRow:
     """The row of a run. Raises HistoryError where its result is damaged."""
-    return RunRow(
-        run=run.id,
-        time=run.when,
-        problem=run.problem,
-        submission=run.submission,
-        path=run.path,
-        verdict=run.verdict,
-        score=run.score,
-        mode=run.mode,
-        mistake=run.mistake,
-        ratio=run.ratio,
-        passed=run.passed,
-        failed=run.failed,
-        levels=run.levels,
-        source=run.source_hash,
-        result=run.result,
-    )
+    return RunRow(**{name: getattr(run, name) for name in _COLUMNS})
 
 
 class RunList(Struct, frozen=True):
@@ -73,10 +65,8 @@ class RunList(Struct, frozen=True):
             return ""
         from judge.report.sheet import csv_text  # only who asks for it waits for it
 
-        names = [name for name in RunRow.__struct_fields__ if name not in ("schema", "result")]
-        return csv_text(
-            [names, *([_cell(getattr(row, name)) for name in names] for row in self.published)], "\n"
-        )
+        rows = [[_cell(getattr(row, name)) for name in _COLUMNS[:-1]] for row in self.published]
+        return csv_text([RunRow.__struct_encode_fields__[1:-1], *rows], "\n")
 
 
 def _cell(value: object) -> object:
@@ -142,29 +132,22 @@ class HintShown(Published, frozen=True, kw_only=True):
 
 
 class ApproachRow(Struct, frozen=True, kw_only=True):
-    """An approach, by its name and by what `judge solution` calls it.
-
-    `seconds` are CPU seconds of one case, `ratio` the same as a multiple of the first approach's. Both are
-    null where nothing was measured, and `why_not` says why it could not be.
-    """
+    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
 
     name: str
     call: str
     file: str
     language: str
     about: str
-    seconds: float | None
-    ratio: float | None
-    why_not: str
+    taken: Taken | None
 
 
 class Yours(Struct, frozen=True, kw_only=True):
-    """The latest run of the person's own that solved the kata."""
+    """The latest run of the person's own that solved the kata, and what it takes."""
 
     run: int
     file: str
-    seconds: float | None
-    ratio: float | None
+    taken: Taken | None
 
 
 class SolutionShown(Published, frozen=True, kw_only=True):

@@ -8,6 +8,7 @@ from msgspec import Struct
 
 from judge.kata.hacks import HackShare
 from judge.kata.progress import Covered, Question, SkillProgress
+from judge.kata.review import Review
 from judge.report.published import Published
 
 
@@ -43,24 +44,11 @@ class NextKata(Struct, frozen=True, kw_only=True):
     skill: str
 
 
-class ReviewRow(Struct, frozen=True, kw_only=True):
-    """A kata or card that comes again `days` after its `last` sitting, which went as `rating` says."""
-
-    name: str
-    due: datetime
-    last: datetime
-    rating: str
-    sittings: int
-    in_a_row: int
-    days: int
-    solved: bool
-
-
 class CardsDue(Struct, frozen=True):
     """The cards that were answered before."""
 
-    due: tuple[ReviewRow, ...]
-    later: tuple[ReviewRow, ...]
+    due: tuple[Review, ...]
+    later: tuple[Review, ...]
 
 
 class DueShown(Published, frozen=True, kw_only=True):
@@ -68,8 +56,8 @@ class DueShown(Published, frozen=True, kw_only=True):
 
     time: datetime
     now: tuple[Unfinished, ...]
-    due: tuple[ReviewRow, ...]
-    later: tuple[ReviewRow, ...]
+    due: tuple[Review, ...]
+    later: tuple[Review, ...]
     elsewhere: tuple[str, ...]
     cards: CardsDue
 

@@ -14,6 +14,7 @@ from judge.report.published_practice import HintShown, SolutionShown
 from judge.report.screen import Screen, is_terminal
 from judge.report.statement import prose
 from judge.report.values import seconds, times
+from judge.run.result import Taken
 
 
 def hint(found: HintShown, screen: Screen) -> RenderableType:
@@ -35,8 +36,8 @@ def solution(found: SolutionShown, screen: Screen) -> RenderableType:
     if not is_terminal(screen.stream):
         rows = [f"```{found.code}", *rows, "```"]
     code = [Text(row, no_wrap=True, overflow="ignore") for row in rows]
-    timed = any(each.seconds is not None or each.why_not for each in found.approaches)
-    return Group(head, Text(), *explained, *code, Text(), *(_timed(found) if timed else _beside(found)))
+    timed = found.approaches[0].taken
+    return Group(head, Text(), *explained, *code, Text(), *([_timed(found)] if timed else _beside(found)))
 
 
 def _beside(found: SolutionShown) -> Iterator[RenderableType]:
@@ -60,28 +61,19 @@ def _beside(found: SolutionShown) -> Iterator[RenderableType]:
     yield commands([*below, (f"judge solution {found.problem} --times", "what each takes")])
 
 
-def _timed(found: SolutionShown) -> Iterator[RenderableType]:
+def _timed(found: SolutionShown) -> RenderableType:
     """What each approach takes for one case, the person's own last."""
-    first = found.approaches[0].call
-    rows = [
-        (
-            text(each.call, STRONG),
-            each.language,
-            _short(each.seconds),
-            times(each.ratio) if each.ratio is not None else "",
-            text(each.why_not, FAINT),
-        )
-        for each in found.approaches
-    ]
-    if (own := found.yours) is not None and own.seconds is not None:
-        ratio = times(own.ratio) if own.ratio is not None else ""
+    rows = [(text(each.call, STRONG), each.language, *_taken(each.taken)) for each in found.approaches]
+    if own := found.yours:
         which = text(f"run {own.run}, {shown_name(own.file)}", FAINT)
-        rows.append((text("yours", GOOD), "", _short(own.seconds), ratio, which))
-    yield table(("approach", "language", "CPU, one case", f"× {first}", ""), rows, right=[2, 3])
+        rows.append((text("yours", GOOD), "", *_taken(own.taken)[:2], which))
+    titles = ("approach", "language", "CPU, one case", f"× {found.approaches[0].call}", "")
+    return table(titles, rows, right=[2, 3])
 
 
-def _short(taken: float | None) -> str:
-    """CPU seconds of a case, which are often few microseconds."""
-    if taken is None:
-        return ""
-    return f"{1e6 * taken:.3g} µs" if taken < 1e-3 else seconds(taken)
+def _taken(taken: Taken | None) -> tuple[str, str, Text]:
+    """CPU seconds of a case, which are often few microseconds, the ratio, and why there are none."""
+    if taken is None or taken.seconds is None:
+        return "", "", text(taken.why_not if taken else "", FAINT)
+    short = f"{1e6 * taken.seconds:.3g} µs" if taken.seconds < 1e-3 else seconds(taken.seconds)
+    return short, times(taken.ratio) if taken.ratio is not None else "", Text()

@@ -19,7 +19,7 @@ from judge.problem import Case, Problem
 from judge.run.alone import Machine
 from judge.run.execute import opened
 from judge.run.laps import course, passes_for
-from judge.run.result import Failure
+from judge.run.result import Failure, Taken
 from judge.sandbox.boundary import Box, BoxFactory, Limits
 
 _LONG_SECONDS = 0.3  # of CPU time beyond the first pass
@@ -34,14 +34,6 @@ class Program(Struct, frozen=True):
     name: str
     source: bytes
     warms: bool = False
-
-
-class Taken(Struct, frozen=True):
-    """CPU seconds of one case, and as a multiple of the first program's; None where `why_not` says why."""
-
-    seconds: float | None = None
-    ratio: float | None = None
-    why_not: str = ""
 
 
 def measure(

@@ -22,7 +22,7 @@ from judge.kata.events import Answer, Hack, Help
 from judge.kata.hacks import hack_shares
 from judge.kata.history import History
 from judge.kata.progress import Progress, State, read_progress, standings
-from judge.kata.review import Review, card_reviews, reviews
+from judge.kata.review import card_reviews, reviews
 from judge.kata.sets import USUAL, PracticeSet, find_set, sound_sets
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
@@ -35,7 +35,6 @@ from judge.report.published_progress import (
     ProgressPage,
     ProgressShown,
     QuestionShown,
-    ReviewRow,
     SetShare,
     Unfinished,
 )
@@ -155,26 +154,13 @@ def _due(history: History, folders: Sequence[Path]) -> DueShown:
     return DueShown(
         time=today,
         now=tuple(Unfinished(problem=name, best=each.best, last=each.last) for name, each in tried.items()),
-        due=tuple(_row(each) for each in known if each.is_due(today)),
-        later=tuple(_row(each) for each in known if not each.is_due(today)),
+        due=tuple(each for each in known if each.is_due(today)),
+        later=tuple(each for each in known if not each.is_due(today)),
         elsewhere=tuple(sorted({each.name for each in found} - here)),
         cards=CardsDue(
-            tuple(_row(each) for each in cards if each.is_due(today)),
-            tuple(_row(each) for each in cards if not each.is_due(today)),
+            tuple(each for each in cards if each.is_due(today)),
+            tuple(each for each in cards if not each.is_due(today)),
         ),
-    )
-
-
-def _row(each: Review) -> ReviewRow:
-    return ReviewRow(
-        name=each.name,
-        due=each.due,
-        last=each.last,
-        rating=each.rating.name.lower(),
-        sittings=each.sittings,
-        in_a_row=each.in_a_row,
-        days=each.days,
-        solved=each.solved,
     )
 
 

@@ -16,14 +16,15 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import UsageError
 from judge.kata.events import Help
-from judge.kata.model import Model, approaches, chosen_approach
+from judge.kata.model import approaches, chosen_approach
 from judge.languages import language_of
 from judge.problem import Problem
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
 if TYPE_CHECKING:
     from judge.kata.events import Run
-    from judge.run.times import Program, Taken
+    from judge.run.result import Taken
+    from judge.run.times import Program
 
 _ROUNDS = 3
 
@@ -122,30 +123,18 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
         idea=model.idea,
         explanation=model.explanation,
         program=model.program,
-        approaches=tuple(_row(*each) for each in zip(models, taken, strict=False)),
-        yours=_yours(yours[0], taken[-1]) if yours else None,
-    )
-
-
-def _row(model: Model, taken: Taken | None) -> ApproachRow:
-    return ApproachRow(
-        name=model.name,
-        call=model.call,
-        file=model.path.name,
-        language=model.tongue,
-        about=model.about,
-        seconds=taken.seconds if taken else None,
-        ratio=taken.ratio if taken else None,
-        why_not=taken.why_not if taken else "",
-    )
-
-
-def _yours(run: Run, taken: Taken | None) -> Yours:
-    return Yours(
-        run=run.id,
-        file=run.submission,
-        seconds=taken.seconds if taken else None,
-        ratio=taken.ratio if taken else None,
+        approaches=tuple(
+            ApproachRow(
+                name=each.name,
+                call=each.call,
+                file=each.path.name,
+                language=each.tongue,
+                about=each.about,
+                taken=its,
+            )
+            for each, its in zip(models, taken, strict=False)
+        ),
+        yours=Yours(run=yours[0].id, file=yours[0].submission, taken=taken[-1]) if yours else None,
     )
 
 
@@ -157,7 +146,8 @@ def _measured(
     from judge.judging.containment import Containment
     from judge.languages.find import why_not
     from judge.report.progress import progress
-    from judge.run.times import Program, Taken, measure
+    from judge.run.result import Taken
+    from judge.run.times import Program, measure
 
     missing = [why_not(language) if (language := language_of(name)) else "" for name, _ in programs]
     here: list[Program] = []
