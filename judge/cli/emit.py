@@ -1,14 +1,16 @@
 """What becomes of a command's value: JSON on standard output, or its view on the screen.
 
 A command returns a frozen Struct, or an iterator of them where the work is long; it never prints. A value
-may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line), `raw`
-(lines that are written as they are) and `paged` (whether the pager shows what is longer than the terminal).
+may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line),
+`plain` (text for another program, such as CSV, which is written as it is) and `paged` (whether the pager
+shows what is longer than the terminal).
 """
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Generator, Iterable
+from contextlib import suppress
 from inspect import cleandoc
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,22 +27,36 @@ if TYPE_CHECKING:
 
 
 def emit(found: Struct | Iterable[Struct], common: Common) -> ExitCode:
-    """Write each value as soon as it is there; the greatest `exit_code` of them all."""
+    """Write each value as soon as it is there; the greatest `exit_code` of them all.
+
+    Ctrl-C between two values goes to who makes them, who may have something to say before it ends.
+    """
+    values = iter((found,) if isinstance(found, Struct) else found)
     worst = ExitCode.ACCEPTED
-    for value in (found,) if isinstance(found, Struct) else found:
-        if common.json:
-            for each in getattr(value, "published", (value,)):
-                sys.stdout.write(_json(each) + "\n")
-            sys.stdout.flush()
-        elif lines := getattr(value, "raw", ()):
-            encoding = sys.stdout.encoding or "utf-8"
-            for each in lines:
-                sys.stdout.write(each.encode(encoding, "backslashreplace").decode(encoding) + "\n")
-            sys.stdout.flush()
-        else:
-            _show(value)
-        worst = max(worst, getattr(value, "exit_code", worst))
+    try:
+        for value in values:
+            worst = max(worst, _written(value, common))
+    except KeyboardInterrupt as pressed:
+        if isinstance(values, Generator):
+            with suppress(StopIteration):
+                _written(values.throw(pressed), common)
+        raise
     return worst
+
+
+def _written(value: Struct, common: Common) -> ExitCode:
+    """Write the value; its exit code."""
+    if common.json:
+        for each in getattr(value, "published", (value,)):
+            sys.stdout.write(_json(each) + "\n")
+        sys.stdout.flush()
+    elif plain := getattr(value, "plain", ""):
+        encoding = sys.stdout.encoding or "utf-8"
+        sys.stdout.write(plain.encode(encoding, "backslashreplace").decode(encoding))
+        sys.stdout.flush()
+    else:
+        _show(value)
+    return getattr(value, "exit_code", ExitCode.ACCEPTED)
 
 
 def schema_of(command: click.Command) -> dict[str, Any]:
@@ -84,6 +100,4 @@ def _show(value: Struct) -> None:
     from judge.report.views import view
 
     screen = out()
-    shown = view(value, screen)
-    if shown is not None:
-        (show_paged if getattr(value, "paged", False) else show)(shown, screen)
+    (show_paged if getattr(value, "paged", False) else show)(view(value, screen), screen)

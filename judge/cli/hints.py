@@ -1,4 +1,4 @@
-"""The hints to a problem, and which of them the person has seen."""
+"""The hints to a kata, and which of them the person has seen."""
 
 from __future__ import annotations
 
@@ -6,37 +6,42 @@ from pathlib import Path
 
 from judge.errors import UsageError
 from judge.problem import Problem
-from judge.problem.hints import Hint, read_hints
+from judge.problem.hints import read_hints
+from judge.report.published_practice import HintShown
 
 
-def hints_of(problem: Problem) -> tuple[Hint, ...]:
-    """The problem's hints. Raises UsageError if it has none, ProblemError if they are broken."""
+def hints_of(problem: Problem) -> list[HintShown]:
+    """All hints to a kata. Raises UsageError if it has none, ProblemError if they are broken."""
     hints = read_hints(problem)
     if not hints:
         remedy = f"'judge show {problem.id} --groups' says what its test groups show"
         raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
-    return hints
+    return [
+        HintShown(problem=problem.id, step=each.number, steps=len(hints), title=each.title, text=each.text)
+        for each in hints
+    ]
 
 
-def next_hint(problem: Problem, hints: tuple[Hint, ...], db: Path | None) -> Hint:
-    """The first that was not seen yet; when all were, the last."""
-    return hints[min(hints_seen(problem, db), len(hints) - 1)]
-
-
-def note_seen(problem: Problem, hint: Hint, db: Path | None) -> None:
-    """Remember that the hints up to this one have been seen."""
-    from judge.cli.kept import history_at
-    from judge.kata.events import Help
-
-    if hint.number > hints_seen(problem, db):
-        with history_at(db) as history:
-            history.keep(Help(problem.id, hint.number))
-
-
-def hints_seen(problem: Problem, db: Path | None) -> int:
-    """How many of the problem's hints have been seen."""
+def hints_seen(problem: str, db: Path | None) -> int:
+    """How many of the kata's hints have been seen."""
     from judge.cli.kept import history_at
     from judge.kata.events import Help
 
     with history_at(db, reading=True) as history:
-        return max((each.hints for each in history.events(Help, problem.id)), default=0)
+        return max((each.hints for each in history.events(Help, problem)), default=0)
+
+
+def note_seen(hint: HintShown, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    from judge.cli.kept import history_at
+    from judge.kata.events import Help
+
+    if hint.step > hints_seen(hint.problem, db):
+        with history_at(db) as history:
+            history.keep(Help(hint.problem, hint.step))
+
+
+def next_hint(problem: Problem, db: Path | None) -> HintShown:
+    """The first that was not seen yet; when all were, the last. Raises as `hints_of`."""
+    hints = hints_of(problem)
+    return hints[min(hints_seen(problem.id, db), len(hints) - 1)]

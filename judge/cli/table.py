@@ -50,31 +50,33 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "hint": Entry(
-            "Give the next hint.",
+            "Give one more hint.",
             "start",
-            "hint",
+            "solution",
             (
                 "judge hint",
                 "judge hint count --step 2",
             ),
         ),
         "solution": Entry(
-            "Explain a model solution.",
+            "Show the model solution, and why it works.",
             "start",
             "solution",
             (
                 "judge solution",
                 "judge solution count --give-up",
+                "judge solution count --times",
             ),
         ),
         "progress": Entry(
-            "Show what you can do so far.",
+            "Show what you can do, what is due, and what comes next.",
             "start",
             "progress",
             (
                 "judge progress",
                 "judge progress junior",
-                "judge progress --question Q7",
+                "judge progress --due",
+                "judge progress --html --name Ada",
             ),
         ),
     },
@@ -98,12 +100,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ),
         ),
         "history": Entry(
-            "Show the runs so far.",
+            "Show your runs, one run, or what changed between two.",
             "privacy",
             "history",
             (
                 "judge history count --limit 5",
-                "judge history --restore 3",
+                "judge history 3 5",
+                "judge history 3 --restore",
             ),
         ),
         "try": Entry(
@@ -192,13 +195,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 "judge next --init",
             ),
         ),
-        "due": Entry("Say what to do again today.", "start", "due", ("judge due",)),
-        "report": Entry(
-            "Write the history as one HTML page.",
-            "privacy",
-            "report",
-            ("judge report --out me.html --name Ada",),
-        ),
     },
 }
 COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
@@ -206,6 +202,8 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
     "stress": ("run", "--fresh", "30s"),
+    "due": ("progress", "--due"),
+    "report": ("progress", "--html"),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
     "replay": ("try",),

@@ -9,7 +9,7 @@ from io import StringIO
 from pathlib import Path
 from queue import SimpleQueue
 
-from judge.cli.hints import hints_of, next_hint, note_seen
+from judge.cli.hints import next_hint, note_seen
 from judge.cli.kata import Kata, next_problem, take_up, the_path, write_stub
 from judge.cli.picture import Drawing
 from judge.cli.watching import WatchedFile, await_event, handled
@@ -17,13 +17,13 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError
 from judge.kata.saves import Saves
 from judge.kata.stub import file_name
-from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
 from judge.report.practice import practice_lines
 from judge.report.results import verdict_lines
 from judge.report.screen import Screen, drawn, out
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
+from judge.report.views import view
 from judge.report.watch import note_text, prompt_text, report_lines
 
 _SAVED, _RESIZED = "saved", "resized"
@@ -162,11 +162,9 @@ class _WatchScreen:
 
     def hint(self) -> View:
         """The next hint."""
-        problem = self._kata.problem
-        hints = hints_of(problem)
-        hint = next_hint(problem, hints, self._wish.db)
-        note_seen(problem, hint, self._wish.db)
-        return lambda screen: hint_text(problem, hint, len(hints), screen)
+        hint = next_hint(self._kata.problem, self._wish.db)
+        note_seen(hint, self._wish.db)
+        return lambda screen: drawn(view(hint, screen), screen)
 
     def path(self) -> View:
         """The path, and how far one is."""

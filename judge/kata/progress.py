@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
 from pathlib import Path
@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec import Struct
 
 from judge.errors import HistoryError, ProblemError
-from judge.kata.checklist import Checklist, Row, Section, Skill, read_checklist
+from judge.kata.checklist import Checklist, Row, Section, read_checklist
 from judge.kata.events import Answer, Hack, Run
 from judge.kata.hacks import broken
 from judge.problem import Problem
@@ -72,7 +72,7 @@ class Covered(Struct, frozen=True):
     since: datetime | None = None
     failing: tuple[str, ...] = ()
     attempts: int = 0
-    mistakes: Mapping[str, int] = {}
+    mistakes: dict[str, int] = {}
 
     @property
     def lost(self) -> bool:
@@ -81,38 +81,24 @@ class Covered(Struct, frozen=True):
 
 
 class SkillProgress(Struct, frozen=True):
-    """One skill, and how each of its needs stands."""
+    """One skill: since when it is shown, and how each of its needs stands.
 
-    skill: Skill
+    `attempts` are the runs that it took on the problem where it was first shown, or has taken so far on all;
+    `mistakes` are those that stood in its way, and how often.
+    """
+
+    name: str
+    about: str
+    state: State
+    since: datetime | None
+    attempts: int
+    mistakes: dict[str, int]
     needs: tuple[Covered, ...]
 
     @property
     def met(self) -> int:
         """How many of the needs were met."""
         return sum(need.since is not None for need in self.needs)
-
-    @property
-    def state(self) -> State:
-        """How far it has come."""
-        if any(need.lost for need in self.needs):
-            return State.LOST
-        return State.SHOWN if self.met else State.OPEN
-
-    @property
-    def since(self) -> datetime | None:
-        """When it was first shown; None if it never was."""
-        return min((need.since for need in self.needs if need.since is not None), default=None)
-
-    @property
-    def attempts(self) -> int:
-        """The runs that it took on the problem where it was first shown, or has taken so far on all."""
-        first = [need.attempts for need in self.needs if need.since is not None and need.since == self.since]
-        return first[0] if first else sum(need.attempts for need in self.needs)
-
-    @property
-    def mistakes(self) -> Counter[str]:
-        """The mistakes that stood in its way, and how often."""
-        return sum((Counter(need.mistakes) for need in self.needs), Counter())
 
 
 class Kind(Enum):
@@ -137,38 +123,23 @@ class Evidence(Struct, frozen=True):
     lost: bool = False
 
 
-class RowProgress(Struct, frozen=True):
-    """A question, and all that may tick it: only what is here."""
+class Question(Struct, frozen=True):
+    """A question of the checklist: its id (`row`), the title of its section, and what may tick it (`by`).
 
-    row: Row
-    evidence: tuple[Evidence, ...]
+    `since` says since when it has been ticked; only what is here is in `by`.
+    """
 
-    def of(self, kind: Kind) -> tuple[Evidence, ...]:
-        """What there is of one kind."""
-        return tuple(each for each in self.evidence if each.kind is kind)
-
-    @property
-    def since(self) -> datetime | None:
-        """Since when it has been ticked; None where it is not."""
-        found = []
-        for kind in Kind:
-            dates = [None if each.lost else each.since for each in self.of(kind)]
-            there = [date for date in dates if date is not None]
-            if there and (kind is Kind.BROKEN or len(there) == len(dates)):
-                found.append(min(there) if kind is Kind.BROKEN else max(there))
-        return min(found, default=None)
-
-    @property
-    def state(self) -> State:
-        """How far it has come."""
-        if self.since is not None:
-            return State.SHOWN
-        return State.LOST if any(each.lost for each in self.evidence) else State.OPEN
+    row: str
+    section: str
+    ask: str
+    state: State
+    since: datetime | None
+    by: tuple[Evidence, ...]
 
     @property
     def drills(self) -> tuple[str, ...]:
         """The commands that practise it, what does not tick it yet first; each once."""
-        waiting = sorted(self.evidence, key=lambda each: each.since is not None and not each.lost)
+        waiting = sorted(self.by, key=lambda each: each.since is not None and not each.lost)
         return tuple(dict.fromkeys(each.drill for each in waiting))
 
 
@@ -178,24 +149,28 @@ class Progress(Struct, frozen=True):
     standings: Mapping[str, Standing]
     levels: tuple[Covered, ...]
     skills: tuple[SkillProgress, ...]
-    sections: tuple[tuple[Section, tuple[RowProgress, ...]], ...] = ()
+    sections: tuple[tuple[Section, tuple[Question, ...]], ...] = ()
     mistakes: Mapping[str, Counter[str]] = {}
 
     def within(self, problems: Collection[str]) -> Progress:
         """The same of these problems alone; all questions stay."""
-        needs = [(each.skill, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
+        needs = [(each, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
         return Progress(
             {name: standing for name, standing in self.standings.items() if name in problems},
             tuple(level for level in self.levels if level.problem in problems),
-            tuple(SkillProgress(skill, own) for skill, own in needs if own),
+            tuple(_skill(each.name, each.about, own) for each, own in needs if own),
             self.sections,
             {name: made for name, made in self.mistakes.items() if name in problems},
         )
 
+    def solved(self, problem: str) -> bool:
+        """Whether the person has solved the problem."""
+        return self.standings.get(problem, Standing()).passed is not None
 
-def mistake_names(run: Run) -> list[str]:
-    """The mistakes that explained the run, none, one or two."""
-    return run.mistake.split(" + ") if run.mistake else []
+    def stars(self, problem: str) -> int:
+        """1 once the problem's interview level is passed, 2 with production."""
+        passed = [level.since is not None for level in self.levels if level.problem == problem]
+        return len(passed) if self.solved(problem) else sum(passed)
 
 
 def standings(runs: Iterable[Run]) -> dict[str, Standing]:
@@ -211,11 +186,6 @@ def standings(runs: Iterable[Run]) -> dict[str, Standing]:
                 run.when,
             )
     return found
-
-
-def levels(problem: Problem, runs: Iterable[Run]) -> list[Covered]:
-    """Each level of a problem after these runs, which are in their order; the easier level first."""
-    return _levels(problem, _tries(problem, runs))
 
 
 def read_progress(
@@ -246,49 +216,39 @@ def assess(
 
     `problems` are all that can be found, `cards` likewise.
     """
-    of_problem: defaultdict[str, list[Run]] = defaultdict(list)
-    for run in runs:
-        of_problem[run.problem].append(run)
-    tries = {problem.id: _tries(problem, of_problem[problem.id]) for problem in problems}
+    tries = {problem.id: _tries(problem, runs) for problem in problems}
     needs: defaultdict[str, list[Covered]] = defaultdict(list)
     for problem in problems:
         for shown in problem.skills:
             kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
             needs[shown.name].append(_covered(problem.id, shown.groups, tries[problem.id], kills))
-    skills = [SkillProgress(each, tuple(needs[each.name])) for each in checklist.skills if each.name in needs]
+    named = [each for each in checklist.skills if each.name in needs]
+    skills = tuple(_skill(each.name, each.about, tuple(needs[each.name])) for each in named)
     made: defaultdict[str, Counter[str]] = defaultdict(Counter)
     for run in runs:
-        if run.counts and run.mistake:
-            made[run.problem].update(mistake_names(run))
+        if run.counts:
+            made[run.problem].update(_mistakes(run))
     found = standings(runs)
     katas = {
         each.id: Evidence(Kind.KATA, each.id, f"judge init {each.id}", found.get(each.id, Standing()).passed)
         for each in problems
     }
-    skilled = {each.skill.name: _of_skill(each) for each in skills}
-    answered = _of_cards((card for card in cards if not card.problem or card.problem in katas), answers)
-    attempts: defaultdict[str, list[Hack]] = defaultdict(list)
-    for hack in hacks:
-        attempts[hack.problem].append(hack)
-    rows = []
-    for row in checklist.rows:
-        evidence = [katas[name] for name in row.katas if name in katas]
-        evidence += [skilled[name] for name in row.skills if name in skilled]
-        evidence += answered[row.id]
-        for name in row.broken:
-            problem_id, mistake = name.split("/")
-            when = broken(attempts[problem_id]).get(mistake)
-            if when or problem_id in katas:
-                evidence.append(Evidence(Kind.BROKEN, name, f"judge hack {problem_id} {mistake}", when))
-        rows.append(RowProgress(row, tuple(evidence)))
-    own = [(part, tuple(row for row in rows if row.row.section == part.id)) for part in checklist.sections]
-    return Progress(
-        found,
-        tuple(level for problem in problems for level in _levels(problem, tries[problem.id])),
-        tuple(skills),
-        tuple((section, its) for section, its in own if its),
-        made,
-    )
+    skilled = {each.name: _of_skill(each) for each in skills}
+    carded = _of_cards((card for card in cards if not card.problem or card.problem in katas), answers)
+    attempts = tuple(hacks)
+
+    def question(row: Row, title: str) -> Question:
+        by = [katas[name] for name in row.katas if name in katas]
+        by += [skilled[name] for name in row.skills if name in skilled]
+        by += carded[row.id]
+        return _question(row, title, (*by, *_of_hacks(row, attempts, katas)))
+
+    sections = []
+    for part in checklist.sections:
+        its = tuple(question(row, part.title) for row in checklist.rows if row.section == part.id)
+        sections += [(part, its)] if its else []
+    levels = tuple(level for problem in problems for level in _levels(problem, tries[problem.id]))
+    return Progress(found, levels, skills, tuple(sections), made)
 
 
 class _Tried(NamedTuple):
@@ -316,18 +276,16 @@ def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
     return found
 
 
-def _levels(problem: Problem, tries: Sequence[_Tried]) -> list[Covered]:
-    found = []
+def _levels(problem: Problem, tries: Sequence[_Tried]) -> Iterator[Covered]:
+    """Each level of the problem, the easier first."""
     for level in problem.levels:
         groups = tuple(group.name for group in problem.of_level(level))
+        whole = frozenset(groups)
         its = [
-            each._replace(passed=frozenset(groups), failed=frozenset())
-            if level.value in each.levels
-            else each
+            each._replace(passed=whole, failed=frozenset()) if level.value in each.levels else each
             for each in tries
         ]
-        found.append(_covered(problem.id, groups, its, (), level))
-    return found
+        yield _covered(problem.id, groups, its, (), level)
 
 
 def _covered(
@@ -353,16 +311,58 @@ def _covered(
         if since is None and passes == wanted:
             since = run.when
         if fails:
-            made.update(name for name in mistake_names(run) if name in mistakes)
+            made.update(name for name in _mistakes(run) if name in mistakes)
     lost = tuple(group for group in groups if group in failing)
     return Covered(problem, groups, level, best, since, lost, attempts, made)
 
 
-def _of_skill(progress: SkillProgress) -> Evidence:
-    needs = progress.needs
+def _mistakes(run: Run) -> list[str]:
+    """The mistakes that explained the run, none, one or two."""
+    return run.mistake.split(" + ") if run.mistake else []
+
+
+def _skill(name: str, about: str, needs: tuple[Covered, ...]) -> SkillProgress:
+    since = min((need.since for need in needs if need.since is not None), default=None)
+    firsts = [need.attempts for need in needs if since and need.since == since]
+    lost = any(need.lost for need in needs)
+    return SkillProgress(
+        name,
+        about,
+        State.LOST if lost else State.SHOWN if since else State.OPEN,
+        since,
+        firsts[0] if firsts else sum(need.attempts for need in needs),
+        dict(sum((Counter(need.mistakes) for need in needs), Counter[str]()).most_common()),
+        needs,
+    )
+
+
+def _question(row: Row, section: str, by: tuple[Evidence, ...]) -> Question:
+    """The question: ticked by all of one kind, or by one mistake that was broken."""
+    dates = []
+    for kind in Kind:
+        own = [None if each.lost else each.since for each in by if each.kind is kind]
+        there = [date for date in own if date is not None]
+        if there and (kind is Kind.BROKEN or len(there) == len(own)):
+            dates.append(min(there) if kind is Kind.BROKEN else max(there))
+    since = min(dates, default=None)
+    lost = any(each.lost for each in by)
+    state = State.SHOWN if since else State.LOST if lost else State.OPEN
+    return Question(row.id, section, row.ask, state, since, by)
+
+
+def _of_skill(skill: SkillProgress) -> Evidence:
+    needs = skill.needs
     drilled = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
-    lost = progress.state is State.LOST
-    return Evidence(Kind.SKILL, progress.skill.name, f"judge init {drilled}", progress.since, lost)
+    return Evidence(Kind.SKILL, skill.name, f"judge init {drilled}", skill.since, skill.state is State.LOST)
+
+
+def _of_hacks(row: Row, hacks: Iterable[Hack], problems: Collection[str]) -> Iterator[Evidence]:
+    """What the wrong programs show that a question names, of katas that are here or were broken before."""
+    for name in row.broken:
+        problem, mistake = name.split("/")
+        when = broken(hack for hack in hacks if hack.problem == problem).get(mistake)
+        if when or problem in problems:
+            yield Evidence(Kind.BROKEN, name, f"judge hack {problem} {mistake}", when)
 
 
 def _of_cards(cards: Iterable[Card], answers: Iterable[Answer]) -> Mapping[str, list[Evidence]]:

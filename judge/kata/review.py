@@ -29,22 +29,19 @@ _Rated = tuple[datetime, Rating]
 class Review(Struct, frozen=True):
     """How a kata or a card stands: its last sitting, and after how many `days` it comes again.
 
-    `name` is the problem's id or the card's key, `in_a_row` counts the last sittings that went well, and
+    `name` is the problem's id or the card's key. `rating` is 1 where the last sitting did not solve it, 2
+    where that took several runs or help, else 3 or 4. `in_a_row` counts the last sittings that went well, and
     `solved` says whether it ever was.
     """
 
     name: str
+    due: datetime
     last: datetime
     rating: Rating
     sittings: int
     in_a_row: int
     days: int
     solved: bool
-
-    @property
-    def due(self) -> datetime:
-        """When it comes again."""
-        return self.last + timedelta(days=self.days)
 
     def is_due(self, now: datetime) -> bool:
         """Whether it is due on the day of `now`, by the calendar of its time zone."""
@@ -113,5 +110,7 @@ def _reviews(rated: Mapping[str, Sequence[_Rated]]) -> list[Review]:
         if sittings:
             last, rating = sittings[-1]
             solved = any(each is not Rating.AGAIN for _, each in sittings)
-            found.append(Review(name, last, rating, len(sittings), in_a_row, LADDER[step], solved))
+            days = LADDER[step]
+            due = last + timedelta(days=days)
+            found.append(Review(name, due, last, rating, len(sittings), in_a_row, days, solved))
     return sorted(found, key=lambda review: (review.due, review.name))

@@ -1,18 +1,36 @@
-"""Past runs for the screen."""
+"""Past runs on a screen: the list, one run in full, what changed between two, a source that is back."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from datetime import date, datetime
+
+from rich.console import Group, RenderableType
+from rich.text import Text
 
 from judge.errors import HistoryError
 from judge.kata.events import Run
 from judge.kata.stub import usual_name
 from judge.problem.model import Verdict
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.names import shown_name
-from judge.report.results import verdict_span
+from judge.report.parts import (
+    BAD,
+    FAINT,
+    GOOD,
+    STRONG,
+    commands,
+    indented,
+    joined,
+    table,
+    text,
+    verdict_style,
+)
+from judge.report.published_practice import Restored, RunList, RunsCompared, RunShown
+from judge.report.results import result_lines
+from judge.report.screen import Screen
 from judge.report.values import counted, score_text, times
+
+_DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
 
 
 def moment(when: datetime) -> str:
@@ -25,86 +43,96 @@ def day(when: datetime | date) -> str:
     return (when.astimezone() if isinstance(when, datetime) else when).strftime("%Y-%m-%d")
 
 
-def history_lines(runs: Sequence[Run], width: int | None, *, more: bool = False) -> Iterator[Line]:
-    """One row a run, the latest last; `more` says that older ones are left out.
-
-    Files are named where one is not called as its problem's usually is. A result is the verdict with the
-    multiple of the reference's time, or with the points.
-    """
-    columns = (
-        Column("run", right=True),
-        Column("when"),
-        Column("problem"),
-        Column("file", broken=True),
-        Column("result"),
-        Column("mistake or failed group", flexible=True),
-    )
-    year = runs[-1].when.astimezone().year if runs else 0
+def run_list(found: RunList, _screen: Screen) -> RenderableType:
+    """One row a run, the latest last; its file only where one is not called as its kata's usually is."""
+    runs = found.runs
+    if not runs:
+        file = f"{found.problem} FILE" if found.problem else "FILE"
+        return Group(text("No runs yet."), commands([(f"judge run {file}", "adds one")]))
+    year = runs[-1].when.astimezone().year
     usual = all(shown_name(run.submission) == usual_name(run.problem) for run in runs)
-    left_out = {"file"} if usual else set()
-    left_out |= {columns[-1].title} if all(run.whole for run in runs) else set()
-    kept = [place for place, column in enumerate(columns) if column.title not in left_out]
-    rows = [[cell for place, cell in enumerate(_row(run, year)) if place in kept] for run in runs]
-    yield from Table(tuple(columns[place] for place in kept), rows, indent=0).lines(width)
-    if more:
-        yield line()
-        text = f"The last {counted(len(runs), 'run')}; --limit N shows more."
-        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
+    rows = [_row(run, year, usual=usual) for run in runs]
+    remarks = "mistake or failed group" if any(row[-1].plain for row in rows) else ""
+    titles = ("run", "when", "kata", "" if usual else "file", "result", remarks)
+    listed = table(titles, rows, right=[0])
+    if not found.more:
+        return listed
+    return Group(listed, Text(), text(f"The last {counted(len(runs), 'run')}; --limit N shows more.", FAINT))
 
 
-def _row(run: Run, year: int) -> list[Cell]:
-    return [
-        Span(str(run.id), Style.STRONG),
-        Span(_lately(run.when, year), Style.FAINT),
-        run.problem,
-        shown_name(run.submission),
-        Span(_result(run), verdict_span(run.verdict).style),
-        _remark(run),
-    ]
-
-
-def _remark(run: Run) -> str:
-    """The level that it passed without passing the other, and its mistake, the first group that failed, or
-    that it was judged on some of the groups only.
-    """
-    try:
-        passed = () if run.whole else run.levels
-    except HistoryError:  # of a damaged result the other columns are still true
-        passed = ()
-    why = run.mistake or (run.failed[0] if run.failed else _left_out(run))
-    return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
-
-
-def _left_out(run: Run) -> str:
-    """That a run which passed was judged on some of the groups only."""
-    partial = run.verdict is Verdict.AC and not run.whole
-    return f"only {', '.join(run.passed)}" if partial else ""
-
-
-def restored_lines(
-    run: Run, file: str, kept_as: str | None, width: int | None, *, written: bool
-) -> Iterator[Line]:
-    """Where a run's source is again, and where what was there is kept."""
-    what = f"the source of run {run.id}, {moment(run.when)}, {run.problem}"
-    yield from beside(Span(shown_name(file), Style.STRONG), what, width)
-    became = "It was there already." if not written else ""
-    if kept_as is not None:
-        became = f"What was there is kept as {shown_name(kept_as)}."
-    if became:
-        yield from hanging(Span(""), Span(became, Style.FAINT), width, indent=2, column=2)
-
-
-def _lately(when: datetime, year: int) -> str:
-    """A moment of this year, and only the day of another."""
-    here = when.astimezone()
-    return here.strftime("%m-%d %H:%M") if here.year == year else day(when)
+def _row(run: Run, year: int, *, usual: bool) -> tuple[Text, ...]:
+    here = run.when.astimezone()
+    when = here.strftime("%m-%d %H:%M") if here.year == year else day(run.when)
+    return (
+        text(str(run.id), STRONG),
+        text(when, FAINT),
+        text(run.problem),
+        text("" if usual else shown_name(run.submission)),
+        text(_result(run), verdict_style(run.verdict)),
+        text(_remark(run)),
+    )
 
 
 def _result(run: Run) -> str:
+    """The verdict with the multiple of the reference's time, or with the points."""
     if not run.whole:
-        return f"{run.verdict.value} {_score(run)}"
+        return f"{run.verdict.value} {score_text(run.score, accepted=run.verdict is Verdict.AC)}"
     return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
 
 
-def _score(run: Run) -> str:
-    return score_text(run.score, accepted=run.verdict is Verdict.AC)
+def _remark(run: Run) -> str:
+    """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
+    try:
+        passed: Sequence[str] = () if run.whole else run.levels
+    except HistoryError:  # of a damaged result the other columns are still true
+        passed = ()
+    partial = run.verdict is Verdict.AC and not run.whole
+    left_out = f"only {', '.join(run.passed)}" if partial else ""
+    why = run.mistake or (run.failed[0] if run.failed else left_out)
+    return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
+
+
+def run_shown(found: RunShown, screen: Screen) -> RenderableType:
+    """When it was, what it came to, and how to get its source back."""
+    run = found.run
+    below = [(f"judge history {run.id} --restore", "write its source again")]
+    return Group(_head(run.id, run.when), Text(), _came_to(run, screen), Text(), commands(below))
+
+
+def _came_to(run: Run, screen: Screen) -> RenderableType:
+    """What `judge run` said of it."""
+    return Text.from_ansi(screen.text(result_lines(run.result, screen.width)).rstrip("\n"))
+
+
+def _head(number: int, when: datetime) -> Text:
+    return joined(text(f"run {number}", STRONG), text(f"  {moment(when)}", FAINT))
+
+
+def runs_compared(found: RunsCompared, _screen: Screen) -> RenderableType:
+    """The verdicts, the groups that ended otherwise, and the difference of the sources."""
+    ends = [
+        joined(text(verdict.value, verdict_style(verdict)), f" {score}")
+        for verdict, score in zip(found.verdicts, found.scores, strict=True)
+    ]
+    numbers = (f"run {found.before}", f"run {found.after}")
+    rows: list[tuple[str | Text, ...]] = [(text(found.problem, STRONG), *ends)]
+    rows += [(each.group, _ended(each.before), _ended(each.after)) for each in found.groups]
+    lines = [text(row.expandtabs(4), _DIFFERENT.get(row[:1], "")) for row in found.diff]
+    changed = Group(*lines) if lines else text("The sources are the same.")
+    return Group(table(("group", *numbers), rows, prose=None), Text(), indented(changed))
+
+
+def _ended(how: str | None) -> Text:
+    return text(how or "not run", {"passed": GOOD, "failed": BAD}.get(how or "", FAINT))
+
+
+def restored(found: Restored, _screen: Screen) -> RenderableType:
+    """Where a run's source is again, and where what was there is kept."""
+    head = joined(
+        text(shown_name(found.file), STRONG),
+        f"  the source of run {found.run}, {moment(found.time)}, {found.problem}",
+    )
+    became = "" if found.written else "It was there already."
+    if found.kept_as is not None:
+        became = f"What was there is kept as {shown_name(found.kept_as)}."
+    return Group(head, indented(text(became, FAINT))) if became else head

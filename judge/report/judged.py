@@ -77,7 +77,7 @@ class Several(Struct, frozen=True):
 class AtLines(Struct, frozen=True):
     """A result as lines for another program, which are written as they are."""
 
-    raw: tuple[str, ...]
+    plain: str
     exit_code: ExitCode
 
 

@@ -8,6 +8,7 @@ from judge.problem import Problem
 from judge.report.layout import Line, Span, Style, beside, hanging, line
 from judge.report.names import shown_name
 from judge.report.screen import Screen, is_terminal
+from judge.report.values import counted
 
 _ROOM = 12  # columns that a sentence wants beside a command
 
@@ -43,6 +44,14 @@ def begun_lines(problem: Problem, file: str, width: int | None) -> Iterator[Line
     )
 
 
+def waiting_lines(due: int, width: int | None) -> Iterator[Line]:
+    """That cards are due, beside a kata."""
+    if due:
+        yield line()
+        text = f"{counted(due, 'card')} {'is' if due == 1 else 'are'} due: judge quiz"
+        yield from hanging(Span(""), Span(text, Style.FAINT), width, indent=0, column=0)
+
+
 def next_lines(problem: Problem, width: int | None) -> Iterator[Line]:
     """The kata that is next, whose file is still to be written."""
     head = f"{problem.id}: {problem.title}"
@@ -58,7 +67,7 @@ def next_lines(problem: Problem, width: int | None) -> Iterator[Line]:
 
 def finished_lines(width: int | None) -> list[Line]:
     """There is no next kata."""
-    text = "Every other kata of the path is passed. 'judge due' says what to do again."
+    text = "Every other kata of the path is passed. 'judge progress --due' says what to do again."
     return hanging(Span(""), Span(text, Style.GOOD), width, indent=0, column=0)
 
 

@@ -1,185 +1,282 @@
-"""What a person has learned, for the screen: sets, skills, levels and questions."""
+"""What a person has learned and what is due, on a screen: sets, skills, questions, katas to repeat."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from datetime import datetime
+from itertools import groupby
 
-from judge.kata.checklist import Section
-from judge.kata.progress import Covered, Evidence, Kind, Progress, RowProgress, SkillProgress, State
-from judge.problem.model import KataLevel
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from judge.kata.events import Rating
+from judge.kata.progress import Covered, Evidence, Kind, Question, SkillProgress, State
+from judge.kata.review import Review
+from judge.languages import file_name
+from judge.problem.model import FULL_SCORE, KataLevel
 from judge.report.history import day
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line
 from judge.report.levels import level_name
+from judge.report.names import shown_name
+from judge.report.parts import (
+    BAD,
+    FAINT,
+    GOOD,
+    STRONG,
+    WARNING,
+    Cell,
+    bar,
+    commands,
+    facts,
+    indented,
+    joined,
+    table,
+    text,
+)
+from judge.report.published_progress import (
+    DueShown,
+    ProgressPage,
+    ProgressShown,
+    ProgressWritten,
+    QuestionShown,
+    SetShare,
+    Unfinished,
+)
+from judge.report.screen import Screen
 from judge.report.values import counted
 
-_STYLES = {State.OPEN: Style.FAINT, State.SHOWN: Style.GOOD, State.LOST: Style.BAD}
-_SAID = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}
-_LABELS = 13  # the column where what follows a label begins
-Parts = Sequence[tuple[Section, Sequence[RowProgress]]]
+_STYLES = {State.OPEN: FAINT, State.SHOWN: GOOD, State.LOST: BAD}
+_MARKS = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}
+_NAMED = 12  # skills that are named in a row
+_NARROW = 64  # columns that the table of sets needs
+_LISTED = 3  # katas that are listed under Now and Again
 
 
-def sets_lines(
-    title: str, sets: Mapping[str, Collection[str]], progress: Progress, width: int | None
-) -> Iterator[Line]:
-    """A row a set, which are the ids of its katas by its name; below them what holds for all."""
-    yield _heading(title, progress.skills)
-    yield line()
-    titles = ("katas", *(level.value for level in KataLevel), "skills")
-    columns = (Column("set"), *(Column(each, right=True) for each in titles))
-    rows = [_set(name, progress.within(own), own) for name, own in sets.items()]
-    yield from Table(columns, rows).lines(width)
-    yield line()
-    yield from _notes(progress, progress.sections, width)
-    yield from _labelled("more", "judge progress SET  what you can do; judge next  the next kata", width)
+def progress_page(found: ProgressPage, screen: Screen) -> RenderableType:
+    """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
+    told = found.shown
+    said = f"{len(told.solved)} of {counted(len(told.katas), 'kata')}"
+    said += "".join(f"   {mark} {n}" for mark, n in (("★", told.one_star), ("★★", told.two_stars)) if n)
+    parts: list[RenderableType] = [text(told.title, STRONG)] if not told.sets else []
+    parts += [bar(len(told.solved), len(told.katas), said, screen.width), Text()]
+    if found.whole:
+        return Group(*parts, *_all(told))
+    if told.sets:
+        narrow = screen.width is not None and screen.width < _NARROW
+        rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
+        parts += [indented(table([""] * len(rows[0]), rows, right=[4], prose=None)), Text()]
+    parts.append(indented(facts([*([] if told.sets else _skills(told)), *_now(found), *_made(told)])))
+    below = [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
+    if not told.sets:
+        below = [(f"judge progress {told.set} --all", "each skill, kata and question")]
+    return Group(*parts, Text(), commands(below))
 
 
-def set_lines(
-    title: str, problems: Collection[str], progress: Progress, parts: Parts, width: int | None
-) -> Iterator[Line]:
-    """One set in short: its skills and katas by how they stand."""
-    yield _heading(title, progress.skills)
-    yield line()
+def _set(part: SetShare) -> tuple[Cell, ...]:
+    style = GOOD if part.solved == part.katas else ""
+    stars = [f"★ {part.one_star}", f"★★ {part.two_stars}"] if part.levelled else ["", ""]
+    skills = f"{part.shown} of {counted(part.skills, 'skill')}" if part.skills else ""
+    share = bar(part.solved, part.katas, f"{part.solved} of {part.katas}", 0)
+    return (text(part.name, style), share, *stars, text(skills, FAINT))
+
+
+def _skills(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
     for state, label in ((State.SHOWN, "shown"), (State.OPEN, "open")):
-        if names := [each.skill.name for each in progress.skills if each.state is state]:
-            yield from _labelled(label, "; ".join(names), width, _STYLES[state])
-    solved = [name for name in problems if _solved(progress, name)]
-    text = f"{len(solved)} of {len(problems)} solved{': ' if solved else ''}{', '.join(solved)}"
-    yield from _labelled("katas", text, width)
-    begun = [level.problem for level in progress.levels if level.since and level.problem not in solved]
-    if begun:
-        yield from _labelled("", f"only the interview level: {', '.join(dict.fromkeys(begun))}", width)
-    yield from _notes(progress, parts, width)
-    yield from _labelled("more", "--all lists each skill, kata and question", width)
+        names = [each.name for each in told.skills if each.state is state]
+        more = f"; {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+        if names:
+            yield text(label, _STYLES[state]), "; ".join(names[:_NAMED]) + more
+    if told.solved:
+        yield "solved", ", ".join(told.solved)
 
 
-def all_lines(title: str, progress: Progress, parts: Parts, width: int | None) -> Iterator[Line]:
-    """A row for each skill, for each kata that has levels, and for each question."""
-    yield _heading(title, progress.skills)
-    yield line()
-    columns = (
-        *(Column("skill"), Column(""), Column("since"), Column("runs", right=True)),
-        Column("what it asks", flexible=True),
-    )
-    yield from Table(columns, [_skill(skill) for skill in progress.skills]).lines(width)
-    if progress.levels:
-        yield line()
-        heads = (Column("kata"), *(Column(level_name(level)) for level in KataLevel))
-        katas = dict.fromkeys(each.problem for each in progress.levels)
-        own = [[each for each in progress.levels if each.problem == kata] for kata in katas]
-        rows: list[list[Cell]] = [[Span(its[0].problem), *map(_level, its)] for its in own]
-        yield from Table(heads, rows).lines(width)
-    heads = (Column("id"), Column("", spare=True), Column("practise with"), Column("question", flexible=True))
-    for section, questions in parts:
-        yield line()
-        yield from beside(Span(section.title, Style.STRONG), _ticked(questions), width)
-        yield from Table(heads, [_question(each) for each in questions]).lines(width)
+def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
+    """What is unfinished, what comes again today, and the next kata."""
+    due = found.due
+    for at, tried in enumerate(due.now[-_LISTED:]):
+        yield "" if at else text("now", STRONG), joined(tried.problem, "  ", text(_points(tried), FAINT))
+    for at, each in enumerate(due.due[:_LISTED]):
+        ago = f"  last time {day(each.last)}; write it again from memory"
+        yield "" if at else text("again", STRONG), joined(each.name, text(ago, FAINT))
+    if cards := len(due.cards.due):
+        yield text("cards", STRONG), f"{counted(cards, 'card')} due: judge quiz"
+    if following := found.shown.next:
+        skill = f"; new: {following.skill}" if following.skill else ""
+        about = f"  {following.title}{skill}"
+        yield text("next", STRONG), joined(f"judge init {following.problem}", text(about, FAINT))
 
 
-def question_lines(progress: RowProgress, width: int | None) -> Iterator[Line]:
-    """One question with all that may tick it, and every command that practises it."""
-    said = "lost" if progress.state is State.LOST else "not yet"
-    said = f"since {day(progress.since)}" if progress.since else said
-    yield from beside(Span(f"{progress.row.id}  {progress.row.ask}", Style.STRONG), said, width)
-    yield line()
-    columns = (Column("by"), Column(""), Column("since"), Column("name", flexible=True))
-    yield from Table(columns, [_evidence(each) for each in progress.evidence]).lines(width)
-    yield line()
-    for place, command in enumerate(progress.drills):
-        yield line(
-            "  ", Span("" if place else "practise with", Style.FAINT), " " * (15 if place else 2), command
-        )
+def _points(tried: Unfinished) -> str:
+    return f"{tried.best} of {FULL_SCORE} points"
 
 
-def _heading(title: str, skills: Collection[SkillProgress]) -> Line:
-    shown = sum(skill.state is State.SHOWN for skill in skills)
-    return line(Span(title, Style.STRONG), f": {shown} of {counted(len(skills), 'skill')}")
-
-
-def _labelled(label: str, text: str, width: int | None, style: Style = Style.FAINT) -> list[Line]:
-    return hanging(Span(label, style), Span(text), width, indent=2, column=_LABELS)
-
-
-def _notes(progress: Progress, parts: Parts, width: int | None) -> Iterator[Line]:
-    """The skills that were lost, the mistakes made, and how many questions are ticked."""
-    for skill in progress.skills:
+def _made(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
+    """The skills that were lost, the mistakes made, how many questions are ticked and programs broken."""
+    shown = sum(each.state is State.SHOWN for each in told.skills)
+    if told.skills:
+        yield "skills", f"{shown} of {len(told.skills)}"
+    for skill in told.skills:
         if skill.state is State.LOST:
-            yield from _labelled("lost", f"{skill.skill.name}: fails {_failing(skill)}", width, Style.BAD)
-    if made := sum(progress.mistakes.values(), Counter()):
-        yield from _labelled("mistakes", counted_mistakes(made), width)
-    if parts:
-        section, rows = parts[0]
-        more = f", {_ticked(row for _, own in parts for row in own)} in all" if len(parts) > 1 else ""
-        yield from _labelled("questions", f"{section.title} {_ticked(rows)}{more}", width)
+            yield text("lost", BAD), f"{skill.name}: fails {_failing(skill)}"
+    if told.mistakes:
+        yield "mistakes", counted_mistakes(told.mistakes)
+    if told.rows and any(each.state is not State.OPEN for each in told.rows):
+        first = told.rows[0].section
+        own = [each for each in told.rows if each.section == first]
+        more = f", {_ticked(told.rows)} in all" if len(own) < len(told.rows) else ""
+        yield "questions", f"{first} {_ticked(own)}{more}"
+    if told.hacks:
+        shares = ", ".join(f"{each.problem} {len(each.broken)} of {each.programs}" for each in told.hacks)
+        yield "broken", f"wrong programs of {shares}"
 
 
-def _set(name: str, progress: Progress, problems: Collection[str]) -> list[Cell]:
-    shares = [(sum(_solved(progress, each) for each in problems), len(problems))]
-    for level in KataLevel:
-        own = [each for each in progress.levels if each.level is level]
-        shares.append((sum(each.since is not None for each in own), len(own)))
-    shares.append((sum(each.state is State.SHOWN for each in progress.skills), len(progress.skills)))
-    return [Span(name, Style.STRONG), *(_share(met, of) for met, of in shares)]
+def _all(told: ProgressShown) -> Iterator[RenderableType]:
+    """A row for each skill, for each kata that has levels, and for each question."""
+    yield table(("skill", "", "since", "runs", "what it asks"), map(_skill, told.skills), right=[3])
+    if told.levels:
+        katas = dict.fromkeys(each.problem for each in told.levels)
+        its = {(each.problem, each.level): each for each in told.levels}
+        rows: list[list[Cell]] = [
+            [kata, *(_level(its.get((kata, level))) for level in KataLevel)] for kata in katas
+        ]
+        yield Text()
+        yield table(("kata", *map(level_name, KataLevel)), rows, prose=None)
+    for section, grouped in groupby(told.rows, lambda each: each.section):
+        questions = list(grouped)
+        yield Text()
+        yield joined(text(section, STRONG), f"  {_ticked(questions)}")
+        yield table(("id", "", "practise with", "question"), map(_question, questions))
 
 
-def _share(met: int, of: int) -> Span:
-    style = Style.GOOD if met == of else Style.PLAIN if met else Style.FAINT
-    return Span(f"{met} of {of}" if of else "", style)
-
-
-def _solved(progress: Progress, problem: str) -> bool:
-    standing = progress.standings.get(problem)
-    return standing is not None and standing.passed is not None
-
-
-def _skill(progress: SkillProgress) -> list[Cell]:
-    some = progress.state is State.SHOWN and progress.met < len(progress.needs)
-    share = f"✓ {progress.met} of {len(progress.needs)}"
-    asks = f"Fails {_failing(progress)}." if progress.state is State.LOST else progress.skill.about
-    return [
-        Span(progress.skill.name, Style.FAINT if progress.state is State.OPEN else Style.PLAIN),
-        Span(share if some else _SAID[progress.state], _STYLES[progress.state]),
-        Span(day(progress.since) if progress.since else "", Style.FAINT),
-        Span(str(progress.attempts or ""), Style.FAINT),
-        Span(asks, Style.FAINT),
-    ]
-
-
-def _failing(progress: SkillProgress) -> str:
-    """The groups that were passed and no longer are, with their problem."""
-    return ", ".join(
-        f"{need.problem} {group}" for need in progress.needs if need.lost for group in need.failing
+def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
+    some = skill.state is State.SHOWN and skill.met < len(skill.needs)
+    mark = f"✓ {skill.met} of {len(skill.needs)}" if some else _MARKS[skill.state]
+    asks = f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about
+    return (
+        text(skill.name, FAINT if skill.state is State.OPEN else ""),
+        text(mark, _STYLES[skill.state]),
+        text(day(skill.since) if skill.since else "", FAINT),
+        text(str(skill.attempts or ""), FAINT),
+        text(asks, FAINT),
     )
 
 
-def _level(each: Covered) -> Span:
+def _failing(skill: SkillProgress) -> str:
+    """The groups that were passed and no longer are, with their kata."""
+    return ", ".join(f"{need.problem} {group}" for need in skill.needs if need.lost for group in need.failing)
+
+
+def _level(each: Covered | None) -> Text:
+    if each is None:
+        return Text()
     if each.since is not None:
-        return Span(f"✓ {day(each.since)}", Style.GOOD)
-    return Span(f"{each.best} of {counted(len(each.groups), 'group')}" if each.best else "", Style.FAINT)
+        return text(f"✓ {day(each.since)}", GOOD)
+    return text(f"{each.best} of {counted(len(each.groups), 'group')}" if each.best else "", FAINT)
 
 
-def _question(progress: RowProgress) -> list[Cell]:
-    return [
-        Span(progress.row.id, Style.STRONG),
-        Span(_SAID[progress.state], _STYLES[progress.state]),
-        Span(next(iter(progress.drills), ""), Style.FAINT),
-        Span(progress.row.ask, Style.FAINT if progress.state is State.OPEN else Style.PLAIN),
-    ]
+def _question(each: Question) -> tuple[Cell, ...]:
+    mark = text(_MARKS[each.state], _STYLES[each.state])
+    return text(each.row, STRONG), mark, text(next(iter(each.drills), ""), FAINT), each.ask
 
 
-def _evidence(each: Evidence) -> list[Cell]:
+def _ticked(rows: Sequence[Question]) -> str:
+    return f"{sum(each.state is State.SHOWN for each in rows)} of {len(rows)}"
+
+
+def question(found: QuestionShown, _screen: Screen) -> RenderableType:
+    """One question with all that may tick it, and every command that practises it."""
+    asked = found.question
+    said = "lost" if asked.state is State.LOST else "not yet"
+    said = f"since {day(asked.since)}" if asked.since else said
+    head = table(("", ""), [(text(asked.row, STRONG), joined(text(asked.ask, STRONG), f"  {said}"))])
+    rows = table(("by", "", "since", "name"), map(_evidence, asked.by))
+    return Group(head, Text(), indented(rows), Text(), *map(text, asked.drills))
+
+
+def _evidence(each: Evidence) -> tuple[Cell, ...]:
     state = State.LOST if each.lost else State.SHOWN if each.since else State.OPEN
     kind = "mistake found" if each.kind is Kind.BROKEN else each.kind.value
     since = day(each.since) if each.since else ""
-    return [Span(kind, Style.FAINT), Span(_SAID[state], _STYLES[state]), Span(since, Style.FAINT), each.name]
+    return text(kind, FAINT), text(_MARKS[state], _STYLES[state]), text(since, FAINT), each.name
 
 
-def _ticked(rows: Iterable[RowProgress]) -> str:
-    states = [row.state for row in rows]
-    return f"{states.count(State.SHOWN)} of {len(states)}"
+def due(found: DueShown, _screen: Screen) -> RenderableType:
+    """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
+    parts: list[RenderableType] = []
+    if found.now:
+        rows = [
+            (text(each.problem, STRONG), _points(each), f"last run {day(each.last)}" if each.last else "")
+            for each in found.now
+        ]
+        parts += [text("Now: not solved yet", STRONG), indented(table(("", "", ""), rows)), Text()]
+    if found.due:
+        first = found.due[0].name
+        fresh = file_name(f"{first.replace('-', '_')}_{found.time:%m%d}")
+        parts += [
+            text(f"Due today: {counted(len(found.due), 'kata')}", STRONG),
+            _reviews(found.due, found.time),
+        ]
+        parts += [commands([(f"judge init {first} {fresh}", "write it again, from an empty file")]), Text()]
+    elif found.later:
+        parts.append(joined(text("Nothing is due today.", GOOD), " Next:"))
+    elif not found.now:
+        nothing = "Nothing is due: you have solved no kata yet."
+        parts += [text(nothing), commands([("judge progress", "the next kata")]), Text()]
+    if found.later:
+        parts += [*([text("Later", STRONG)] if found.due else []), _reviews(found.later, found.time), Text()]
+    cards = (*found.cards.due, *found.cards.later)
+    if cards:
+        coming = min(cards, key=lambda each: each.due)
+        when = "judge quiz" if found.cards.due else f"the next one {due_words(coming.due, found.time)}"
+        parts += [text(f"Cards: {len(found.cards.due)} due of {len(cards)} answered; {when}"), Text()]
+    if found.elsewhere:
+        parts += [text(f"Not found from here: {', '.join(found.elsewhere)}; see --problems.", FAINT), Text()]
+    return Group(*parts[:-1])
+
+
+def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
+    return indented(
+        table(
+            ("kata", "due", "last time"),
+            [
+                (
+                    text(each.name, STRONG),
+                    due_words(each.due, now),
+                    text(
+                        f"{day(each.last)}: {_why(each)}",
+                        {Rating.AGAIN: BAD, Rating.HARD: WARNING}.get(each.rating, ""),
+                    ),
+                )
+                for each in rows
+            ],
+        )
+    )
+
+
+def due_words(due: datetime, now: datetime) -> str:
+    """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
+    days = (due.astimezone(now.tzinfo).date() - now.date()).days
+    if days < 0:
+        return f"{counted(-days, 'day')} ago"
+    return "today" if days == 0 else f"in {counted(days, 'day')}"
+
+
+def _why(each: Review) -> str:
+    """What happened, and after how many days it therefore comes again."""
+    if each.rating is Rating.AGAIN:
+        how = "not solved"
+    elif each.rating is Rating.HARD:
+        how = "solved, but not at once"
+    else:
+        row = {1: "", 2: " twice in a row"}.get(each.in_a_row, f" {each.in_a_row} times in a row")
+        how = f"solved at once{row}"
+    return f"{how}, so again after {counted(each.days, 'day')}"
 
 
 def counted_mistakes(mistakes: Mapping[str, int]) -> str:
-    """`absolute-epsilon 3 ×, no-clamp`, the most frequent first."""
-    found = Counter(mistakes).most_common()
-    return ", ".join(name if number == 1 else f"{name} {number} ×" for name, number in found)
+    """`absolute-epsilon 3 ×, no-clamp`, in their order."""
+    return ", ".join(name if number == 1 else f"{name} {number} ×" for name, number in mistakes.items())
+
+
+def page_written(found: ProgressWritten, _screen: Screen) -> RenderableType:
+    """Where the page is."""
+    return joined(f"Wrote {shown_name(found.out)}", text(f"  {counted(found.runs, 'run')}", FAINT))

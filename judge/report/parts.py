@@ -129,7 +129,11 @@ def bar(done: int, total: int, said: str, width: int | None = None) -> Text:
     return Text(f"[{'#' * filled:.<{length}}]  {printable(said)}")
 
 
+def verdict_style(found: Verdict) -> str:
+    """The colour of a verdict."""
+    return GOOD if found is Verdict.AC else WARNING if found is Verdict.JE else BAD
+
+
 def verdict(found: Verdict) -> Text:
     """`WA  Wrong answer`, in its colour."""
-    style = GOOD if found is Verdict.AC else WARNING if found is Verdict.JE else BAD
-    return Text.assemble((found.value, f"{STRONG} {style}"), f"  {found.meaning.capitalize()}")
+    return Text.assemble((found.value, f"{STRONG} {verdict_style(found)}"), f"  {found.meaning.capitalize()}")

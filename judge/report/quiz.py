@@ -132,10 +132,10 @@ def list_lines(
 
     A question has the one line that there is room for.
     """
-    from judge.report.due import due_words
+    from judge.report.learned import due_words
 
     columns = (Column("card"), Column("form"), Column("due", spare=True), Column("question", flexible=True))
-    due = {key: due_words(review, now) for key, review in reviews.items()}
+    due = {key: due_words(review.due, now) for key, review in reviews.items()}
     taken = [[cells(text) for text in (card.key, card.form, due.get(card.key, ""))] for card in cards]
     used = sum(max(column) + 2 for column in zip(*taken, strict=True)) + 2
     rows: list[list[Cell]] = [

@@ -117,6 +117,7 @@ def drawn(what: RenderableType, screen: Screen) -> str:
     from io import StringIO
 
     from rich.console import Console
+    from rich.segment import Segment
 
     console = Console(
         file=StringIO(),
@@ -128,7 +129,8 @@ def drawn(what: RenderableType, screen: Screen) -> str:
         emoji=False,
         legacy_windows=False,
     )
-    return "".join(f"{_row(row, screen)}\n" for row in console.render_lines(what, pad=False))
+    rows = Segment.split_lines(console.render(what))  # uncut: what must not be broken may be wider
+    return "".join(f"{_row(row, screen)}\n" for row in rows)
 
 
 def _row(segments: Iterable[Segment], screen: Screen) -> str:

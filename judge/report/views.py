@@ -30,6 +30,16 @@ VIEWS: Mapping[str, tuple[str, str]] = {
     "PageWritten": ("trying", "page_written"),
     "HackTurn": ("hacking", "hack_turn"),
     "HackList": ("hacking", "hack_list"),
+    "RunList": ("history", "run_list"),
+    "RunShown": ("history", "run_shown"),
+    "RunsCompared": ("history", "runs_compared"),
+    "Restored": ("history", "restored"),
+    "HintShown": ("solution", "hint"),
+    "SolutionShown": ("solution", "solution"),
+    "ProgressPage": ("learned", "progress_page"),
+    "QuestionShown": ("learned", "question"),
+    "DueShown": ("learned", "due"),
+    "ProgressWritten": ("learned", "page_written"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),
@@ -37,9 +47,9 @@ VIEWS: Mapping[str, tuple[str, str]] = {
 }
 
 
-def view(value: object, screen: Screen) -> RenderableType | None:
-    """What the screen shows of `value`, if anything. Raises KeyError for a class that has no view."""
+def view(value: object, screen: Screen) -> RenderableType:
+    """What the screen shows of `value`. Raises KeyError for a class that has no view."""
     module, function = VIEWS[type(value).__name__]
     drawn: Any = getattr(import_module(f"judge.report.{module}"), function)
-    shown: RenderableType | None = drawn(value, screen)
+    shown: RenderableType = drawn(value, screen)
     return shown

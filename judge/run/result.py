@@ -180,6 +180,14 @@ class Timing(Struct, frozen=True, kw_only=True):
         return self.import_seconds >= _IMPORT_SECONDS
 
 
+class Taken(Struct, frozen=True):
+    """CPU seconds of one case, and as a multiple of the first program's; None where `why_not` says why."""
+
+    seconds: float | None = None
+    ratio: float | None = None
+    why_not: str = ""
+
+
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 

@@ -22,7 +22,7 @@ from judge.manual import page, topics
 pytestmark = pytest.mark.slow
 
 QUIET = (  # need no file of one's own, no history, and no time
-    "judge progress --question Q7",
+    "judge progress --due",
     "judge help interview",
     "judge help tolerance zero",
     'judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"',

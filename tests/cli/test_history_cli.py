@@ -43,8 +43,8 @@ COMMANDS = (
     ("history", "--csv"),
     ("progress",),
     ("progress", "--json"),
-    ("due",),
-    ("report",),
+    ("progress", "--due"),
+    ("progress", "--html"),
     ("history", "--restore", "3"),
     ("next", "--json"),
 )
@@ -58,7 +58,7 @@ def test_every_command_works_without_the_damaged_run(change, judge, three_runs, 
         assert ended.status == 0, ended.err
         assert "Traceback" not in ended.err
         assert ended.err.count(SAID) <= 1
-        if words[0] in ("history", "progress", "due", "report") and "--restore" not in words:
+        if words[0] in ("history", "progress") and "--restore" not in words:
             assert SAID in ended.err
 
 

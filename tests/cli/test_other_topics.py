@@ -117,7 +117,7 @@ def test_the_report_shows_what_went_wrong_and_draws_nothing(judge, submit):
     kata = BY_ID["unit-vector"]
     mine = submit(f"{kata.wrong.read_text(encoding='utf-8')}# mine\n", f"{kata.entry}.py")
     (result,) = objects(judge("run", kata.id, mine, "--json"))
-    assert judge("report", "--out", "page.html").status == 0
+    assert judge("progress", "--html", "--out", "page.html").status == 0
     page = Path("page.html").read_text(encoding="utf-8").partition("<main")[2]
     (part,) = re.findall(r'<section id="kata-\d+".*?</section>', page, re.DOTALL)
     facts = {name: html.unescape(told) for name, told in FACT.findall(part)}

@@ -25,8 +25,6 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "hint": ["hint middle --all"],
     "next": ["next", "next --init"],
     "history": ["history middle", "history --json"],
-    "progress": ["progress", "progress --all"],
-    "due": ["due"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],
     "help": ["help pack of katas", "help --schema run"],
@@ -36,10 +34,10 @@ RUN_IT = {
     "try": "try {id} mine.py",
     "hack": "hack middle 1,2",
     "class": "class homework",
-    "solution": "solution middle --give-up",
+    "solution": "solution middle --give-up --times --rounds 1",
     "export": "export middle --out made --format files",
     "verify": "verify middle",
-    "report": "report",
+    "progress": "progress --html",
     "quiz": "quiz --interview --cards 0 --kata middle --file mine.py",
 }
 BY_DAY = ("try", "export")
@@ -93,7 +91,14 @@ def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path
 
 def test_these_commands_only_read_it(judge, practised, mark):
     assert {*READ, *RUN_IT, "watch"} == set(COMMANDS)
-    more = ["solution middle --give-up --no-time", "hack middle", "hack middle --list"]
+    more = [
+        "solution middle --give-up",
+        "progress",
+        "progress --all",
+        "progress --due",
+        "hack middle",
+        "hack middle --list",
+    ]
     for words in (*(each for ways in READ.values() for each in ways), *more):
         assert judge(*words.split()).status == 0, words
         assert not mark.exists(), words

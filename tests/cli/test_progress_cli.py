@@ -1,10 +1,11 @@
-"""`judge progress` and `judge due` after weeks of runs, which are kept here, not judged."""
+"""`judge progress` after weeks of runs, which are kept here, not judged: skills, what is due, the page."""
 
 from __future__ import annotations
 
 import json
 import shutil
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 
 import pytest
 from cli_support import ROOT
@@ -66,51 +67,117 @@ def passed(*problems, without=(), mistake=None, when=None):
             history.keep(replace(run_of(result, source, "/a.py"), when=when or datetime.now(UTC)), source)
 
 
-# -- judge progress ---------------------------------------------------------------------------------------
+# -- what was learned -------------------------------------------------------------------------------------
+
+
+def test_on_day_one_there_is_a_bar_for_each_set_and_the_next_skill(judge):
+    shown = judge("progress")
+    bars = [row.split()[0] for row in shown.lines if "[.........." in row]
+    assert bars[1:] == ["first-steps", "junior", "middle", "senior", "professional"]
+    assert "  next    judge init distance-squared  The distance squared; new: distance squared" in shown.lines
+    assert len(shown.lines) < 24
+    assert "Ready?" not in shown.out
 
 
 def test_the_shipped_solutions_are_nobodys_progress(judge):
     solution = next((ROOT / "solutions" / "which-side" / "accepted").glob("*.py"))
     assert judge("run", "-q", "which-side", solution).status == 0
-    assert "0 of 6" in judge("progress").out
+    assert json.loads(judge("progress", "--json").out)["solved"] == []
     assert "which-side" in judge("history").out
 
 
 def test_what_was_learned(judge, own_pack):
-    assert judge("progress", "means").lines[0] == "Means: 0 of 1 skill"
+    assert judge("progress", "means").lines[1].endswith("0 of 1 kata")
     passed("middle", without=("half",), mistake="floor-division", when=START)
-    assert judge("progress", "means").lines[2].split() == ["open", "no", "floor"]
+    assert "  open      no floor" in judge("progress", "means").lines
     passed("middle", when=START + timedelta(days=1))
     shown = judge("progress", "means")
-    assert shown.lines[0] == "Means: 1 of 1 skill"
-    assert shown.lines[2].split() == ["shown", "no", "floor"]
-    assert "1 of 1 solved: middle" in shown.out
-    assert "floor-division" in shown.out
+    assert shown.lines[1].endswith("1 of 1 kata")
+    assert "  shown     no floor" in shown.lines
+    assert "  solved    middle" in shown.lines
+    assert "  mistakes  floor-division" in shown.lines
     (skill,) = json.loads(judge("progress", "means", "--json").out)["skills"]
-    assert (skill["state"], skill["attempts"], skill["since"]) == ("shown", 2, "2026-03-02T09:00:00+00:00")
+    assert (skill["state"], skill["attempts"], skill["since"]) == ("shown", 2, "2026-03-02T09:00:00Z")
     assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
     passed("middle", without=("half",))
     assert "no floor: fails middle half" in judge("progress", "means").out
     assert "Fails middle half." in judge("progress", "means", "--all").out
 
 
-# -- judge due --------------------------------------------------------------------------------------------
+# -- what is due ------------------------------------------------------------------------------------------
+
+
+def due(judge):
+    """The katas of `judge progress --due`, by where they stand."""
+    found = json.loads(judge("progress", "--due", "--json").out)
+    rows = {"now": [each["problem"] for each in found["now"]]}
+    return rows | {when: [each["name"] for each in found[when]] for when in ("due", "later")}
 
 
 def test_what_is_due(judge, monkeypatch):
     monkeypatch.setattr(events, "now", lambda: START)
     passed("middle", when=START)
-    passed("count", without=("band",), when=START)
-    shown = judge("due")
-    assert shown.lines[0] == "Nothing is due today."
-    assert shown.lines[4].split()[:4] == ["count", "in", "1", "day"]
-    monkeypatch.setattr(events, "now", lambda: START + timedelta(days=2, hours=1))
-    shown = judge("due")
-    assert shown.lines[0] == "Today  1 kata"
-    assert shown.lines[2].split()[:4] == ["count", "1", "day", "ago"]
-    assert "2026-03-01: not solved, so again after 1 day" in shown.lines[2]
-    assert "  next  judge init count count_0303.py" in shown.lines
-    found = json.loads(judge("due", "--json").out)
-    assert [review["problem"] for review in found["due"]] == ["count"]
-    assert [review["problem"] for review in found["later"]] == ["middle"]
-    assert found["due"][0]["rating"] == "again"
+    assert judge("progress", "--due").lines[0] == "Nothing is due today. Next:"
+    monkeypatch.setattr(events, "now", lambda: START + timedelta(days=3, hours=1))
+    shown = judge("progress", "--due")
+    assert shown.lines[0] == "Due today: 1 kata"
+    assert shown.lines[2].split()[:2] == ["middle", "today"]
+    assert "2026-03-01: solved at once, so again after 3 days" in shown.lines[2]
+    assert shown.lines[3].startswith("judge init middle middle_0304.py")
+    assert "again" in judge("progress").out
+    assert due(judge) == {"now": [], "due": ["middle"], "later": []}
+
+
+def test_a_kata_that_is_not_solved_stands_under_now_and_is_not_repeated(judge, monkeypatch):
+    passed("count", without=("band", "grid"), when=START)
+    for later in (timedelta(minutes=10), timedelta(days=2)):
+        monkeypatch.setattr(events, "now", lambda later=later: START + later)
+        assert due(judge) == {"now": ["count"], "due": [], "later": []}
+        assert judge("progress", "--due").lines[:2] == [
+            "Now: not solved yet",
+            "  count  95 of 100 points  last run 2026-03-01",
+        ]
+        assert any(row.split()[:2] == ["now", "count"] for row in judge("progress").lines)
+    passed("count", when=START + timedelta(days=2))
+    assert due(judge) == {"now": [], "due": [], "later": ["count"]}
+
+
+# -- the page ---------------------------------------------------------------------------------------------
+
+
+PAGE = Path("judge-report.html")
+
+
+def test_it_writes_the_page_and_says_where(judge, monkeypatch):
+    passed("middle", without=("half",), mistake="floor-division", when=START)
+    passed("middle", when=START + timedelta(days=1))
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    ended = judge("progress", "--html", "--name", "Ada")
+    assert (ended.status, ended.out, ended.err) == (0, "Wrote judge-report.html  2 runs\n", "")
+    page = PAGE.read_text(encoding="utf-8")
+    assert all(text in page for text in ("1 of 38", "Ada", "floor-division", "overcome"))
+    assert PAGE.stat().st_mode & 0o777 == 0o644
+    assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
+    assert judge("report", "--name", "Ada").status == 0  # as it was called; the same page once more
+    assert PAGE.read_text(encoding="utf-8") == page
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
+    assert "$SOURCE_DATE_EPOCH: 'soon' is no time" in judge("progress", "--html").err
+
+
+def test_what_is_no_such_page_is_not_overwritten(judge):
+    passed("middle", when=START)
+    PAGE.write_text("<!doctype html><title>precious</title>")
+    ended = judge("progress", "--html")
+    assert (ended.status, ended.err.count("\n")) == (2, 1)
+    assert "name another file with --out" in ended.err
+    assert "precious" in PAGE.read_text()
+
+
+def test_a_kata_that_cannot_be_read_any_more_is_left_out_of_the_page(judge, tmp_path):
+    passed("middle", when=START)
+    (tmp_path / "pack" / "broken").mkdir(parents=True)
+    (tmp_path / "pack" / "broken" / "problem.toml").write_text("title = 1")
+    ended = judge("progress", "--html", "--problems", "pack")
+    assert ended.status == 0
+    assert "a kata is left out: broken/problem.toml:1: " in ended.err
+    assert PAGE.exists()

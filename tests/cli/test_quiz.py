@@ -61,11 +61,11 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
     noon = events.now().replace(hour=12)
     monkeypatch.setattr("judge.kata.events.now", lambda: noon)
     typing(["3.5", "a"], "quiz", "halves", "--seed", "3")
-    told = json.loads(judge("due", "--json").out)["cards"]
-    dates = {each["card"]: each["due"] for each in told["later"]}
+    told = json.loads(judge("progress", "--due", "--json").out)["cards"]
+    dates = {each["name"]: each["due"] for each in told["later"]}
     assert dates["halves/rounding"] < dates["halves/half-of-seven"]
     monkeypatch.setattr("judge.kata.events.now", lambda: noon + timedelta(days=1))
-    assert "judge quiz" in judge("due").out
+    assert "judge quiz" in judge("progress", "--due").out
     assert "1 card is due: judge quiz" in judge("next").out
     assert json.loads(judge("next", "--json").out)["cards_due"] == 1
     again = typing(["b"], "quiz", "halves", "--seed", "3")

@@ -31,7 +31,7 @@ def hostile(judge, submit):
     for name, source in zip(NAMES, HOSTILE, strict=True):
         name = name.replace("/", "\u2215")  # what no file's name can hold
         assert judge("run", "middle", submit(source, name), "--no-shrink", "--no-name").status == 1
-    assert judge("report", "--name", MARKUP).status == 0
+    assert judge("progress", "--html", "--name", MARKUP).status == 0
     return Path("judge-report.html").absolute()
 
 
@@ -72,7 +72,7 @@ def pages(judge, submit, shown):
         submit(f"id,name\neve,{PWN}{MARKUP.replace(',', ' ')}\n", "list.csv")
         files = ("--students", "list.csv", "--html", found[1], "--feedback", found[2].parent)
         assert judge("class", "homework", *files).status in (1, 3)
-        assert judge("report", "--out", found[0], "--name", "Ada").status == 0
+        assert judge("progress", "--html", "--out", found[0], "--name", "Ada").status == 0
     return found
 
 

@@ -36,6 +36,8 @@ pytestmark = pytest.mark.slow
 SAMPLES = [
     "list others",
     "hack middle --list",
+    "hint middle",
+    "solution middle --give-up --times --rounds 1",
     "help quiz",
     "help tolerance zero",
     "new pack two-points",

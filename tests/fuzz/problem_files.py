@@ -164,11 +164,11 @@ def _write(path: Path, content: bytes) -> None:
 _CHEAP = (
     *("list", "show {problem}", "show {problem} --groups", "init {problem}", "hint {problem}"),
     *("hint {problem} --all", "next --init", "progress", "progress junior"),
-    *("solution {problem} --give-up", "due"),
+    *("solution {problem} --give-up", "progress --due"),
 )
 _DEAR = (
     *("data {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
-    *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "report"),
+    *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "progress --html"),
     *("run {problem} {program} --fresh 0.05s --seed 7", "try {problem} '1 2' {program}"),
     "try {problem}:{group}:v1,2:000000 {program}",
 )

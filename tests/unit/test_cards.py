@@ -122,11 +122,11 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     cards = all_cards()
     assert [card.key for card in cards if not card.rows] == []
     found = [row for _, own in assess(problems, (), read_checklist(), cards).sections for row in own]
-    assert [progress.row for progress in found] == list(rows)
+    assert [progress.row for progress in found] == [row.id for row in rows]
     for progress in found:
-        assert progress.of(Kind.CARD), progress.row.id
-        assert progress.drills, progress.row.id
-        assert f"judge quiz --row {progress.row.id}" in progress.drills
+        assert Kind.CARD in [each.kind for each in progress.by], progress.row
+        assert progress.drills, progress.row
+        assert f"judge quiz --row {progress.row}" in progress.drills
 
 
 @pytest.mark.nightly

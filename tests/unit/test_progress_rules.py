@@ -14,7 +14,7 @@ from judge.errors import ProblemError
 from judge.kata.checklist import Checklist, Row, Section, read_checklist
 from judge.kata.events import Answer, Hack, Help, Outcome, Rating
 from judge.kata.history import run_of
-from judge.kata.progress import Kind, State, assess
+from judge.kata.progress import State, assess
 from judge.kata.quiz.cards import FORMS, Card
 from judge.kata.quiz.choose import next_cards, next_due
 from judge.kata.review import LADDER, card_reviews, reviews
@@ -85,9 +85,9 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     )
     junior = find_set("junior", extra)
     assert ids(junior) == ["halves", *ids(find_set("junior"))], "its place comes first"
-    skills = {each.skill.name: each for each in assess(junior.problems, (), read_checklist(extra)).skills}
+    skills = {each.name: each for each in assess(junior.problems, (), read_checklist(extra)).skills}
     assert ("halves", ("whole",)) in [(need.problem, need.groups) for need in skills["no slopes"].needs]
-    assert skills["half"].skill.about == "Halves are kept."
+    assert skills["half"].about == "Halves are kept."
     assert [(need.problem, need.groups) for need in skills["half"].needs] == [("halves", ("half",))]
 
 
@@ -130,7 +130,7 @@ def progress(*results, row=None, cards=(), answers=(), hacks=()):
 
 def skill(name, *results):
     """How a skill stands in segment."""
-    return next(each for each in progress(*results).within({"segment"}).skills if each.skill.name == name)
+    return next(each for each in progress(*results).within({"segment"}).skills if each.name == name)
 
 
 CLAMP = "clamp to a segment"
@@ -197,7 +197,7 @@ def test_a_question_is_ticked_by_all_of_its_katas_that_are_here():
     ticked = question(row, past_result("count"), past_result("segment"))
     assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
     assert ticked.drills == ("judge init count", "judge init segment")
-    assert question(Row("J1", "s", "?", katas=("later",))).evidence == ()
+    assert question(Row("J1", "s", "?", katas=("later",))).by == ()
 
 
 def test_or_by_all_of_its_skills_and_a_lost_one_is_lost():
@@ -227,7 +227,7 @@ def test_or_by_all_of_its_cards_if_they_were_known_when_they_were_last_answered(
 
 def test_or_by_one_mistake_that_was_broken():
     row = Row("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
-    assert [each.name for each in question(row).of(Kind.BROKEN)] == ["count/a", "count/b"]
+    assert [each.name for each in question(row).by] == ["count/a", "count/b"]
     ticked = question(row, hacks=[Hack("count", "b", "0 0 1", Outcome.WON, when=days(1))])
     assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
     assert ticked.drills == ("judge hack count a", "judge hack count b")

@@ -13,8 +13,7 @@ from judge.cli.options import db_option, json_option, problems_option, write_jso
 from judge.errors import ExitCode
 from judge.kata.stub import file_name
 from judge.problem import Problem
-from judge.report.due import waiting_lines
-from judge.report.kata import begun_lines, finished_lines, next_lines, writing_lines
+from judge.report.kata import begun_lines, finished_lines, next_lines, waiting_lines, writing_lines
 from judge.report.screen import out
 
 if TYPE_CHECKING:

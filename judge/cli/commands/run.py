@@ -171,8 +171,10 @@ def _as(judged: Judged, form: str) -> Struct:
 
     entry = judged.problem.entry if judged.problem else ""
     if form == EDITOR:
-        return AtLines(tuple(editor_lines(judged.result, judged.source, entry)), judged.result.exit_code)
-    return AtLines((annotation(judged.result, judged.source, entry, os.environ),), judged.result.exit_code)
+        lines = editor_lines(judged.result, judged.source, entry)
+    else:
+        lines = iter((annotation(judged.result, judged.source, entry, os.environ),))
+    return AtLines("".join(f"{line}\n" for line in lines), judged.result.exit_code)
 
 
 def _judged(

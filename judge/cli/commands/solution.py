@@ -1,128 +1,165 @@
-"""`judge solution`: the approaches there are and why they work, for who has solved the problem or gave up."""
+"""`judge hint` and `judge solution`: one more hint; the model solution, once it is solved or given up."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated
 
 import click
+from msgspec import Struct
 
+from judge.cli.fitting import problem_meant
+from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kata import problem_in_hand
-from judge.cli.options import db_option, json_option, problems_option, write_json
-from judge.errors import ExitCode, JudgeError, UsageError
-from judge.kata.model import Model, approaches, chosen_approach
+from judge.cli.kept import history_at
+from judge.cli.options import Common, command, opt, takes
+from judge.errors import UsageError
+from judge.kata.events import Help
+from judge.kata.model import approaches, chosen_approach
 from judge.languages import language_of
-from judge.problem import Problem, Verdict
-from judge.report.progress import progress
-from judge.report.screen import note, out
-from judge.report.solution import YOURS, approach_lines, solution_text
+from judge.problem import Problem
+from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
 if TYPE_CHECKING:
     from judge.kata.events import Run
+    from judge.run.result import Taken
+    from judge.run.times import Program
 
-SCHEMA = 1
+_ROUNDS = 3
 
 
-@click.command("solution")
-@click.argument("name", metavar="[PROBLEM", required=False)
-@click.argument("approach", metavar="[APPROACH]]", required=False)
-@click.option(
-    "--give-up",
-    "giving_up",
-    is_flag=True,
-    help="Show it before you have solved the kata; this is remembered.",
-)
-@click.option("--no-time", "untimed", is_flag=True, help="Do not measure times.")
-@click.option(
-    "--language", metavar="NAME", help="Show the one in this language: go, cpp, java …; Python by default."
-)
-@json_option
-@db_option
-@problems_option
-def command(
-    name: str | None,
-    approach: str | None,
-    giving_up: bool,
-    untimed: bool,
-    language: str | None,
-    as_json: bool,
-    db: Path | None,
-    folders: tuple[Path, ...],
-) -> ExitCode:
-    """Explain a model solution.
+class HintAsk(Struct, frozen=True):
+    """Which hint."""
 
-    Without PROBLEM: of your current kata. It is shown once yours is accepted, or with --give-up; the kata
-    then comes back sooner. Below it are the other approaches by name, each with its time beside your latest
-    accepted run, measured now.
+    again: Annotated[bool, opt("--again", help="Repeat the last one.")] = False
+    step: Annotated[int | None, opt("--step", metavar="N", help="Show hint N; the first is 1.")] = None
+    whole: Annotated[bool, opt("--all", help="Show all hints.")] = False
 
-    Approaches in other languages have the names of their files: judge solution distance reference.go, or
-    judge solution distance --language go. Their time is a multiple of the reference in that language.
+
+@command("hint", HintShown)
+@click.argument("name", metavar="[KATA|FILE]", required=False)
+@takes(HintAsk, "ask")
+def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
+    """Give one more hint.
+
+    The hint is for that kata, for the kata of a file, or for your current kata. The first hint is a nudge,
+    the last is nearly the whole solution. The judge remembers which ones you have seen.
     """
-    problem = problem_in_hand(name, folders, db)
-    models = approaches(problem)
-    model = chosen_approach(problem, models, approach, language)
-    yours = _admit(problem, db, giving_up=giving_up)
-    ratios = {} if untimed or problem.time is None else _ratios(problem, models, model, yours)
-    run = yours[0] if yours else None
-    if as_json:
-        write_json(
-            {
-                "schema": SCHEMA,
-                "problem": problem.id,
-                "file": model.path.name,
-                "language": model.tongue,
-                "idea": model.idea,
-                "explanation": model.explanation,
-                "program": model.program,
-                "solved": run is not None,
-                "approaches": [_approach(each, ratios) for each in models],
-                "yours": {"run": run.id, "file": run.submission, "ratio": ratios.get(YOURS)} if run else None,
-            }
-        )
-        return ExitCode.ACCEPTED
-    screen = out()
-    screen.write(solution_text(problem, model, screen))
-    screen.show(approach_lines(problem, models, model, run, ratios, screen.width))
-    return ExitCode.ACCEPTED
-
-
-def _approach(model: Model, ratios: Mapping[str, float | None]) -> dict[str, Any]:
-    return {
-        "name": model.name,
-        "file": model.path.name,
-        "language": model.tongue,
-        "about": model.about,
-        "ratio": ratios.get(model.path.name),
-    }
-
-
-def _ratios(
-    problem: Problem, models: Sequence[Model], shown: Model, yours: tuple[Run, bytes] | None
-) -> dict[str, float | None]:
-    """The times of approaches by file, and of one's own; none where they cannot be measured.
-
-    Of other languages only those of the one shown, and of one's own, are compiled for it.
-    """
-    from judge import RunOptions, Session  # only who has them measured waits for it
-
-    wanted = [None, shown.language, *([language_of(yours[0].submission)] if yours else [])]
-    timed = [model for model in models if model.language in wanted]
-    programs = [(model.path.name, model.source) for model in timed]
-    names = [model.path.name for model in timed]
-    if yours is not None:
-        programs.append((yours[0].submission, yours[1]))
-        names.append(YOURS)
+    if ask.again + ask.whole + (ask.step is not None) > 1:
+        raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
+    where = common.problems, common.db
+    problem = problem_in_hand(None, *where) if name is None else problem_meant(name, *where)
+    chosen = _chosen(problem, ask, common.db)
     try:
-        with Session(problem, RunOptions(diagnosed=False, named=False), bars=progress) as session:
-            session.boot(programs[0][1], programs[0][0])
-            results = [session.judge(source, file) for file, source in programs]
-    except JudgeError as fault:  # the solution is what was asked for
-        note(f"the times are not measured: {fault}")
-        return {}
-    ratios = [result.time.ratio if result.verdict is Verdict.AC else None for result in results]
-    believed = [ratio.median if ratio and not ratio.unreliable else None for ratio in ratios]
-    return dict(zip(names, believed, strict=True))
+        note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
+    finally:
+        yield from chosen
+
+
+def _chosen(problem: Problem, ask: HintAsk, db: Path | None) -> Sequence[HintShown]:
+    """The hints that were asked for, at least one. Raises UsageError."""
+    hints = hints_of(problem)
+    if ask.whole:
+        return hints
+    step = ask.step
+    if ask.again:
+        step = min(hints_seen(problem.id, db), len(hints))
+        if not step:
+            raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
+    if step is None:
+        return [next_hint(problem, db)]
+    if not 1 <= step <= len(hints):
+        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {len(hints)}")
+    return [hints[step - 1]]
+
+
+class SolutionAsk(Struct, frozen=True):
+    """Which solution, and whether to measure."""
+
+    giving_up: Annotated[
+        bool, opt("--give-up", help="Show it before you have solved the kata; this is remembered.")
+    ] = False
+    language: Annotated[
+        str | None, opt("--language", metavar="L", help="The one in this language: go, cpp, java …")
+    ] = None
+    times: Annotated[
+        bool, opt("--times", help="Measure all approaches and yours, in each language; takes a minute.")
+    ] = False
+    rounds: Annotated[
+        int | None,
+        opt("--rounds", type=click.IntRange(1, 99), metavar="N", help=f"Measure N times, not {_ROUNDS}."),
+    ] = None
+
+
+@command("solution", SolutionShown)
+@click.argument("name", metavar="[KATA", required=False)
+@click.argument("approach", metavar="[APPROACH]]", required=False)
+@takes(SolutionAsk, "ask")
+def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: Common) -> SolutionShown:
+    """Show the model solution, and why it works.
+
+    Without KATA: that of your current kata. It is shown once yours is accepted, or with --give-up; the kata
+    then comes back sooner. Below it are the other approaches by name.
+
+    With --times you see what each approach takes for one case, beside the first one and your own.
+    """
+    if ask.rounds and not ask.times:
+        raise UsageError("--rounds goes with --times", remedy="add --times")
+    problem = problem_in_hand(name, common.problems, common.db)
+    models = approaches(problem)
+    model = chosen_approach(problem, models, approach, ask.language)
+    yours = _admit(problem, common.db, giving_up=ask.giving_up)
+    programs = [(each.path.name, each.source) for each in models]
+    programs += [(yours[0].submission, yours[1])] if yours else []
+    taken = (
+        _measured(problem, programs, ask.rounds or _ROUNDS, common) if ask.times else [None] * len(programs)
+    )
+    return SolutionShown(
+        problem=problem.id,
+        file=model.path.name,
+        language=model.tongue,
+        code=model.language.id if model.language else "python",
+        idea=model.idea,
+        explanation=model.explanation,
+        program=model.program,
+        approaches=tuple(
+            ApproachRow(
+                name=each.name,
+                call=each.call,
+                file=each.path.name,
+                language=each.tongue,
+                about=each.about,
+                taken=its,
+            )
+            for each, its in zip(models, taken, strict=False)
+        ),
+        yours=Yours(run=yours[0].id, file=yours[0].submission, taken=taken[-1]) if yours else None,
+    )
+
+
+def _measured(
+    problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
+) -> list[Taken | None]:
+    """What each program takes for a case; why not, where its language is not installed."""
+    from judge.data.load import load_data
+    from judge.judging.containment import Containment
+    from judge.languages.find import why_not
+    from judge.report.progress import progress
+    from judge.run.result import Taken
+    from judge.run.times import Program, measure
+
+    missing = [why_not(language) if (language := language_of(name)) else "" for name, _ in programs]
+    here: list[Program] = []
+    for (name, source), lacking in zip(programs, missing, strict=True):
+        language = language_of(name)
+        if not lacking:
+            here.append(Program(name, source, warms=bool(language and language.factor > 1)))
+    with progress(f"building {problem.id}") as advance:
+        data = load_data(problem, progress=advance)
+    with Containment(problem, common.isolation) as containment, progress("measuring") as advance:
+        found = iter(measure(data, here, containment.open_box, rounds, advance))
+    return [Taken(why_not=lacking) if lacking else next(found) for lacking in missing]
 
 
 def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
@@ -130,9 +167,6 @@ def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, 
 
     Raises UsageError where it is neither.
     """
-    from judge.cli.kept import history_at
-    from judge.kata.events import Help
-
     with history_at(db, reading=not giving_up) as history:
         solved = [run for run in history.runs(problem.id) if run.solved]
         if solved:
@@ -142,5 +176,4 @@ def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, 
         if giving_up:
             history.keep(Help(problem.id, hints=0))
             return None
-    remedy = f"'judge hint {problem.id}' helps, 'judge solution {problem.id} --give-up' shows it all the same"
-    raise UsageError(f"{problem.id} is not solved yet", remedy=remedy)
+    raise UsageError(f"Solve {problem.id} first", remedy="or see it anyway: add --give-up")

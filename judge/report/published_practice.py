@@ -1,0 +1,169 @@
+"""What history, hint and solution say: frozen structs, whose field names are the JSON's keys."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from msgspec import Struct
+
+from judge.kata.events import Run
+from judge.problem import Verdict
+from judge.report.published import Published
+from judge.run.result import Mode, Result, Taken
+
+
+class RunRow(
+    Published,
+    frozen=True,
+    kw_only=True,
+    rename={"id": "run", "when": "time", "source_hash": "source"},
+):
+    """A run with its result; `source` is the sha256 of what was judged, `passed` and `failed` name groups."""
+
+    id: int
+    when: datetime
+    problem: str
+    submission: str
+    path: str
+    verdict: Verdict
+    score: int
+    mode: Mode
+    mistake: str | None
+    ratio: float | None
+    passed: tuple[str, ...]
+    failed: tuple[str, ...]
+    levels: tuple[str, ...]
+    source_hash: str
+    result: Result
+
+
+_COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
+
+
+def run_row(run: Run) -> RunRow:
+    """The row of a run. Raises HistoryError where its result is damaged."""
+    return RunRow(**{name: getattr(run, name) for name in _COLUMNS})
+
+
+class RunList(Struct, frozen=True):
+    """Runs, the latest last; `more` says that older ones are left out, `csv` that CSV is wanted."""
+
+    runs: tuple[Run, ...]
+    problem: str = ""
+    more: bool = False
+    csv: bool = False
+
+    @property
+    def published(self) -> tuple[RunRow, ...]:
+        """Each run in full."""
+        return tuple(map(run_row, self.runs))
+
+    @property
+    def plain(self) -> str:
+        """The CSV, where that is wanted."""
+        if not self.csv:
+            return ""
+        from judge.report.sheet import csv_text  # only who asks for it waits for it
+
+        rows = [[_cell(getattr(row, name)) for name in _COLUMNS[:-1]] for row in self.published]
+        return csv_text([RunRow.__struct_encode_fields__[1:-1], *rows], "\n")
+
+
+def _cell(value: object) -> object:
+    """What a cell holds: names side by side, nothing for None."""
+    if isinstance(value, tuple):
+        return " ".join(value)
+    if isinstance(value, datetime):
+        return value.isoformat()
+    return "" if value is None else getattr(value, "value", value)
+
+
+class RunShown(Struct, frozen=True):
+    """One run in full."""
+
+    run: Run
+
+    @property
+    def published(self) -> tuple[RunRow]:
+        """The run."""
+        return (run_row(self.run),)
+
+
+class GroupChange(Struct, frozen=True):
+    """A test group that the two runs did not end alike: `passed`, `failed`, or null where it was not run."""
+
+    group: str
+    before: str | None
+    after: str | None
+
+
+class RunsCompared(Published, frozen=True, kw_only=True):
+    """Two runs of one kata: what became of its groups, and of the source (as a unified diff)."""
+
+    problem: str
+    before: int
+    after: int
+    verdicts: tuple[Verdict, Verdict]
+    scores: tuple[int, int]
+    groups: tuple[GroupChange, ...]
+    diff: tuple[str, ...]
+
+
+class Restored(Published, frozen=True, kw_only=True):
+    """The source of a run in its file again; what was there is `kept_as`, unless it was the same."""
+
+    run: int
+    time: datetime
+    problem: str
+    source: str
+    file: str
+    written: bool
+    kept_as: str | None
+
+
+class HintShown(Published, frozen=True, kw_only=True):
+    """Hint `step` of a kata's `steps`, from 1; the text is Markdown."""
+
+    problem: str
+    step: int
+    steps: int
+    title: str
+    text: str
+
+
+class ApproachRow(Struct, frozen=True, kw_only=True):
+    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
+
+    name: str
+    call: str
+    file: str
+    language: str
+    about: str
+    taken: Taken | None
+
+
+class Yours(Struct, frozen=True, kw_only=True):
+    """The latest run of the person's own that solved the kata, and what it takes."""
+
+    run: int
+    file: str
+    taken: Taken | None
+
+
+class SolutionShown(Published, frozen=True, kw_only=True):
+    """A model solution and all approaches; `code` is the id of its language."""
+
+    problem: str
+    file: str
+    language: str
+    code: str
+    idea: str
+    explanation: str
+    program: str
+    approaches: tuple[ApproachRow, ...]
+    yours: Yours | None
+
+    @property
+    def paged(self) -> bool:
+        """It is longer than most terminals."""
+        return True
