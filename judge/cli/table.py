@@ -40,15 +40,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 "judge run count count.py --level interview",
             ),
         ),
-        "watch": Entry(
-            "Judge a file again on every save.",
-            "start",
-            "watch",
-            (
-                "judge watch",
-                "judge watch count.py",
-            ),
-        ),
         "hint": Entry(
             "Give the next hint.",
             "start",
@@ -124,14 +115,16 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     },
     "Interview": {
         "quiz": Entry(
-            "Ask cards, or hold a mock interview.",
+            "Ask short questions that need no code.",
             "interview",
             "quiz",
-            (
-                "judge quiz middle --cards 5",
-                "judge quiz --row Q6",
-                "judge quiz --interview --minutes 20",
-            ),
+            ("judge quiz", "judge quiz middle --cards 5", "judge quiz --question Q6"),
+        ),
+        "interview": Entry(
+            "Hold a mock interview.",
+            "interview",
+            "interview",
+            ("judge interview", "judge interview senior --minutes 45", "judge interview --kata count"),
         ),
         "hack": Entry(
             "Break a wrong program with one case.",
@@ -217,6 +210,15 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             (
                 "judge explore chord --open",
                 'judge explore count "0, 0, 1, (-1, 1), (1, 1)"',
+            ),
+        ),
+        "watch": Entry(
+            "Judge a file again on every save.",
+            "start",
+            "watch",
+            (
+                "judge watch",
+                "judge watch count.py",
             ),
         ),
     },
