@@ -49,7 +49,7 @@ STORE = Kind(
     "file of results",
     0x4A55434C,  # "JUCL"
     (_ROWS,),
-    "name another file with --out",
+    "move it away, or copy the folder to another place",
     StoreError,
     synchronous="FULL",
 )
@@ -59,7 +59,7 @@ def store_of(folder: Path) -> Path:
     """Where a class's results are: beside its folder. Raises StoreError where nothing is beside it."""
     place = Path(os.path.abspath(folder))  # noqa: PTH100 - a link keeps its own
     if not place.name:
-        raise StoreError("this folder has none beside it", where=str(place), remedy=STORE.elsewhere)
+        raise StoreError("nothing can be beside this folder", where=str(place), remedy="name another folder")
     return place.with_name(f"{place.name}.judge.sqlite3")
 
 

@@ -139,13 +139,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     },
     "Teach and set": {
         "class": Entry(
-            "Judge what a class has handed in.",
+            "Judge everything that a class has submitted.",
             "class",
             "class",
             (
                 "judge class homework -j 4",
-                "judge class homework --students students.csv --json",
-                "judge class homework --shard 3/20",
+                "judge class homework --students students.csv --csv grades.csv",
+                "judge class homework count --html class.html --feedback pages",
             ),
         ),
         "new": Entry(

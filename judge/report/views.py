@@ -28,6 +28,7 @@ VIEWS: Mapping[str, tuple[str, str]] = {
     "CardList": ("quiz", "card_list"),
     "Quizzed": ("quiz", "quizzed"),
     "Interviewed": ("quiz", "interviewed"),
+    "Cohort": ("klass", "klass"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),

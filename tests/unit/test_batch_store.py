@@ -88,7 +88,7 @@ def foreign(path):
     ("make", "told"),
     [
         (lambda path: path.write_text("a diary"), "this is no file of results of the judge"),
-        (foreign, "this is another program's database; name another file with --out"),
+        (foreign, "this is another program's database; move it away, or copy the folder"),
         (lambda path: path.mkdir(), "the file of results cannot be "),
         (lambda path: path.write_bytes(b"SQLite format 3\0" + b"\xff" * 4000), "file of results"),
     ],
