@@ -16,12 +16,12 @@ from judge.cli.options import Common, command, opt, takes
 from judge.errors import ProblemError, UsageError, nearest
 from judge.kata import events
 from judge.kata.checklist import find_row, read_checklist
-from judge.kata.quiz.cards import Card, all_cards, cards_of, unknown_parts
+from judge.kata.quiz.cards import Card, all_cards, cards_of
 from judge.kata.quiz.choose import next_cards, next_due, to_practise
 from judge.kata.quiz.questions import Sources
 from judge.kata.review import card_reviews
 from judge.kata.sets import FIRST, USUAL
-from judge.problem.find import find_problem
+from judge.problem.find import find_problem, problem_folders
 from judge.report.progress import progress
 from judge.report.published_quiz import CardList, CardRow, Quizzed, quizzed
 from judge.report.screen import err, out
@@ -97,8 +97,8 @@ def shown_cards(name: str, folders: Sequence[Path]) -> list[Card]:
     Raises UsageError where nothing is called so, ProblemError where a deck is broken.
     """
     cards = cards_of(name, all_cards(folders), folders)
-    missing = unknown_parts(cards, folders)
-    return [card for card in cards if card.problem not in missing]
+    here = {folder.name for folder in problem_folders(folders)}
+    return [card for card in cards if not card.problem or card.problem in here]
 
 
 def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) -> list[Card]:

@@ -15,7 +15,7 @@ it practises, `sets` the practice sets that the deck's cards are asked with.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -26,7 +26,7 @@ from judge.errors import ProblemError, UsageError
 from judge.kata.checklist import read_checklist
 from judge.kata.quiz.typed import NUMBER, MistypedError, number
 from judge.kata.sets import USUAL, set_names
-from judge.problem.find import problem_folders, problem_roots
+from judge.problem.find import problem_roots
 from judge.problem.tables import TomlFile, meant, refusal
 
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
@@ -234,12 +234,6 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
         remedy = meant(name, known) if name not in known else f"cards are in {', '.join(holding)}"
         raise UsageError(what, remedy=remedy)
     return found
-
-
-def unknown_parts(cards: Sequence[Card], extra: Sequence[Path] = ()) -> Mapping[str, str]:
-    """The problems that cards name and that are not here, each with a card that does."""
-    here = {folder.name for folder in problem_folders(extra)}
-    return {card.problem: card.key for card in cards if card.problem and card.problem not in here}
 
 
 def _deck(name: str, path: Path, rows: Sequence[str], sets: Sequence[str]) -> Deck:
